@@ -1,0 +1,3 @@
+//! rustycs: 2D rigid-body physics.
+pub mod math;
+pub(crate) mod store;

@@ -1,0 +1,97 @@
+//! An axis-aligned bounding box, in `f32` and rounded outward.
+
+use crate::math::{Point, Vec2};
+
+/// An axis-aligned box between two corners, m: what the broad phase sorts bodies by.
+///
+/// Coordinates are `f32` of the world's frame. Boxes made from places in `f64` are rounded outward, so that
+/// far from the origin they grow but never miss what they hold.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Aabb {
+    /// Lower left corner, m.
+    pub min: Vec2,
+    /// Upper right corner, m.
+    pub max: Vec2,
+}
+
+impl Aabb {
+    /// The box between two corners, m.
+    pub const fn new(min: Vec2, max: Vec2) -> Self {
+        Self { min, max }
+    }
+
+    /// The box from `center + low` to `center + high`, m, rounded outward.
+    pub fn around(center: Point, low: Vec2, high: Vec2) -> Self {
+        Self {
+            min: Vec2::new(round_down(center.x + f64::from(low.x)), round_down(center.y + f64::from(low.y))),
+            max: Vec2::new(round_up(center.x + f64::from(high.x)), round_up(center.y + f64::from(high.y))),
+        }
+    }
+
+    /// Middle of the box, m.
+    pub fn center(self) -> Vec2 {
+        (self.min + self.max) * 0.5
+    }
+
+    /// Width and height, m.
+    pub fn size(self) -> Vec2 {
+        self.max - self.min
+    }
+
+    /// Length of the outline, m: the cost measure of the bounding-volume tree.
+    #[inline(always)]
+    pub fn perimeter(self) -> f32 {
+        2.0 * ((self.max.x - self.min.x) + (self.max.y - self.min.y))
+    }
+
+    /// The smallest box that holds both.
+    #[inline(always)]
+    #[must_use]
+    pub fn union(self, other: Self) -> Self {
+        Self { min: self.min.min(other.min), max: self.max.max(other.max) }
+    }
+
+    /// The box grown by `margin`, m, on every side.
+    #[inline(always)]
+    #[must_use]
+    pub fn grown(self, margin: f32) -> Self {
+        Self { min: self.min - Vec2::splat(margin), max: self.max + Vec2::splat(margin) }
+    }
+
+    /// The box stretched so that it also holds itself moved by `motion`, m.
+    #[inline(always)]
+    #[must_use]
+    pub fn swept(self, motion: Vec2) -> Self {
+        Self { min: self.min + motion.min(Vec2::ZERO), max: self.max + motion.max(Vec2::ZERO) }
+    }
+
+    /// Whether the two share a point, borders included.
+    #[inline(always)]
+    pub fn overlaps(self, other: Self) -> bool {
+        self.min.x <= other.max.x
+            && other.min.x <= self.max.x
+            && self.min.y <= other.max.y
+            && other.min.y <= self.max.y
+    }
+
+    /// Whether `other` lies within this box, borders included.
+    #[inline(always)]
+    pub fn contains(self, other: Self) -> bool {
+        self.min.x <= other.min.x
+            && self.min.y <= other.min.y
+            && other.max.x <= self.max.x
+            && other.max.y <= self.max.y
+    }
+}
+
+/// Largest `f32` that is not above `value`.
+fn round_down(value: f64) -> f32 {
+    let nearest = value as f32;
+    if f64::from(nearest) > value { nearest.next_down() } else { nearest }
+}
+
+/// Smallest `f32` that is not below `value`.
+fn round_up(value: f64) -> f32 {
+    -round_down(-value)
+}

@@ -1,0 +1,36 @@
+//! Where a body is and how it is turned.
+
+use crate::math::{Point, Rot, Vec2};
+
+/// Position of a body's centre of mass and the body's rotation about it.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Pose {
+    /// Centre of mass, m.
+    pub center: Point,
+    /// Rotation from the body's frame into the world's.
+    pub rotation: Rot,
+}
+
+impl Pose {
+    /// The pose at `center`, m, turned by `angle`, rad, counter-clockwise.
+    pub fn new(center: impl Into<Point>, angle: f32) -> Self {
+        Self { center: center.into(), rotation: Rot::from_angle(angle) }
+    }
+
+    /// The pose at `center`, m, not turned.
+    pub fn at(center: impl Into<Point>) -> Self {
+        Self { center: center.into(), rotation: Rot::IDENTITY }
+    }
+
+    /// The world's place of a point of the body's frame (m from its centre).
+    #[inline]
+    pub fn to_world(self, local: Vec2) -> Point {
+        self.center + self.rotation.rotate(local)
+    }
+
+    /// The point of the body's frame (m from its centre) that lies at a place of the world.
+    #[inline]
+    pub fn to_local(self, place: Point) -> Vec2 {
+        self.rotation.unrotate(place - self.center)
+    }
+}

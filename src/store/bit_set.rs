@@ -1,0 +1,34 @@
+//! A set of small numbers, one bit each.
+
+/// A set of small numbers, one bit each; it grows as needed.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct BitSet {
+    words: Vec<u64>,
+}
+
+impl BitSet {
+    #[inline(always)]
+    pub(crate) fn contains(&self, number: u32) -> bool {
+        self.words.get(number as usize / 64).is_some_and(|word| word >> (number % 64) & 1 == 1)
+    }
+
+    /// Adds `number`; returns whether it is new.
+    pub(crate) fn insert(&mut self, number: u32) -> bool {
+        let (index, bit) = (number as usize / 64, 1 << (number % 64));
+        if index >= self.words.len() {
+            self.words.resize(index + 1, 0);
+        }
+        let is_new = self.words[index] & bit == 0;
+        self.words[index] |= bit;
+        is_new
+    }
+
+    /// Takes `number` out; returns whether it was there.
+    pub(crate) fn remove(&mut self, number: u32) -> bool {
+        let was_there = self.contains(number);
+        if was_there {
+            self.words[number as usize / 64] &= !(1 << (number % 64));
+        }
+        was_there
+    }
+}

@@ -1,0 +1,151 @@
+//! Values at fixed places, named by keys that notice when the value has gone.
+
+use core::num::NonZeroU32;
+use core::ops::{Index, IndexMut};
+
+/// Place and generation of a value in [`Slots`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub(crate) struct Key {
+    generation: NonZeroU32,
+    index: u32,
+}
+
+impl Key {
+    /// The place, which is what the engine's own tables are indexed by.
+    #[inline(always)]
+    pub(crate) fn index(self) -> u32 {
+        self.index
+    }
+
+    /// How often the place had been filled when this key was given out.
+    pub(crate) fn generation(self) -> u32 {
+        self.generation.get()
+    }
+
+    pub(crate) fn to_bits(self) -> u64 {
+        u64::from(self.generation.get()) << 32 | u64::from(self.index)
+    }
+
+    pub(crate) fn from_bits(bits: u64) -> Option<Self> {
+        Some(Self { generation: NonZeroU32::new((bits >> 32) as u32)?, index: bits as u32 })
+    }
+}
+
+#[derive(Clone, Debug)]
+struct Slot<T> {
+    generation: NonZeroU32,
+    value: Option<T>,
+}
+
+/// Values at fixed places. A removed value's place is used again (last freed first) under a new generation.
+#[derive(Clone, Debug)]
+pub(crate) struct Slots<T> {
+    slots: Vec<Slot<T>>,
+    free: Vec<u32>,
+}
+
+impl<T> Default for Slots<T> {
+    fn default() -> Self {
+        Self { slots: Vec::new(), free: Vec::new() }
+    }
+}
+
+impl<T> Slots<T> {
+    /// How many values there are.
+    pub(crate) fn len(&self) -> usize {
+        self.slots.len() - self.free.len()
+    }
+
+    /// How many places there are, filled or free: every key's index is below it.
+    pub(crate) fn places(&self) -> usize {
+        self.slots.len()
+    }
+
+    pub(crate) fn insert(&mut self, value: T) -> Key {
+        if let Some(index) = self.free.pop() {
+            let slot = &mut self.slots[index as usize];
+            slot.value = Some(value);
+            Key { generation: slot.generation, index }
+        } else {
+            let index = self.slots.len() as u32;
+            self.slots.push(Slot { generation: NonZeroU32::MIN, value: Some(value) });
+            Key { generation: NonZeroU32::MIN, index }
+        }
+    }
+
+    /// Takes the value out, or `None` for a stale key.
+    pub(crate) fn remove(&mut self, key: Key) -> Option<T> {
+        let slot = self.slots.get_mut(key.index as usize).filter(|slot| slot.generation == key.generation)?;
+        let value = slot.value.take()?;
+        // After 2³² - 1 uses of one place the count starts again at 1.
+        slot.generation = slot.generation.checked_add(1).unwrap_or(NonZeroU32::MIN);
+        self.free.push(key.index);
+        Some(value)
+    }
+
+    pub(crate) fn get(&self, key: Key) -> Option<&T> {
+        let slot = self.slots.get(key.index as usize)?;
+        if slot.generation == key.generation { slot.value.as_ref() } else { None }
+    }
+
+    pub(crate) fn get_mut(&mut self, key: Key) -> Option<&mut T> {
+        let slot = self.slots.get_mut(key.index as usize)?;
+        if slot.generation == key.generation { slot.value.as_mut() } else { None }
+    }
+
+    /// The key of the value at a place that is filled.
+    pub(crate) fn key_at(&self, index: u32) -> Key {
+        let slot = &self.slots[index as usize];
+        debug_assert!(slot.value.is_some(), "place {index} is free");
+        Key { generation: slot.generation, index }
+    }
+
+    /// Keys and values by ascending place.
+    pub(crate) fn iter(&self) -> impl Iterator<Item = (Key, &T)> {
+        self.slots.iter().enumerate().filter_map(|(index, slot)| {
+            let key = Key { generation: slot.generation, index: index as u32 };
+            slot.value.as_ref().map(|value| (key, value))
+        })
+    }
+}
+
+impl<T> Index<u32> for Slots<T> {
+    type Output = T;
+    #[inline(always)]
+    fn index(&self, index: u32) -> &T {
+        self.slots[index as usize].value.as_ref().expect("the place is filled")
+    }
+}
+
+impl<T> IndexMut<u32> for Slots<T> {
+    #[inline(always)]
+    fn index_mut(&mut self, index: u32) -> &mut T {
+        self.slots[index as usize].value.as_mut().expect("the place is filled")
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Key, Slots};
+
+    #[test]
+    fn a_key_is_stale_after_its_value_was_removed_even_when_the_place_is_used_again() {
+        let mut slots = Slots::default();
+        let first = slots.insert("first");
+        let second = slots.insert("second");
+        assert_eq!(slots.remove(first), Some("first"));
+        let third = slots.insert("third");
+        assert_eq!(third.index(), first.index());
+        assert_eq!((slots.get(first), slots.get(second), slots.get(third)), (None, Some(&"second"), Some(&"third")));
+        assert_eq!(slots.remove(first), None);
+        assert_eq!(slots.len(), 2);
+    }
+
+    #[test]
+    fn an_optional_key_is_as_small_as_a_key_and_survives_the_way_through_bits() {
+        assert_eq!(size_of::<Option<Key>>(), 8);
+        let key = Slots::default().insert(());
+        assert_eq!(Key::from_bits(key.to_bits()), Some(key));
+        assert_eq!(Key::from_bits(7), None);
+    }
+}
