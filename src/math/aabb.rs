@@ -88,7 +88,15 @@ impl Aabb {
 /// Largest `f32` that is not above `value`.
 fn round_down(value: f64) -> f32 {
     let nearest = value as f32;
-    if f64::from(nearest) > value { nearest.next_down() } else { nearest }
+    if f64::from(nearest) <= value {
+        return nearest;
+    }
+    // The next float below: floats of one sign are ordered as their bits are.
+    match nearest.to_bits() {
+        0 | 0x8000_0000 => -f32::from_bits(1),
+        bits if nearest > 0.0 => f32::from_bits(bits - 1),
+        bits => f32::from_bits(bits + 1),
+    }
 }
 
 /// Smallest `f32` that is not below `value`.

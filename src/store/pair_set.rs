@@ -18,6 +18,7 @@ fn key_of(a: u32, b: u32) -> u64 {
 }
 
 impl PairSet {
+    #[cfg(test)]
     pub(crate) fn len(&self) -> usize {
         self.len
     }

@@ -56,11 +56,6 @@ impl<T> Slots<T> {
         self.slots.len() - self.free.len()
     }
 
-    /// How many places there are, filled or free: every key's index is below it.
-    pub(crate) fn places(&self) -> usize {
-        self.slots.len()
-    }
-
     pub(crate) fn insert(&mut self, value: T) -> Key {
         if let Some(index) = self.free.pop() {
             let slot = &mut self.slots[index as usize];
@@ -136,7 +131,10 @@ mod tests {
         assert_eq!(slots.remove(first), Some("first"));
         let third = slots.insert("third");
         assert_eq!(third.index(), first.index());
-        assert_eq!((slots.get(first), slots.get(second), slots.get(third)), (None, Some(&"second"), Some(&"third")));
+        assert_eq!(
+            (slots.get(first), slots.get(second), slots.get(third)),
+            (None, Some(&"second"), Some(&"third"))
+        );
         assert_eq!(slots.remove(first), None);
         assert_eq!(slots.len(), 2);
     }

@@ -1,0 +1,221 @@
+//! All bodies of a world, in tables indexed by slot.
+
+use crate::body::{Body, BodyId, BodyType, Material};
+use crate::compute::{BodyState, GROUND_ROW};
+use crate::math::{Aabb, Point, Pose, Vec2};
+use crate::shape::{MassProperties, Shape};
+use crate::store::{Key, Slots};
+
+/// No slot, group or contact: the end of a list.
+pub(crate) const NONE: u32 = u32::MAX;
+
+/// Cold: what is touched when somebody asks, or a contact begins.
+#[derive(Clone, Debug)]
+pub(crate) struct Record {
+    pub(crate) body_type: BodyType,
+    pub(crate) material: Material,
+    /// Mass, kg, as if the body were dynamic.
+    pub(crate) mass: f32,
+    /// Moment of inertia about the centre of mass, kg m², as if the body were dynamic and free to turn.
+    pub(crate) inertia: f32,
+    /// The caller's override of the mass, kept so that the description can be given back.
+    pub(crate) mass_override: Option<f32>,
+    pub(crate) fixed_rotation: bool,
+    pub(crate) user_data: u64,
+    /// First contact of the body, or `NONE`.
+    pub(crate) first_contact: u32,
+    /// The sleeping group the body belongs to, or `NONE` while it is awake or fixed.
+    pub(crate) sleep_group: u32,
+}
+
+/// Warm: pose, mass and what acts on the body; touched a few times per step.
+#[derive(Clone, Debug)]
+pub(crate) struct Motion {
+    pub(crate) pose: Pose,
+    /// 1/mass, 1/kg; 0 for fixed and kinematic bodies.
+    pub(crate) inverse_mass: f32,
+    /// 1/(moment of inertia), 1/(kg m²); 0 where the body cannot be turned.
+    pub(crate) inverse_inertia: f32,
+    /// Force during the next step, N.
+    pub(crate) force: Vec2,
+    /// Torque during the next step, N m.
+    pub(crate) torque: f32,
+    /// Factor on the world's forces.
+    pub(crate) gravity_scale: f32,
+    /// Damping, 1/s.
+    pub(crate) linear_damping: f32,
+    /// Damping, 1/s.
+    pub(crate) angular_damping: f32,
+    /// What rounding has kept out of the velocity so far, m/s.
+    pub(crate) velocity_carry: Vec2,
+    /// Greatest distance of the outline from the centre, m.
+    pub(crate) extent: f32,
+    /// Smallest width of the shape, m.
+    pub(crate) thickness: f32,
+    /// How long the body has been nearly at rest, s.
+    pub(crate) still_time: f32,
+    /// The body's row of `Bodies::states`, `GROUND_ROW` while it is fixed or asleep.
+    pub(crate) row: u32,
+}
+
+/// All bodies of a world. A body keeps its slot for life; only the rows of the awake move.
+#[derive(Clone, Debug)]
+pub(crate) struct Bodies {
+    pub(crate) records: Slots<Record>,
+    /// By slot; what stands in a free slot is left over.
+    pub(crate) motions: Vec<Motion>,
+    /// By slot.
+    pub(crate) shapes: Vec<Shape>,
+    /// By row: the ground, then every awake body that can move.
+    pub(crate) states: Vec<BodyState>,
+    /// By row: the slot of the body, `NONE` for the ground.
+    pub(crate) slot_of_row: Vec<u32>,
+}
+
+impl Default for Bodies {
+    fn default() -> Self {
+        Self {
+            records: Slots::default(),
+            motions: Vec::new(),
+            shapes: Vec::new(),
+            states: vec![BodyState::REST],
+            slot_of_row: vec![NONE],
+        }
+    }
+}
+
+impl Bodies {
+    /// Adds a body whose description has been validated, awake unless it is fixed; returns its id.
+    pub(crate) fn insert(&mut self, body: &Body) -> BodyId {
+        let MassProperties { mass, inertia } = body.mass_properties();
+        let record = Record {
+            body_type: body.body_type,
+            material: body.material,
+            mass,
+            inertia,
+            mass_override: body.mass,
+            fixed_rotation: body.fixed_rotation,
+            user_data: body.user_data,
+            first_contact: NONE,
+            sleep_group: NONE,
+        };
+        let is_dynamic = body.body_type == BodyType::Dynamic;
+        let motion = Motion {
+            pose: body.pose(),
+            inverse_mass: if is_dynamic { 1.0 / mass } else { 0.0 },
+            inverse_inertia: if is_dynamic && body.can_turn() { 1.0 / inertia } else { 0.0 },
+            force: Vec2::ZERO,
+            torque: 0.0,
+            gravity_scale: body.gravity_scale,
+            linear_damping: body.linear_damping,
+            angular_damping: body.angular_damping,
+            velocity_carry: Vec2::ZERO,
+            extent: body.shape.extent(),
+            thickness: body.shape.thickness(),
+            still_time: 0.0,
+            row: GROUND_ROW,
+        };
+        let key = self.records.insert(record);
+        let slot = key.index();
+        if slot as usize == self.motions.len() {
+            self.motions.push(motion);
+            self.shapes.push(body.shape.clone());
+        } else {
+            self.motions[slot as usize] = motion;
+            self.shapes[slot as usize] = body.shape.clone();
+        }
+        if body.body_type != BodyType::Fixed {
+            let row = self.give_row(slot);
+            let state = &mut self.states[row as usize];
+            state.velocity = body.velocity.into();
+            state.angular_velocity = if body.shape.can_rotate() { body.angular_velocity } else { 0.0 };
+        }
+        BodyId(key)
+    }
+
+    /// Takes the body out of every table and gives back its description.
+    pub(crate) fn remove(&mut self, key: Key) -> Option<Body> {
+        let description = self.describe(key)?;
+        self.take_row(key.index());
+        self.records.remove(key);
+        Some(description)
+    }
+
+    /// The description of the body as it is now.
+    pub(crate) fn describe(&self, key: Key) -> Option<Body> {
+        let record = self.records.get(key)?;
+        let slot = key.index();
+        let (motion, state) = (&self.motions[slot as usize], self.state(slot));
+        Some(Body {
+            body_type: record.body_type,
+            shape: self.shapes[slot as usize].clone(),
+            center: motion.pose.center,
+            angle: motion.pose.rotation.angle(),
+            velocity: state.velocity.into(),
+            angular_velocity: state.angular_velocity,
+            material: record.material,
+            mass: record.mass_override,
+            fixed_rotation: record.fixed_rotation,
+            gravity_scale: motion.gravity_scale,
+            linear_damping: motion.linear_damping,
+            angular_damping: motion.angular_damping,
+            user_data: record.user_data,
+        })
+    }
+
+    /// Gives the body at rest in `slot` a row of its own, so that the solver moves it; returns the row.
+    pub(crate) fn give_row(&mut self, slot: u32) -> u32 {
+        debug_assert_eq!(self.motions[slot as usize].row, GROUND_ROW);
+        let row = self.states.len() as u32;
+        self.states.push(BodyState::REST);
+        self.slot_of_row.push(slot);
+        self.motions[slot as usize].row = row;
+        row
+    }
+
+    /// Takes the row of the body in `slot` away, which leaves it at rest; the last row moves into the gap.
+    pub(crate) fn take_row(&mut self, slot: u32) {
+        let row = std::mem::replace(&mut self.motions[slot as usize].row, GROUND_ROW);
+        if row == GROUND_ROW {
+            return;
+        }
+        self.states.swap_remove(row as usize);
+        self.slot_of_row.swap_remove(row as usize);
+        if let Some(&moved) = self.slot_of_row.get(row as usize) {
+            self.motions[moved as usize].row = row;
+        }
+    }
+
+    /// Velocity of the body in `slot`: its row, or rest.
+    #[inline(always)]
+    pub(crate) fn state(&self, slot: u32) -> &BodyState {
+        &self.states[self.motions[slot as usize].row as usize]
+    }
+
+    /// How many bodies the solver moves.
+    pub(crate) fn awake_count(&self) -> usize {
+        self.states.len() - 1
+    }
+
+    /// Whether forces and contacts move the body in `slot`.
+    #[inline(always)]
+    pub(crate) fn is_dynamic(&self, slot: u32) -> bool {
+        self.motions[slot as usize].inverse_mass > 0.0
+    }
+
+    /// Whether the solver moves the body in `slot` in this step.
+    #[inline(always)]
+    pub(crate) fn is_awake(&self, slot: u32) -> bool {
+        self.motions[slot as usize].row != GROUND_ROW
+    }
+
+    /// The bounding box of the body in `slot`, rounded outward.
+    pub(crate) fn aabb(&self, slot: u32) -> Aabb {
+        self.shapes[slot as usize].bounding_box(self.motions[slot as usize].pose)
+    }
+
+    /// Centre of mass of the body in `slot`.
+    pub(crate) fn center(&self, slot: u32) -> Point {
+        self.motions[slot as usize].pose.center
+    }
+}

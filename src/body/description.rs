@@ -1,0 +1,257 @@
+//! The description of a body, from which a world makes one.
+
+use crate::body::error::check_range;
+use crate::body::{BodyError, Material};
+use crate::math::{Point, Pose, Vec2};
+use crate::shape::{MassProperties, Shape};
+
+/// How a body takes part in the motion.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum BodyType {
+    /// Moved by forces and contacts.
+    Dynamic,
+    /// Never moves.
+    Fixed,
+    /// Moves with the velocity it is told, whatever it meets; as if its mass were infinite.
+    Kinematic,
+}
+
+/// Largest distance from the origin, m, that a body can be given: there a step of `f64` is 0.1 mm.
+pub(crate) const FARTHEST: f64 = 1e12;
+/// Largest speed (m/s), spin (rad/s), force (N) or impulse (N s) that can be given: its square stays in `f32`.
+pub(crate) const STRONGEST: f64 = 1e18;
+/// Masses (kg) with which the solver's products of inverse masses stay within `f32`.
+const MASSES: [f64; 2] = [1e-12, 1e15];
+/// Moments of inertia, kg m²: the masses times the squares of reasonable extents.
+const INERTIAS: [f64; 2] = [1e-18, 1e25];
+/// Largest coefficient of friction, gravity scale or damping (1/s): far above use, far from overflow.
+const LARGEST_FACTOR: f64 = 1e6;
+
+/// A body to be added to a world: a shape with a place, a motion and a material.
+///
+/// ```
+/// use rustycs::prelude::*;
+///
+/// let crate_of_stone = Body::dynamic(Shape::obb(1.0, 0.5))
+///     .at([3.0, 2.0])
+///     .angle(0.3)
+///     .material(Material::STONE)
+///     .friction(0.9);
+/// # let mut world = World::new(Settings::default());
+/// # world.add(crate_of_stone).unwrap();
+/// ```
+///
+/// Nothing is checked here: [`World::add`](crate::World::add) checks all of it at once.
+#[derive(Clone, Debug, PartialEq)]
+#[must_use = "a description does nothing until it is added to a world"]
+pub struct Body {
+    pub(crate) body_type: BodyType,
+    pub(crate) shape: Shape,
+    pub(crate) center: Point,
+    pub(crate) angle: f32,
+    pub(crate) velocity: Vec2,
+    pub(crate) angular_velocity: f32,
+    pub(crate) material: Material,
+    pub(crate) mass: Option<f32>,
+    pub(crate) fixed_rotation: bool,
+    pub(crate) gravity_scale: f32,
+    pub(crate) linear_damping: f32,
+    pub(crate) angular_damping: f32,
+    pub(crate) user_data: u64,
+}
+
+impl Body {
+    fn new(body_type: BodyType, shape: Shape) -> Self {
+        Self {
+            body_type,
+            shape,
+            center: Point::ORIGIN,
+            angle: 0.0,
+            velocity: Vec2::ZERO,
+            angular_velocity: 0.0,
+            material: Material::DEFAULT,
+            mass: None,
+            fixed_rotation: false,
+            gravity_scale: 1.0,
+            linear_damping: 0.0,
+            angular_damping: 0.0,
+            user_data: 0,
+        }
+    }
+
+    /// A body that forces and contacts move.
+    pub fn dynamic(shape: Shape) -> Self {
+        Self::new(BodyType::Dynamic, shape)
+    }
+
+    /// A body that never moves: ground, walls.
+    pub fn fixed(shape: Shape) -> Self {
+        Self::new(BodyType::Fixed, shape)
+    }
+
+    /// A body that moves with the velocity it is told: lifts, paddles.
+    pub fn kinematic(shape: Shape) -> Self {
+        Self::new(BodyType::Kinematic, shape)
+    }
+
+    /// Place of the centre of mass, m.
+    pub fn at(mut self, center: impl Into<Point>) -> Self {
+        self.center = center.into();
+        self
+    }
+
+    /// Angle, rad, counter-clockwise. Axis-aligned boxes ignore it.
+    pub fn angle(mut self, angle: f32) -> Self {
+        self.angle = angle;
+        self
+    }
+
+    /// Velocity, m/s. Fixed bodies ignore it.
+    pub fn velocity(mut self, velocity: impl Into<Vec2>) -> Self {
+        self.velocity = velocity.into();
+        self
+    }
+
+    /// Angular velocity, rad/s, counter-clockwise. Fixed bodies and axis-aligned boxes ignore it.
+    pub fn angular_velocity(mut self, angular_velocity: f32) -> Self {
+        self.angular_velocity = angular_velocity;
+        self
+    }
+
+    /// Density, friction and restitution together.
+    pub fn material(mut self, material: Material) -> Self {
+        self.material = material;
+        self
+    }
+
+    /// Mass per area, kg/m², instead of the material's.
+    pub fn density(mut self, density: f32) -> Self {
+        self.material.density = density;
+        self
+    }
+
+    /// Coefficient of friction instead of the material's.
+    pub fn friction(mut self, friction: f32) -> Self {
+        self.material.friction = friction;
+        self
+    }
+
+    /// Coefficient of restitution, 0 to 1, instead of the material's.
+    pub fn restitution(mut self, restitution: f32) -> Self {
+        self.material.restitution = restitution;
+        self
+    }
+
+    /// Mass, kg, instead of density times area; the moment of inertia scales with it.
+    pub fn mass(mut self, mass: f32) -> Self {
+        self.mass = Some(mass);
+        self
+    }
+
+    /// Whether contacts leave the body's rotation alone.
+    pub fn fixed_rotation(mut self, fixed: bool) -> Self {
+        self.fixed_rotation = fixed;
+        self
+    }
+
+    /// Factor on the world's forces (not on attractors); 0 floats, -1 rises.
+    pub fn gravity_scale(mut self, scale: f32) -> Self {
+        self.gravity_scale = scale;
+        self
+    }
+
+    /// Linear damping, 1/s: left alone, the velocity falls by the factor e in 1/damping seconds.
+    pub fn linear_damping(mut self, damping: f32) -> Self {
+        self.linear_damping = damping;
+        self
+    }
+
+    /// Angular damping, 1/s: left alone, the angular velocity falls by the factor e in 1/damping seconds.
+    pub fn angular_damping(mut self, damping: f32) -> Self {
+        self.angular_damping = damping;
+        self
+    }
+
+    /// A number of the caller's own, which the engine keeps and never reads.
+    pub fn user_data(mut self, user_data: u64) -> Self {
+        self.user_data = user_data;
+        self
+    }
+
+    /// Whether contacts and torques can turn the body.
+    pub(crate) fn can_turn(&self) -> bool {
+        self.shape.can_rotate() && !self.fixed_rotation
+    }
+
+    /// Where the body is; an axis-aligned box is never turned.
+    pub(crate) fn pose(&self) -> Pose {
+        if self.shape.can_rotate() { Pose::new(self.center, self.angle) } else { Pose::at(self.center) }
+    }
+
+    /// Mass (kg) and moment of inertia (kg m²) of the body, were it free to move and turn.
+    pub(crate) fn mass_properties(&self) -> MassProperties {
+        let by_density = self.shape.mass_properties(self.material.density);
+        match self.mass {
+            None => by_density,
+            Some(mass) => MassProperties {
+                mass,
+                inertia: self.shape.mass_properties(1.0).inertia * (mass / self.shape.area()),
+            },
+        }
+    }
+
+    /// Checks every number of the description.
+    pub(crate) fn validate(&self) -> Result<(), BodyError> {
+        self.shape.validate()?;
+        check_place(self.center)?;
+        check_strength("the angle", self.angle, "rad")?;
+        check_vector("the velocity", self.velocity, "m/s")?;
+        check_strength("the angular velocity", self.angular_velocity, "rad/s")?;
+        check_range("the density", f64::from(self.material.density), [1e-12, 1e12], "kg/m²")?;
+        check_friction(self.material.friction)?;
+        check_restitution(self.material.restitution)?;
+        check_gravity_scale(self.gravity_scale)?;
+        check_damping("the linear damping", self.linear_damping)?;
+        check_damping("the angular damping", self.angular_damping)?;
+        if self.body_type == BodyType::Dynamic {
+            let MassProperties { mass, inertia } = self.mass_properties();
+            check_range("the mass", f64::from(mass), MASSES, "kg")?;
+            check_range("the moment of inertia", f64::from(inertia), INERTIAS, "kg m²")?;
+        }
+        Ok(())
+    }
+}
+
+pub(crate) fn check_place(center: Point) -> Result<(), BodyError> {
+    check_range("the x of the position", center.x, [-FARTHEST, FARTHEST], "m")?;
+    check_range("the y of the position", center.y, [-FARTHEST, FARTHEST], "m")
+}
+
+pub(crate) fn check_strength(
+    quantity: &'static str,
+    value: f32,
+    unit: &'static str,
+) -> Result<(), BodyError> {
+    check_range(quantity, f64::from(value), [-STRONGEST, STRONGEST], unit)
+}
+
+pub(crate) fn check_vector(quantity: &'static str, value: Vec2, unit: &'static str) -> Result<(), BodyError> {
+    check_strength(quantity, value.x, unit)?;
+    check_strength(quantity, value.y, unit)
+}
+
+pub(crate) fn check_friction(friction: f32) -> Result<(), BodyError> {
+    check_range("the friction", f64::from(friction), [0.0, LARGEST_FACTOR], "(no unit)")
+}
+
+pub(crate) fn check_restitution(restitution: f32) -> Result<(), BodyError> {
+    check_range("the restitution", f64::from(restitution), [0.0, 1.0], "(no unit)")
+}
+
+pub(crate) fn check_gravity_scale(scale: f32) -> Result<(), BodyError> {
+    check_range("the gravity scale", f64::from(scale), [-LARGEST_FACTOR, LARGEST_FACTOR], "(no unit)")
+}
+
+pub(crate) fn check_damping(quantity: &'static str, damping: f32) -> Result<(), BodyError> {
+    check_range(quantity, f64::from(damping), [0.0, LARGEST_FACTOR], "1/s")
+}

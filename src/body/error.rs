@@ -1,0 +1,67 @@
+//! Why a body was refused.
+
+use core::fmt;
+
+use crate::shape::ShapeError;
+
+/// Why a body, or a change to one, was refused. The world is as it was before.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum BodyError {
+    /// The shape cannot be simulated.
+    Shape(ShapeError),
+    /// A quantity is NaN, infinite, or outside the range that the engine can compute with.
+    OutOfRange {
+        /// What was given.
+        quantity: &'static str,
+        /// The number given.
+        value: f64,
+        /// Smallest number allowed.
+        min: f64,
+        /// Largest number allowed.
+        max: f64,
+        /// Unit of the three numbers.
+        unit: &'static str,
+    },
+}
+
+impl fmt::Display for BodyError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Shape(error) => write!(f, "the body's shape cannot be used: {error}"),
+            Self::OutOfRange { quantity, value, min, max, unit } => {
+                write!(f, "{quantity} is {value} {unit}; give a finite number from {min} to {max} {unit}")
+            }
+        }
+    }
+}
+
+impl std::error::Error for BodyError {
+    fn source(&self) -> Option<&(dyn std::error::Error + 'static)> {
+        match self {
+            Self::Shape(error) => Some(error),
+            Self::OutOfRange { .. } => None,
+        }
+    }
+}
+
+impl From<ShapeError> for BodyError {
+    fn from(error: ShapeError) -> Self {
+        Self::Shape(error)
+    }
+}
+
+/// Checks that `value` is a number from `min` to `max`.
+pub(crate) fn check_range(
+    quantity: &'static str,
+    value: f64,
+    [min, max]: [f64; 2],
+    unit: &'static str,
+) -> Result<(), BodyError> {
+    // NaN fails the comparison.
+    if value >= min && value <= max {
+        Ok(())
+    } else {
+        Err(BodyError::OutOfRange { quantity, value, min, max, unit })
+    }
+}

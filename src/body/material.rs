@@ -1,0 +1,60 @@
+//! What bodies are made of, and how two materials meet.
+
+/// Density and surface of a body.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Material {
+    /// Mass per area, kg/m².
+    pub density: f32,
+    /// Coefficient of friction (Coulomb), no unit: the tangent force is at most this times the normal force.
+    pub friction: f32,
+    /// Coefficient of restitution (Newton), no unit, 0 to 1: speed of separation over speed of approach.
+    pub restitution: f32,
+}
+
+impl Material {
+    /// Light and lively; what a body is made of when nothing is said.
+    pub const DEFAULT: Self = Self { density: 0.1, friction: 0.6, restitution: 0.5 };
+    /// Grips and bounces.
+    pub const RUBBER: Self = Self { density: 0.9, friction: 0.8, restitution: 0.6 };
+    /// A little heavier, bounces well.
+    pub const PLASTIC: Self = Self { density: 1.2, friction: 0.6, restitution: 0.5 };
+    /// Heavy and dull.
+    pub const STONE: Self = Self { density: 2.5, friction: 0.4, restitution: 0.2 };
+    /// Heaviest, slides easily.
+    pub const METAL: Self = Self { density: 7.8, friction: 0.2, restitution: 0.1 };
+}
+
+impl Default for Material {
+    fn default() -> Self {
+        Self::DEFAULT
+    }
+}
+
+/// How the coefficients of two touching bodies give the coefficient of their contact.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Mix {
+    /// (a + b) / 2.
+    #[default]
+    Average,
+    /// √(a b): zero as soon as one of them is.
+    GeometricMean,
+    /// The smaller.
+    Min,
+    /// The larger.
+    Max,
+    /// a b.
+    Multiply,
+}
+
+impl Mix {
+    /// The coefficient of a contact between coefficients `a` and `b`, both 0 or more.
+    pub fn mix(self, a: f32, b: f32) -> f32 {
+        match self {
+            Self::Average => 0.5 * (a + b),
+            Self::GeometricMean => (a * b).sqrt(),
+            Self::Min => a.min(b),
+            Self::Max => a.max(b),
+            Self::Multiply => a * b,
+        }
+    }
+}

@@ -1,0 +1,289 @@
+//! Which bodies are near enough to each other to be worth a closer look.
+//!
+//! Every body has a fat box: its tight box with a margin, stretched ahead of its motion. As long as the body
+//! stays within it nothing here changes. A body that leaves it gets a new fat box and is marked as moved, and
+//! new pairs are looked for around the moved bodies only.
+//!
+//! - In the step: [`update`](BroadPhase::update) in the finalize and refit stages, once per awake body;
+//!   [`find_pairs`](BroadPhase::find_pairs) in the pairs stage, whose input is the moved bodies.
+//! - Cost: a few loads and comparisons for a body within its fat box, O(log n) for one that left it, O(log n +
+//!   neighbours) per moved body for the pairs. A settled world costs the comparisons alone. No allocation once
+//!   buffers have grown.
+//! - Source: E. Catto, "Dynamic Bounding Volume Hierarchies", GDC 2019 (fat boxes, moved set, one tree per
+//!   kind of motion).
+//!
+//! The caller owns the contacts: a pair lives from the [`find_pairs`](BroadPhase::find_pairs) that reports it
+//! until [`forget_pair`](BroadPhase::forget_pair), which the caller calls when the fat boxes no longer overlap
+//! or when it takes a body out.
+
+#[cfg(test)]
+mod tests;
+mod tree;
+
+pub(crate) use tree::Tree;
+
+use crate::math::{Aabb, Point, Vec2};
+use crate::store::PairSet;
+
+/// Largest margin around a tight box, m.
+///
+/// Larger: bodies leave their box less often, but more pairs of bodies that do not touch are kept and tested.
+/// Smaller: the other way round. A tenth of a metre is a few steps of a body at walking pace.
+const MARGIN: f32 = 0.1;
+
+/// Largest margin as a part of the box's mean side, which keeps a heap of gravel from being all neighbours.
+const MARGIN_OF_SIDE: f32 = 0.25;
+
+/// For how many steps of its motion a fat box is stretched ahead: a body at constant speed is put back into
+/// the tree every fourth step. More would save little and make long boxes with many false neighbours.
+const STEPS_AHEAD: f32 = 4.0;
+
+/// A fat box whose outline is this many times the one it would get now is replaced: the body was fast and has
+/// come to rest. The motion has to halve at least before this happens, so it happens only a few times while a
+/// body slows down.
+const TOO_BIG: f32 = 2.0;
+
+/// The tree a body is in and its leaf there.
+#[derive(Clone, Copy, Debug, Default)]
+enum Home {
+    #[default]
+    Absent,
+    Fixed(u32),
+    Movable(u32),
+}
+
+/// What the broad phase keeps of a body.
+#[derive(Clone, Copy, Debug, Default)]
+struct Proxy {
+    /// The same box as in the tree, here so that the step's checks read one place.
+    fat: Aabb,
+    home: Home,
+    /// Where the body stands in the list of moved ones.
+    moved_at: Option<u32>,
+}
+
+const _: () = assert!(size_of::<Proxy>() == 32);
+
+/// Finds the pairs of bodies whose boxes overlap, from step to step.
+///
+/// Two trees: one for what never moves, one for what may move. Pairs of two fixed bodies are never looked for.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct BroadPhase {
+    /// By the body's number.
+    proxies: Vec<Proxy>,
+    fixed: Tree,
+    movable: Tree,
+    /// Bodies with a new fat box since pairs were last looked for. Its order does not reach a result.
+    moved: Vec<u32>,
+    /// Pairs the caller has been told of and has not ended.
+    pairs: PairSet,
+}
+
+impl BroadPhase {
+    /// Takes in a body, by its slot number, and marks it as moved.
+    pub(crate) fn add(&mut self, body: u32, movable: bool, tight: Aabb) {
+        if self.proxies.len() <= body as usize {
+            self.proxies.resize(body as usize + 1, Proxy::default());
+        }
+        debug_assert!(
+            matches!(self.proxies[body as usize].home, Home::Absent),
+            "body {body} is here already"
+        );
+        let (fat, home) = if movable {
+            let fat = fattened(tight, Vec2::ZERO);
+            (fat, Home::Movable(self.movable.insert(fat, body)))
+        } else {
+            (tight, Home::Fixed(self.fixed.insert(tight, body)))
+        };
+        self.proxies[body as usize] = Proxy { fat, home, moved_at: None };
+        self.mark_moved(body);
+    }
+
+    /// Takes a body out, also off the list of moved ones. The caller ends its pairs.
+    pub(crate) fn remove(&mut self, body: u32) {
+        let proxy = std::mem::take(&mut self.proxies[body as usize]);
+        match proxy.home {
+            Home::Absent => debug_assert!(false, "body {body} is not here"),
+            Home::Fixed(leaf) => _ = self.fixed.remove(leaf),
+            Home::Movable(leaf) => _ = self.movable.remove(leaf),
+        }
+        if let Some(at) = proxy.moved_at {
+            self.moved.swap_remove(at as usize);
+            if let Some(&other) = self.moved.get(at as usize) {
+                self.proxies[other as usize].moved_at = Some(at);
+            }
+        }
+    }
+
+    /// Takes note of where a body is now and of how far, m, it is expected to move during the next step.
+    /// Returns whether it got a new fat box and so counts as moved.
+    ///
+    /// It gets one if it would leave the old one, or if the old one is [`TOO_BIG`] times too big.
+    #[inline]
+    pub(crate) fn update(&mut self, body: u32, tight: Aabb, motion: Vec2) -> bool {
+        let proxy = &self.proxies[body as usize];
+        let (reach, wanted) = match proxy.home {
+            Home::Absent => return false,
+            Home::Fixed(_) => (tight, tight),
+            Home::Movable(_) => (tight.swept(motion), fattened(tight, motion)),
+        };
+        if proxy.fat.contains(reach) && proxy.fat.perimeter() <= TOO_BIG * wanted.perimeter() {
+            return false;
+        }
+        self.give_box(body, wanted);
+        true
+    }
+
+    #[cold]
+    #[inline(never)]
+    fn give_box(&mut self, body: u32, fat: Aabb) {
+        let proxy = &mut self.proxies[body as usize];
+        proxy.fat = fat;
+        match proxy.home {
+            Home::Absent => {}
+            Home::Fixed(leaf) => self.fixed.move_leaf(leaf, fat),
+            Home::Movable(leaf) => self.movable.move_leaf(leaf, fat),
+        }
+        self.mark_moved(body);
+    }
+
+    /// Has pairs of a body looked for again though it did not move: what it may touch has changed.
+    pub(crate) fn mark_moved(&mut self, body: u32) {
+        let proxy = &mut self.proxies[body as usize];
+        if proxy.moved_at.is_none() {
+            proxy.moved_at = Some(self.moved.len() as u32);
+            self.moved.push(body);
+        }
+    }
+
+    /// The fat box of a body.
+    #[inline]
+    pub(crate) fn fat_aabb(&self, body: u32) -> Aabb {
+        self.proxies[body as usize].fat
+    }
+
+    /// Whether the fat boxes of two bodies overlap: a pair lives while they do.
+    #[inline]
+    pub(crate) fn overlap(&self, a: u32, b: u32) -> bool {
+        self.fat_aabb(a).overlaps(self.fat_aabb(b))
+    }
+
+    /// How many bodies have a new fat box since pairs were last looked for.
+    pub(crate) fn moved_count(&self) -> usize {
+        self.moved.len()
+    }
+
+    /// Appends to `out` the pairs (a < b) that are new: the fat boxes overlap, one of the two moved, one of the
+    /// two is movable, the pair is not known yet, and `accept` takes it. They are in ascending order, and known
+    /// from now on. Then no body counts as moved any more.
+    pub(crate) fn find_pairs(&mut self, accept: impl Fn(u32, u32) -> bool, out: &mut Vec<(u32, u32)>) {
+        let first_new = out.len();
+        let Self { proxies, fixed, movable, moved, pairs } = self;
+        for &body in moved.iter() {
+            let proxy = proxies[body as usize];
+            let mut meet = |other: u32| {
+                let (a, b) = (body.min(other), body.max(other));
+                // Two moved bodies find each other; the one with the smaller number reports it.
+                let is_reported_by_other = other <= body && proxies[other as usize].moved_at.is_some();
+                if !is_reported_by_other && !pairs.contains(a, b) && accept(a, b) {
+                    out.push((a, b));
+                }
+                true
+            };
+            movable.query(proxy.fat, &mut meet);
+            if matches!(proxy.home, Home::Movable(_)) {
+                fixed.query(proxy.fat, &mut meet);
+            }
+        }
+        for body in moved.drain(..) {
+            proxies[body as usize].moved_at = None;
+        }
+        // The order in which the trees were walked is that of their history; the numbers' is the caller's.
+        out[first_new..].sort_unstable();
+        for &(a, b) in &out[first_new..] {
+            pairs.insert(a, b);
+        }
+    }
+
+    /// Forgets a pair, which ended: the fat boxes no longer overlap, or a body was taken out. It is reported
+    /// again when they overlap and one of the two has moved.
+    pub(crate) fn forget_pair(&mut self, a: u32, b: u32) {
+        self.pairs.remove(a, b);
+    }
+
+    /// Calls `visit` with each body whose fat box meets `aabb`, until it returns false.
+    pub(crate) fn query(&self, aabb: Aabb, mut visit: impl FnMut(u32) -> bool) {
+        if self.fixed.query(aabb, &mut visit) {
+            self.movable.query(aabb, &mut visit);
+        }
+    }
+
+    /// Calls `visit` with each body whose fat box meets a segment and with the fraction the segment ends at by
+    /// now; `visit` returns the same fraction to go on, a smaller one to clip, 0 to stop. Returns the last
+    /// fraction. `max_fraction` is above 0. See [`Tree::ray_cast`].
+    pub(crate) fn ray_cast(
+        &self,
+        origin: Point,
+        translation: Vec2,
+        max_fraction: f32,
+        mut visit: impl FnMut(u32, f32) -> f32,
+    ) -> f32 {
+        let end = self.fixed.ray_cast(origin, translation, max_fraction, &mut visit);
+        if end > 0.0 { self.movable.ray_cast(origin, translation, end, &mut visit) } else { end }
+    }
+
+    /// Calls `visit(box, depth, is_leaf)` for every node of both trees, for an overlay.
+    pub(crate) fn for_each_node(&self, mut visit: impl FnMut(Aabb, u32, bool)) {
+        self.fixed.for_each_node(&mut visit);
+        self.movable.for_each_node(&mut visit);
+    }
+
+    /// Height of the tree of what may move, for the profile.
+    pub(crate) fn height(&self) -> u32 {
+        self.movable.height()
+    }
+
+    /// Checks both trees and that every body is in its tree with its box. O(n).
+    ///
+    /// # Errors
+    /// A sentence that names the first thing found wrong.
+    pub(crate) fn validate(&self) -> Result<(), String> {
+        self.fixed.validate()?;
+        self.movable.validate()?;
+        let mut present = 0;
+        for (body, proxy) in self.proxies.iter().enumerate() {
+            let (tree, leaf) = match proxy.home {
+                Home::Absent => continue,
+                Home::Fixed(leaf) => (&self.fixed, leaf),
+                Home::Movable(leaf) => (&self.movable, leaf),
+            };
+            present += 1;
+            if tree.value(leaf) as usize != body || tree.aabb(leaf) != proxy.fat {
+                return Err(format!("the leaf of body {body} holds another body or box"));
+            }
+        }
+        if present != self.fixed.len() + self.movable.len() {
+            return Err(format!("{present} bodies, but the trees hold others"));
+        }
+        for (at, &body) in self.moved.iter().enumerate() {
+            if self.proxies[body as usize].moved_at != Some(at as u32) {
+                return Err(format!("body {body} does not know that it moved"));
+            }
+        }
+        let marked = self.proxies.iter().filter(|proxy| proxy.moved_at.is_some()).count();
+        if marked == self.moved.len() {
+            Ok(())
+        } else {
+            Err(format!("{marked} marked as moved, not as listed"))
+        }
+    }
+}
+
+/// The fat box of a movable body. It holds `tight.swept(motion)` whatever the rounding: each bound is made from
+/// the same number by adding no less.
+#[inline(always)]
+fn fattened(tight: Aabb, motion: Vec2) -> Aabb {
+    // The mean side is a quarter of the outline.
+    let margin = MARGIN.min(0.25 * MARGIN_OF_SIDE * tight.perimeter());
+    tight.swept(motion * STEPS_AHEAD).grown(margin)
+}

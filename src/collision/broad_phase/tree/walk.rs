@@ -1,0 +1,159 @@
+//! Walks through the tree: which leaves meet a box, which meet a ray, all nodes for an overlay.
+//!
+//! A walk keeps the pairs of siblings it has still to look at in an array of fixed size. Going depth first it
+//! holds at most one pair more than the tree is high, and the bound on imbalance keeps that below
+//! [`STACK`] for any number of leaves that a `u32` can count.
+
+use super::{ROOT, Tree};
+use crate::math::{Aabb, Point, Vec2};
+
+/// Pairs a walk can put off: 2.47·log₂(2³¹ leaves) + 4 = 81 levels at most.
+const STACK: usize = 84;
+
+/// By how much a fraction of a ray is stretched before it is compared with another: the difference and the
+/// product that make it round, so it is off by up to 4·2⁻⁵³ of itself. Signs and zeros are exact.
+const STRETCH: f64 = 1.0 + 1.0 / (1_u64 << 49) as f64;
+
+/// Places put off, last in first out.
+struct Pending {
+    pairs: [u32; STACK],
+    len: usize,
+}
+
+impl Pending {
+    #[inline(always)]
+    fn new() -> Self {
+        // The root has no sibling; the box beside it is nowhere and meets nothing.
+        Self { pairs: [ROOT; STACK], len: 1 }
+    }
+
+    #[inline(always)]
+    fn push(&mut self, pair: u32) {
+        debug_assert!(self.len < STACK, "the tree is higher than its balance allows");
+        self.pairs[self.len] = pair;
+        self.len += 1;
+    }
+
+    #[inline(always)]
+    fn pop(&mut self) -> Option<usize> {
+        self.len = self.len.checked_sub(1)?;
+        Some(self.pairs[self.len] as usize)
+    }
+}
+
+impl Tree {
+    /// Calls `visit` with the value of each leaf whose box meets `aabb`, until it returns false.
+    /// Returns false if it did.
+    #[inline]
+    pub(crate) fn query(&self, aabb: Aabb, mut visit: impl FnMut(u32) -> bool) -> bool {
+        let mut pending = Pending::new();
+        while let Some(pair) = pending.pop() {
+            for node in &self.nodes[pair..pair + 2] {
+                if !node.aabb.overlaps(aabb) {
+                    continue;
+                }
+                if !node.is_leaf() {
+                    pending.push(node.link);
+                } else if !visit(node.value) {
+                    return false;
+                }
+            }
+        }
+        true
+    }
+
+    /// Calls `visit` with the value of each leaf whose box meets the segment from `origin` to
+    /// `origin + max_fraction · translation`, about from near to far, and with the fraction the segment ends
+    /// at by now. `visit` returns the same fraction to go on, a smaller one to clip the segment, 0 to stop.
+    /// Returns the last fraction.
+    ///
+    /// No leaf that the segment touches is missed, wherever in the world it is; a leaf past it by less than
+    /// the rounding of `f64` may be visited.
+    pub(crate) fn ray_cast(
+        &self,
+        origin: Point,
+        translation: Vec2,
+        max_fraction: f32,
+        mut visit: impl FnMut(u32, f32) -> f32,
+    ) -> f32 {
+        let ray = Ray::new(origin, translation);
+        let mut end = max_fraction;
+        let mut pending = Pending::new();
+        while let Some(pair) = pending.pop() {
+            let (a, b) = (&self.nodes[pair], &self.nodes[pair + 1]);
+            let (enter_a, enter_b) = (ray.enter(a.aabb), ray.enter(b.aabb));
+            // None < Some, so a box that is missed comes first and is passed over.
+            let (near, far) =
+                if enter_b < enter_a { ((b, enter_b), (a, enter_a)) } else { ((a, enter_a), (b, enter_b)) };
+            let is_before =
+                |enter: Option<f64>, end: f32| enter.is_some_and(|at| at <= f64::from(end) * STRETCH);
+            for (node, enter) in [near, far] {
+                if node.is_leaf() && is_before(enter, end) {
+                    end = end.min(visit(node.value, end));
+                    if end <= 0.0 {
+                        return end;
+                    }
+                }
+            }
+            for (node, enter) in [far, near] {
+                if !node.is_leaf() && is_before(enter, end) {
+                    pending.push(node.link);
+                }
+            }
+        }
+        end
+    }
+
+    /// Calls `visit(box, depth, is_leaf)` for every node, the root at depth 0.
+    pub(crate) fn for_each_node(&self, mut visit: impl FnMut(Aabb, u32, bool)) {
+        if self.len() == 0 {
+            return;
+        }
+        let mut pending = vec![(ROOT, 0)];
+        while let Some((place, depth)) = pending.pop() {
+            let node = self.node(place);
+            visit(node.aabb, depth, node.is_leaf());
+            if !node.is_leaf() {
+                pending.extend([(node.link + 1, depth + 1), (node.link, depth + 1)]);
+            }
+        }
+    }
+}
+
+/// A ray in `f64`, ready for boxes in `f32`.
+struct Ray {
+    origin: [f64; 2],
+    /// 1 / translation, infinite along an axis the ray does not move on.
+    inverse: [f64; 2],
+}
+
+impl Ray {
+    fn new(origin: Point, translation: Vec2) -> Self {
+        Self {
+            origin: [origin.x, origin.y],
+            inverse: [1.0 / f64::from(translation.x), 1.0 / f64::from(translation.y)],
+        }
+    }
+
+    /// The fraction at which the ray enters a box, negative where it begins inside; `None` if it misses it.
+    #[inline(always)]
+    fn enter(&self, aabb: Aabb) -> Option<f64> {
+        let (enter_x, exit_x) = self.span(0, aabb.min.x, aabb.max.x);
+        let (enter_y, exit_y) = self.span(1, aabb.min.y, aabb.max.y);
+        let (enter, exit) = (enter_x.max(enter_y), exit_x.min(exit_y));
+        (enter <= exit * STRETCH && exit >= 0.0).then_some(enter)
+    }
+
+    /// Between which fractions the ray is between two coordinates of an axis.
+    #[inline(always)]
+    fn span(&self, axis: usize, min: f32, max: f32) -> (f64, f64) {
+        if self.inverse[axis].is_infinite() {
+            let is_between = f64::from(min) <= self.origin[axis] && self.origin[axis] <= f64::from(max);
+            let inside = if is_between { f64::INFINITY } else { f64::NEG_INFINITY };
+            return (-inside, inside);
+        }
+        let to_min = (f64::from(min) - self.origin[axis]) * self.inverse[axis];
+        let to_max = (f64::from(max) - self.origin[axis]) * self.inverse[axis];
+        if self.inverse[axis] < 0.0 { (to_max, to_min) } else { (to_min, to_max) }
+    }
+}

@@ -1,0 +1,195 @@
+//! Contacts: one per pair of bodies whose fat boxes overlap, kept across steps.
+//!
+//! A contact holds the manifold with the impulses of the last substep, which warm start the next one. Each
+//! body heads a doubly linked list of its contacts, threaded through the contacts themselves, so that a body
+//! can be removed, put to sleep or woken without looking at any other.
+
+use crate::body::{Bodies, NONE};
+use crate::collision::Manifold;
+use crate::math::{Rot, Vec2};
+use crate::store::Slots;
+
+/// The relative pose for which a manifold was computed; while the bodies stay near it, the manifold's normal
+/// and anchors are kept.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Frozen {
+    /// Centre of b from the centre of a, m.
+    pub(crate) offset: Vec2,
+    pub(crate) rotation_a: Rot,
+    pub(crate) rotation_b: Rot,
+    /// Separation of each point then, m.
+    pub(crate) separations: [f32; 2],
+}
+
+/// Neighbours in the list of one of the two bodies.
+#[derive(Clone, Copy, Debug)]
+struct Link {
+    previous: u32,
+    next: u32,
+}
+
+/// What is known of two bodies that are close.
+#[derive(Clone, Debug)]
+pub(crate) struct Contact {
+    /// Slots of a and b; a is the smaller.
+    pub(crate) slots: [u32; 2],
+    /// Points within the speculative margin; empty where the shapes are farther apart.
+    pub(crate) manifold: Manifold,
+    pub(crate) frozen: Frozen,
+    /// Mixed coefficient of friction.
+    pub(crate) friction: f32,
+    /// Mixed coefficient of restitution.
+    pub(crate) restitution: f32,
+    /// Whether the bodies touched at the end of the last step.
+    pub(crate) is_touching: bool,
+    /// Whether the bodies met and parted again within the last step.
+    pub(crate) has_bounced: bool,
+    /// How fast the bodies approached each other along the normal before the last step, or when they
+    /// bounced in it, m/s.
+    pub(crate) approach_speed: f32,
+    /// Colour and place in the constraint graph, while the contact has points and is awake.
+    pub(crate) graph_place: Option<(u32, u32)>,
+    /// Place in the list of awake contacts, `NONE` while neither body is awake.
+    awake_place: u32,
+    links: [Link; 2],
+}
+
+impl Contact {
+    /// Whether the last step pressed the bodies together.
+    pub(crate) fn is_loaded(&self) -> bool {
+        self.manifold.points().iter().any(|point| point.normal_impulse > 0.0)
+    }
+
+    /// The other body of the contact.
+    pub(crate) fn other(&self, slot: u32) -> u32 {
+        if self.slots[0] == slot { self.slots[1] } else { self.slots[0] }
+    }
+
+    /// Which of the two bodies `slot` is: 0 for a, 1 for b.
+    fn side(&self, slot: u32) -> usize {
+        usize::from(self.slots[0] != slot)
+    }
+}
+
+/// All contacts of a world.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Contacts {
+    all: Slots<Contact>,
+    /// Indices of the contacts with a body that the solver moves.
+    awake: Vec<u32>,
+}
+
+impl core::ops::Index<u32> for Contacts {
+    type Output = Contact;
+    #[inline(always)]
+    fn index(&self, index: u32) -> &Contact {
+        &self.all[index]
+    }
+}
+
+impl core::ops::IndexMut<u32> for Contacts {
+    #[inline(always)]
+    fn index_mut(&mut self, index: u32) -> &mut Contact {
+        &mut self.all[index]
+    }
+}
+
+impl Contacts {
+    /// Begins a contact between two bodies, without points yet and asleep; returns its index.
+    pub(crate) fn begin(
+        &mut self,
+        bodies: &mut Bodies,
+        slots: [u32; 2],
+        friction: f32,
+        restitution: f32,
+    ) -> u32 {
+        let first = slots.map(|slot| bodies.records[slot].first_contact);
+        let key = self.all.insert(Contact {
+            slots,
+            manifold: Manifold::default(),
+            frozen: Frozen::default(),
+            friction,
+            restitution,
+            is_touching: false,
+            has_bounced: false,
+            approach_speed: 0.0,
+            graph_place: None,
+            awake_place: NONE,
+            links: first.map(|next| Link { previous: NONE, next }),
+        });
+        for (slot, next) in slots.into_iter().zip(first) {
+            bodies.records[slot].first_contact = key.index();
+            if next != NONE {
+                let side = self[next].side(slot);
+                self[next].links[side].previous = key.index();
+            }
+        }
+        key.index()
+    }
+
+    /// Ends the contact: takes it out of both bodies' lists and out of the awake list.
+    pub(crate) fn end(&mut self, bodies: &mut Bodies, index: u32) -> Contact {
+        self.set_asleep(index);
+        let contact = self[index].clone();
+        for (slot, Link { previous, next }) in contact.slots.into_iter().zip(contact.links) {
+            if previous == NONE {
+                bodies.records[slot].first_contact = next;
+            } else {
+                let side = self[previous].side(slot);
+                self[previous].links[side].next = next;
+            }
+            if next != NONE {
+                let side = self[next].side(slot);
+                self[next].links[side].previous = previous;
+            }
+        }
+        self.all.remove(self.all.key_at(index));
+        contact
+    }
+
+    /// Indices of the awake contacts. The order depends only on what happened so far.
+    pub(crate) fn awake(&self) -> &[u32] {
+        &self.awake
+    }
+
+    /// Index and contact of every contact, by ascending index.
+    pub(crate) fn iter(&self) -> impl Iterator<Item = (u32, &Contact)> {
+        self.all.iter().map(|(key, contact)| (key.index(), contact))
+    }
+
+    /// How many contacts there are.
+    pub(crate) fn len(&self) -> usize {
+        self.all.len()
+    }
+
+    /// Puts the contact into the awake list, if it is not there.
+    pub(crate) fn set_awake(&mut self, index: u32) {
+        if self[index].awake_place == NONE {
+            self[index].awake_place = self.awake.len() as u32;
+            self.awake.push(index);
+        }
+    }
+
+    /// Takes the contact out of the awake list, if it is there.
+    pub(crate) fn set_asleep(&mut self, index: u32) {
+        let place = std::mem::replace(&mut self[index].awake_place, NONE);
+        if place == NONE {
+            return;
+        }
+        self.awake.swap_remove(place as usize);
+        if let Some(&moved) = self.awake.get(place as usize) {
+            self[moved].awake_place = place;
+        }
+    }
+
+    /// Indices of the contacts of the body in `slot`, latest first.
+    pub(crate) fn of_body<'a>(&'a self, bodies: &Bodies, slot: u32) -> impl Iterator<Item = u32> + 'a {
+        let mut index = bodies.records[slot].first_contact;
+        std::iter::from_fn(move || {
+            (index != NONE).then(|| {
+                let contact = &self[index];
+                std::mem::replace(&mut index, contact.links[contact.side(slot)].next)
+            })
+        })
+    }
+}

@@ -1,0 +1,84 @@
+//! The nearest points of two hulls that do not overlap: all corners of each against all edges of the other.
+//!
+//! Called where two corners face each other across a gap, and by the sweep; both are rare, so this is written to
+//! be short. Edges that look away are skipped.
+
+use crate::collision::{FeatureId, Manifold};
+use crate::math::{Rot, Vec2};
+use crate::shape::Hull;
+
+/// The nearest points of two hulls with a gap between them, as seen from a's frame.
+#[derive(Clone, Copy)]
+pub(super) struct Closest {
+    on_a: Vec2,
+    on_b: Vec2,
+    /// Gap between the two, m.
+    pub(super) distance: f32,
+    /// Unit vector from a to b across the gap.
+    pub(super) normal: Vec2,
+    feature: FeatureId,
+}
+
+impl Closest {
+    /// The nearest points, b's frame being turned by `rotation` and centred at `center` in a's; lengths below
+    /// `noise`, m, are rounding. `None` where no corner of either is outside of the other.
+    pub(super) fn find(a: &Hull, b: &Hull, rotation: Rot, center: Vec2, noise: f32) -> Option<Self> {
+        let from_a = corner_to_edge(a, b, rotation, center, noise);
+        let from_b = corner_to_edge(b, a, rotation.inverse(), rotation.unrotate(-center), noise);
+        let from_b = from_b.map(|c| Self {
+            on_a: center + rotation.rotate(c.on_b),
+            on_b: center + rotation.rotate(c.on_a),
+            normal: -rotation.rotate(c.normal),
+            feature: c.feature.flipped(),
+            ..c
+        });
+        match (from_a, from_b) {
+            (Some(a), Some(b)) => Some(if b.distance < a.distance { b } else { a }),
+            (one, other) => one.or(other),
+        }
+    }
+
+    /// The manifold of the one point halfway.
+    pub(super) fn manifold(&self, rotation_a: Rot, offset: Vec2) -> Manifold {
+        let mut manifold = Manifold::new(rotation_a.rotate(self.normal));
+        let halfway = (self.on_a + self.on_b) * 0.5;
+        manifold.push(rotation_a.rotate(halfway), offset, self.distance, self.feature);
+        manifold
+    }
+}
+
+/// The corner of b nearest to an edge of a that looks at it.
+fn corner_to_edge(a: &Hull, b: &Hull, rotation: Rot, center: Vec2, noise: f32) -> Option<Closest> {
+    let mut best: Option<Closest> = None;
+    for (j, &vertex) in b.vertices().iter().enumerate() {
+        let corner = center + rotation.rotate(vertex);
+        for i in 0..a.count as usize {
+            let gap = a.normals[i].dot(corner) - a.planes[i];
+            // Written so that NaN looks away.
+            if gap > 0.0 {
+                let closest = to_edge(a, i, gap, corner, j, noise);
+                if best.is_none_or(|b| closest.distance < b.distance) {
+                    best = Some(closest);
+                }
+            }
+        }
+    }
+    best
+}
+
+/// From edge `i` of `a` to `corner`, which is vertex `j` of the other hull and `gap` in front of the edge's line.
+fn to_edge(a: &Hull, i: usize, gap: f32, corner: Vec2, j: usize, noise: f32) -> Closest {
+    let (normal, start, end) = (a.normals[i], a.vertices[i], a.vertices[a.next(i)]);
+    let edge = end - start;
+    let part = edge.dot(corner - start) / edge.length_squared();
+    let nearer = if part < 0.5 { i } else { a.next(i) };
+    let feature = FeatureId::of_vertices(nearer as u8, j as u8);
+    if (0.0..=1.0).contains(&part) {
+        return Closest { on_a: corner - normal * gap, on_b: corner, distance: gap, normal, feature };
+    }
+    let on_a = a.vertices[nearer];
+    let distance = (corner - on_a).length();
+    // Where the gap is all rounding its direction is lost; that of the edge is as good.
+    let normal = if distance > noise { (corner - on_a) / distance } else { normal };
+    Closest { on_a, on_b: corner, distance, normal, feature }
+}

@@ -1,0 +1,96 @@
+//! Narrow phase: do two shapes touch, where, how deep, and along which normal.
+//!
+//! Runs once for every pair of overlapping bounding boxes whose relative pose changed. One file for each pair of
+//! shapes; the dispatch below brings a pair into the order that its file expects. Everything is computed relative
+//! to the centre of one shape, so that `f32` is accurate wherever in the world the two are. No allocation, and no
+//! trigonometry: a rotation is kept as its cosine and sine.
+//!
+//! | pair | method | reports |
+//! |---|---|---|
+//! | circle, circle | distance of the centres | 1 point |
+//! | box, circle | nearest point of the box, by clamping | 1 point |
+//! | polygon, circle | face of greatest separation, then its ends | 1 point |
+//! | aabb, aabb | gaps along the two axes | up to 2 |
+//! | box, box | separating axes from half sizes, clipping | up to 2 |
+//! | polygon, polygon | separating axes over the hulls, clipping | up to 2 |
+
+mod aabb_aabb;
+mod box_box;
+mod circle_box;
+mod circle_circle;
+mod circle_polygon;
+mod clip;
+mod closest;
+mod polygon_polygon;
+mod sweep;
+#[cfg(test)]
+mod tests;
+
+pub(crate) use sweep::sweep;
+
+use crate::collision::Manifold;
+use crate::math::{Pose, Rot, Vec2};
+use crate::shape::Shape;
+
+/// Where two shapes touch or overlap, without a world; `None` where there is a gap between them.
+///
+/// ```
+/// use rustycs::collision::detect;
+/// use rustycs::math::Pose;
+/// use rustycs::shape::Shape;
+///
+/// let floor = Shape::aabb(20.0, 1.0);
+/// let ball = Shape::circle(0.5);
+/// let manifold = detect(&floor, Pose::at([0.0, 0.0]), &ball, Pose::at([3.0, 0.75])).unwrap();
+/// assert_eq!(manifold.normal, [0.0, 1.0].into()); // from the floor to the ball
+/// assert_eq!(manifold.points()[0].separation, -0.25);
+///
+/// assert!(detect(&floor, Pose::at([0.0, 0.0]), &ball, Pose::at([3.0, 1.25])).is_none());
+/// ```
+pub fn detect(shape_a: &Shape, pose_a: Pose, shape_b: &Shape, pose_b: Pose) -> Option<Manifold> {
+    detect_within(shape_a, pose_a.rotation, shape_b, pose_b.rotation, pose_b.center - pose_a.center, 0.0)
+}
+
+/// The manifold of two shapes whose gap is at most `margin`, m; its points are those with a separation of at
+/// most `margin`. `offset` is the centre of b minus the centre of a, m. `Shape::Aabb` ignores its rotation.
+///
+/// `None` for shapes further apart, and where an argument is NaN or infinite.
+#[inline]
+pub(crate) fn detect_within(
+    shape_a: &Shape,
+    rotation_a: Rot,
+    shape_b: &Shape,
+    rotation_b: Rot,
+    offset: Vec2,
+    margin: f32,
+) -> Option<Manifold> {
+    use Shape::{Aabb, Circle, Obb, Polygon};
+    let (rot_a, rot_b) = (shape_a.rotation_at(rotation_a), shape_b.rotation_at(rotation_b));
+    match (shape_a, shape_b) {
+        (Circle(a), Circle(b)) => circle_circle::detect(*a, *b, offset, margin),
+        (Aabb(a), Aabb(b)) => aabb_aabb::detect(a, b, offset, margin),
+        (Aabb(a) | Obb(a), Aabb(b) | Obb(b)) => box_box::detect(a, rot_a, b, rot_b, offset, margin),
+        (Aabb(a) | Obb(a), Circle(b)) => circle_box::detect(a, rot_a, *b, offset, margin),
+        (Circle(a), Aabb(b) | Obb(b)) => flip(circle_box::detect(b, rot_b, *a, -offset, margin)),
+        (Polygon(a), Circle(b)) => circle_polygon::detect(a.hull(), rot_a, *b, offset, margin),
+        (Circle(a), Polygon(b)) => flip(circle_polygon::detect(b.hull(), rot_b, *a, -offset, margin)),
+        (Polygon(a), Polygon(b)) => polygon_polygon::detect(a.hull(), rot_a, b.hull(), rot_b, offset, margin),
+        (Polygon(a), Aabb(b) | Obb(b)) => {
+            polygon_polygon::detect(a.hull(), rot_a, b.hull(), rot_b, offset, margin)
+        }
+        (Aabb(a) | Obb(a), Polygon(b)) => {
+            polygon_polygon::detect(a.hull(), rot_a, b.hull(), rot_b, offset, margin)
+        }
+    }
+}
+
+#[inline(always)]
+fn flip(manifold: Option<Manifold>) -> Option<Manifold> {
+    manifold.map(|m| m.flipped())
+}
+
+/// Whether a separation is at most `margin`; NaN is within none.
+#[inline(always)]
+fn within(separation: f32, margin: f32) -> bool {
+    separation <= margin
+}

@@ -1,0 +1,124 @@
+//! Convex polygon against convex polygon, by separating axes and clipping.
+//!
+//! Two convex outlines are apart exactly if a line along one of their edges is between them (the separating axis
+//! theorem; S. Gottschalk, 1996). Where they overlap, the edge whose line comes nearest to that is the one to push
+//! along: it is the reference face, and the other outline's edge that faces it most directly is clipped to it
+//! (E. Catto, "Contact Manifolds", GDC 2007). Costs 2·n·m scalar products for outlines of n and m edges.
+//!
+//! Across a gap the lines only bound the distance from below. Where two corners are nearest, the distance and the
+//! normal are those between the corners.
+
+use crate::collision::Manifold;
+use crate::collision::detection::clip::{Edge, Tolerance, clip};
+use crate::collision::detection::closest::Closest;
+use crate::collision::detection::within;
+use crate::math::{Rot, Vec2};
+use crate::shape::Hull;
+
+#[inline]
+pub(super) fn detect(
+    a: &Hull,
+    rotation_a: Rot,
+    b: &Hull,
+    rotation_b: Rot,
+    offset: Vec2,
+    margin: f32,
+) -> Option<Manifold> {
+    let rotation = rotation_a.inverse() * rotation_b;
+    let center = rotation_a.unrotate(offset);
+    let face_a = best_face(a, b, rotation, center);
+    if !within(face_a.separation, margin) {
+        return None;
+    }
+    let face_b = best_face(b, a, rotation.inverse(), rotation.unrotate(-center));
+    if !within(face_b.separation, margin) {
+        return None;
+    }
+    let tolerance = Tolerance::new(a.inradius, b.inradius, center);
+    if face_b.separation > face_a.separation + tolerance.preference {
+        let pair = Pair { a: b, rotation_a: rotation_b, b: a, rotation_b: rotation_a, offset: -offset };
+        pair.face_contact(face_b, tolerance, margin).map(|m| m.flipped())
+    } else {
+        let pair = Pair { a, rotation_a, b, rotation_b, offset };
+        pair.face_contact(face_a, tolerance, margin)
+    }
+}
+
+/// An edge of a hull and how far the other hull is outside of its line.
+#[derive(Clone, Copy)]
+pub(super) struct Face {
+    pub(super) index: usize,
+    /// Least distance of the other hull's corners from the line, m; negative where one is behind it.
+    pub(super) separation: f32,
+}
+
+/// The face of `a` that b stands out from furthest; b's frame is turned by `rotation` and centred at `center` in
+/// a's.
+#[inline(always)]
+pub(super) fn best_face(a: &Hull, b: &Hull, rotation: Rot, center: Vec2) -> Face {
+    let mut best = Face { index: 0, separation: f32::NEG_INFINITY };
+    for (index, (normal, plane)) in a.normals().iter().zip(&a.planes).enumerate() {
+        let normal_in_b = rotation.unrotate(*normal);
+        let depth = b.vertices().iter().fold(f32::INFINITY, |least, v| {
+            let reach = normal_in_b.dot(*v);
+            if reach < least { reach } else { least }
+        });
+        let separation = (normal.dot(center) - plane) + depth;
+        if separation > best.separation {
+            best = Face { index, separation };
+        }
+    }
+    best
+}
+
+/// Two hulls of which `a` has the reference face.
+pub(super) struct Pair<'a> {
+    pub(super) a: &'a Hull,
+    pub(super) rotation_a: Rot,
+    pub(super) b: &'a Hull,
+    pub(super) rotation_b: Rot,
+    pub(super) offset: Vec2,
+}
+
+impl Pair<'_> {
+    #[inline(always)]
+    fn face_contact(&self, face: Face, tolerance: Tolerance, margin: f32) -> Option<Manifold> {
+        let rotation = self.rotation_a.inverse() * self.rotation_b;
+        let center = self.rotation_a.unrotate(self.offset);
+        let normal = self.a.normals[face.index];
+        let incident = edge(self.b, facing(self.b, rotation.unrotate(normal))).placed(rotation, center);
+        let stretch = clip(edge(self.a, face.index), normal, self.a.planes[face.index], incident);
+        if face.separation > tolerance.noise && !stretch.is_nearest(face.separation, tolerance.preference) {
+            return self.corner_contact(tolerance.noise, margin);
+        }
+        stretch.manifold(normal, self.rotation_a, self.offset, tolerance.noise, margin)
+    }
+
+    /// The one point between the two nearest corners.
+    #[cold]
+    pub(super) fn corner_contact(&self, noise: f32, margin: f32) -> Option<Manifold> {
+        let rotation = self.rotation_a.inverse() * self.rotation_b;
+        let center = self.rotation_a.unrotate(self.offset);
+        let closest = Closest::find(self.a, self.b, rotation, center, noise)?;
+        within(closest.distance, margin).then(|| closest.manifold(self.rotation_a, self.offset))
+    }
+}
+
+/// The edge of a hull whose outward normal is the most opposed to `normal`, in the hull's frame.
+#[inline(always)]
+fn facing(hull: &Hull, normal: Vec2) -> usize {
+    let (mut best, mut least) = (0, f32::INFINITY);
+    for (i, n) in hull.normals().iter().enumerate() {
+        let cosine = n.dot(normal);
+        if cosine < least {
+            (best, least) = (i, cosine);
+        }
+    }
+    best
+}
+
+#[inline(always)]
+fn edge(hull: &Hull, index: usize) -> Edge {
+    let next = hull.next(index);
+    Edge { start: hull.vertices[index], end: hull.vertices[next], first: index as u8, second: next as u8 }
+}

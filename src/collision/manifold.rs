@@ -1,0 +1,115 @@
+//! The contact manifold: where two shapes touch, at one or two points with a common normal.
+//!
+//! Detection writes it, the solver pushes its points apart, and the next step recognises the points by their
+//! feature ids, so that impulses carry over (warm starting). Two points are all that two convex outlines need:
+//! pushing at the ends of the common stretch of two edges holds everything between.
+
+use crate::math::Vec2;
+
+/// Which corners of the two shapes bound a contact point: the point's name from one step to the next.
+///
+/// Where an edge of one shape lies on an edge of the other, their common stretch has two ends, and at each end
+/// one corner of each shape is the nearest: the id is that pair, vertex of a in the high byte, vertex of b in the
+/// low one. It says neither which shape's edge was taken as the reference nor which of the two corners stands
+/// out further, so that neither can rename a point that stays where it is, as in a stack of equal boxes.
+///
+/// A circle touches at one point only, which is always [`FeatureId::SINGLE`]: a ball that rolls over a corner
+/// keeps its impulse.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct FeatureId(u16);
+
+impl FeatureId {
+    /// The id of the only point of a manifold with a circle.
+    pub const SINGLE: Self = Self(0);
+
+    /// The point at `vertex_a` of a and `vertex_b` of b.
+    #[inline(always)]
+    pub(crate) const fn of_vertices(vertex_a: u8, vertex_b: u8) -> Self {
+        Self((vertex_a as u16) << 8 | vertex_b as u16)
+    }
+
+    /// The id as a number.
+    pub const fn to_bits(self) -> u16 {
+        self.0
+    }
+
+    /// The id with a and b exchanged.
+    #[inline(always)]
+    pub(crate) const fn flipped(self) -> Self {
+        Self(self.0.swap_bytes())
+    }
+}
+
+/// One point at which two shapes touch or are about to.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct ManifoldPoint {
+    /// The contact point from a's centre, turned as the world is, m. It lies halfway between the two surfaces.
+    pub anchor_a: Vec2,
+    /// The same point from b's centre, m.
+    pub anchor_b: Vec2,
+    /// Gap between the surfaces along the normal, m; negative where they overlap.
+    pub separation: f32,
+    /// Which corners of the shapes bound it.
+    pub feature: FeatureId,
+    /// Impulse along the normal in the last step, N s. Detection leaves it 0.
+    pub normal_impulse: f32,
+    /// Impulse along the tangent in the last step, N s. Detection leaves it 0.
+    pub tangent_impulse: f32,
+}
+
+/// One or two contact points with a common normal.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Manifold {
+    /// Unit vector from a to b, along which the two are pushed apart.
+    pub normal: Vec2,
+    points: [ManifoldPoint; 2],
+    count: u8,
+}
+
+impl Manifold {
+    /// A manifold without points.
+    #[inline(always)]
+    pub(crate) fn new(normal: Vec2) -> Self {
+        Self { normal, ..Self::default() }
+    }
+
+    /// Adds a point, `anchor_a` from a's centre, of two there can be.
+    #[inline(always)]
+    pub(crate) fn push(&mut self, anchor_a: Vec2, offset: Vec2, separation: f32, feature: FeatureId) {
+        self.points[self.count as usize] = ManifoldPoint {
+            anchor_a,
+            anchor_b: anchor_a - offset,
+            separation,
+            feature,
+            ..ManifoldPoint::default()
+        };
+        self.count += 1;
+    }
+
+    /// The points, one or two, in the order of their places along the outline of a.
+    #[inline(always)]
+    pub fn points(&self) -> &[ManifoldPoint] {
+        &self.points[..self.count as usize]
+    }
+
+    /// The points, to write impulses into.
+    #[inline(always)]
+    pub fn points_mut(&mut self) -> &mut [ManifoldPoint] {
+        &mut self.points[..self.count as usize]
+    }
+
+    /// The manifold as b sees it: a and b exchanged, and with them the order of the points.
+    #[inline]
+    #[must_use]
+    pub fn flipped(&self) -> Self {
+        let flip = |p: ManifoldPoint| ManifoldPoint {
+            anchor_a: p.anchor_b,
+            anchor_b: p.anchor_a,
+            feature: p.feature.flipped(),
+            ..p
+        };
+        let [first, second] = self.points;
+        let points = if self.count == 2 { [flip(second), flip(first)] } else { [flip(first), second] };
+        Self { normal: -self.normal, points, count: self.count }
+    }
+}

@@ -1,0 +1,14 @@
+//! Which bodies touch, and how: from bounding boxes (broad phase) to contact points (narrow phase) to
+//! contacts that live across steps.
+
+pub(crate) mod broad_phase;
+mod contacts;
+mod detection;
+mod manifold;
+mod refresh;
+
+pub(crate) use contacts::{Contact, Contacts, Frozen};
+pub use detection::detect;
+pub(crate) use detection::{detect_within, sweep};
+pub use manifold::{FeatureId, Manifold, ManifoldPoint};
+pub(crate) use refresh::{Refresh, refresh};

@@ -1,0 +1,173 @@
+//! Brings the manifold of a contact up to date, once per step: kept where the bodies have hardly moved
+//! against each other, found anew otherwise.
+//!
+//! Keeping it ("recycling", Box2D 3.2) saves the detection, but more: a normal and anchors that hold still
+//! while a stack trembles do not feed the trembling, which is what lets tall stacks stand.
+//!
+//! A manifold is speculative: it has points that are still apart but may meet within the step, so that the
+//! solver stops the bodies at the surface, not behind it. For bodies that close in fast, normal and anchors
+//! are taken where they will first touch, not where they are now: from afar a passing body looks like a
+//! collision, and an oblique blow would be answered along the wrong normal.
+
+use crate::body::{Bodies, Motion};
+use crate::collision::{Contact, Frozen, Manifold, detect_within, sweep};
+use crate::compute::LaneRot;
+use crate::math::{Rot, Vec2};
+use crate::shape::Shape;
+
+/// Points this far apart are kept even between bodies at rest, m: room for what a force can do to them
+/// within a step, and for a box that rocks from corner to corner. Smaller bodies take a tenth of their
+/// thickness instead.
+const SPECULATIVE_MARGIN: f32 = 0.02;
+
+/// How far two bodies may move against each other before their manifold is found anew, m. A tenth of it is
+/// too little for a house of cards, whose cards lean on frozen normals; more makes rolling polygons coarse.
+/// Thin bodies take a quarter of the thickness of the thinner of the two.
+const RECYCLE_DISTANCE: f32 = 0.05;
+
+/// Cosine of the angle that either body may turn before the manifold is found anew: 11 degrees.
+const RECYCLE_COSINE: f32 = 0.98;
+
+/// What a refresh needs to know beside the contact and the bodies.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Refresh {
+    /// Length of the step, s.
+    pub(crate) dt: f32,
+    /// Whether manifolds may be kept.
+    pub(crate) recycling: bool,
+}
+
+/// Brings the manifold of `contact` up to date. Impulses stay with their feature.
+pub(crate) fn refresh(contact: &mut Contact, bodies: &Bodies, settings: Refresh) {
+    contact.has_bounced = false;
+    contact.approach_speed = 0.0;
+    let pair = Pair::new(contact, bodies, settings.dt);
+    if settings.recycling && pair.may_recycle(contact) {
+        pair.recycle(contact);
+        return;
+    }
+    let mut manifold = pair.find_manifold();
+    for point in manifold.points_mut() {
+        let same = |old: &&crate::collision::ManifoldPoint| old.feature == point.feature;
+        if let Some(old) = contact.manifold.points().iter().find(same) {
+            point.normal_impulse = old.normal_impulse;
+            point.tangent_impulse = old.tangent_impulse;
+        }
+    }
+    let mut separations = [0.0; 2];
+    for (separation, point) in separations.iter_mut().zip(manifold.points()) {
+        *separation = point.separation;
+    }
+    contact.frozen =
+        Frozen { offset: pair.offset, rotation_a: pair.rotation_a, rotation_b: pair.rotation_b, separations };
+    contact.approach_speed = -manifold.normal.dot(pair.motion) / settings.dt;
+    contact.manifold = manifold;
+}
+
+/// The two bodies of a contact as the narrow phase sees them: from the centre of a.
+struct Pair<'a> {
+    shape_a: &'a Shape,
+    shape_b: &'a Shape,
+    rotation_a: Rot,
+    rotation_b: Rot,
+    /// Centre of b from the centre of a, m.
+    offset: Vec2,
+    /// Expected translation of b against a within the step, m.
+    motion: Vec2,
+    /// Farthest that the outlines can come closer by turning within the step, m.
+    turning: f32,
+    /// Width of the thinner of the two, m.
+    thickness: f32,
+}
+
+impl<'a> Pair<'a> {
+    fn new(contact: &Contact, bodies: &'a Bodies, dt: f32) -> Self {
+        let [a, b] = contact.slots;
+        let (motion_a, motion_b) = (&bodies.motions[a as usize], &bodies.motions[b as usize]);
+        let (state_a, state_b) = (bodies.state(a), bodies.state(b));
+        let turning = |motion: &Motion, w: f32| (w.abs() * dt).min(2.0) * motion.extent;
+        Self {
+            shape_a: &bodies.shapes[a as usize],
+            shape_b: &bodies.shapes[b as usize],
+            rotation_a: motion_a.pose.rotation,
+            rotation_b: motion_b.pose.rotation,
+            offset: motion_b.pose.center - motion_a.pose.center,
+            motion: Vec2::from(state_b.velocity - state_a.velocity) * dt,
+            turning: turning(motion_a, state_a.angular_velocity)
+                + turning(motion_b, state_b.angular_velocity),
+            thickness: motion_a.thickness.min(motion_b.thickness),
+        }
+    }
+
+    fn is_round(&self) -> bool {
+        matches!(self.shape_a, Shape::Circle(_)) || matches!(self.shape_b, Shape::Circle(_))
+    }
+
+    /// Whether the manifold may be kept: it carries load, is not a circle's (which is as cheap to find, and
+    /// whose normal turns as the circle rolls), and the bodies are nearly where they were.
+    fn may_recycle(&self, contact: &Contact) -> bool {
+        if self.is_round() || !contact.is_loaded() {
+            return false;
+        }
+        let frozen = &contact.frozen;
+        let distance = RECYCLE_DISTANCE.min(0.25 * self.thickness);
+        let turned = |now: Rot, then: Rot| now.c * then.c + now.s * then.s < RECYCLE_COSINE;
+        (self.offset - frozen.offset).length_squared() < distance * distance
+            && !turned(self.rotation_a, frozen.rotation_a)
+            && !turned(self.rotation_b, frozen.rotation_b)
+    }
+
+    /// Keeps normal and anchors; each separation follows the motion since they were found:
+    /// s = s₀ + n·(Δoffset + (R_b - 1) r_b - (R_a - 1) r_a).
+    fn recycle(&self, contact: &mut Contact) {
+        let frozen = &contact.frozen;
+        let since = |now: Rot, then: Rot| {
+            let turn = now * then.inverse();
+            LaneRot { c: turn.c, s: turn.s }
+        };
+        let (turn_a, turn_b) =
+            (since(self.rotation_a, frozen.rotation_a), since(self.rotation_b, frozen.rotation_b));
+        let moved = self.offset - frozen.offset;
+        let normal = contact.manifold.normal;
+        for (point, then) in contact.manifold.points_mut().iter_mut().zip(frozen.separations) {
+            let tip_a: Vec2 = turn_a.displacement(point.anchor_a.into()).into();
+            let tip_b: Vec2 = turn_b.displacement(point.anchor_b.into()).into();
+            point.separation = then + normal.dot(moved + tip_b - tip_a);
+        }
+    }
+
+    fn find_manifold(&self) -> Manifold {
+        let near = SPECULATIVE_MARGIN.min(0.1 * self.thickness);
+        let margin = near + self.motion.length() + self.turning;
+        let Some(manifold) = self.detect_at(self.offset, margin) else { return Manifold::default() };
+        let gap = manifold.points().iter().fold(f32::INFINITY, |gap, point| gap.min(point.separation));
+        let closing = -manifold.normal.dot(self.motion);
+        if gap <= 0.0 || closing <= gap {
+            let in_reach = gap <= near + self.turning + closing.max(0.0);
+            return if in_reach { manifold } else { Manifold::default() };
+        }
+        match self.find_where_they_meet(margin) {
+            Some(meeting) => meeting,
+            None if gap <= near + self.turning => manifold,
+            None => Manifold::default(),
+        }
+    }
+
+    /// The manifold of the moment in which the bodies first touch, if they do within the step; separations
+    /// are those of now along its normal.
+    fn find_where_they_meet(&self, margin: f32) -> Option<Manifold> {
+        let (a, b) = (self.shape_a, self.shape_b);
+        let fraction = sweep(a, self.rotation_a, b, self.rotation_b, self.offset, self.motion, 0.0)?;
+        let advance = self.motion * fraction;
+        let mut manifold = self.detect_at(self.offset + advance, margin)?;
+        let closed = manifold.normal.dot(advance);
+        for point in manifold.points_mut() {
+            point.separation -= closed;
+        }
+        Some(manifold)
+    }
+
+    fn detect_at(&self, offset: Vec2, margin: f32) -> Option<Manifold> {
+        detect_within(self.shape_a, self.rotation_a, self.shape_b, self.rotation_b, offset, margin)
+    }
+}

@@ -1,0 +1,39 @@
+//! The hot row of a body: what the substep loop reads and writes.
+
+use crate::compute::{LaneRot, LaneVec2};
+
+/// Velocity of a body and how far it has moved since the step began.
+///
+/// 32 bytes, so that a row is half a cache line and eight rows transpose into eight AVX registers. Poses are
+/// not here: the solver works on the small deltas, in `f32`, and the step adds them to the `f64` centre once.
+#[repr(C, align(32))]
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct BodyState<L = f32> {
+    /// Velocity of the centre of mass, m/s.
+    pub(crate) velocity: LaneVec2<L>,
+    /// Angular velocity, rad/s, counter-clockwise.
+    pub(crate) angular_velocity: L,
+    /// Keeps the row at 32 bytes.
+    pub(crate) padding: L,
+    /// Translation since the step began, m.
+    pub(crate) delta_position: LaneVec2<L>,
+    /// Rotation since the step began.
+    pub(crate) delta_rotation: LaneRot<L>,
+}
+
+const _: () = assert!(size_of::<BodyState>() == 32);
+
+/// The row that stands for every body the solver cannot move: fixed or asleep. Its velocity is 0 and, since
+/// contacts give it no inverse mass, stays so; kernels need no branch for it.
+pub(crate) const GROUND_ROW: u32 = 0;
+
+impl BodyState {
+    /// A body at rest.
+    pub(crate) const REST: Self = Self {
+        velocity: LaneVec2 { x: 0.0, y: 0.0 },
+        angular_velocity: 0.0,
+        padding: 0.0,
+        delta_position: LaneVec2 { x: 0.0, y: 0.0 },
+        delta_rotation: LaneRot { c: 1.0, s: 0.0 },
+    };
+}

@@ -1,0 +1,87 @@
+//! Vectors and rotations whose components are lanes.
+
+use core::ops::{Add, Mul, Sub};
+
+use crate::compute::Lane;
+
+/// `WIDTH` vectors of the plane.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct LaneVec2<L> {
+    pub(crate) x: L,
+    pub(crate) y: L,
+}
+
+impl<L: Lane> LaneVec2<L> {
+    #[inline(always)]
+    pub(crate) fn dot(self, other: Self) -> L {
+        self.x * other.x + self.y * other.y
+    }
+
+    #[inline(always)]
+    pub(crate) fn cross(self, other: Self) -> L {
+        self.x * other.y - self.y * other.x
+    }
+
+    /// Turned by a quarter turn counter-clockwise.
+    #[inline(always)]
+    pub(crate) fn perp(self) -> Self {
+        Self { x: -self.y, y: self.x }
+    }
+}
+
+impl<L: Lane> Add for LaneVec2<L> {
+    type Output = Self;
+    #[inline(always)]
+    fn add(self, other: Self) -> Self {
+        Self { x: self.x + other.x, y: self.y + other.y }
+    }
+}
+
+impl<L: Lane> Sub for LaneVec2<L> {
+    type Output = Self;
+    #[inline(always)]
+    fn sub(self, other: Self) -> Self {
+        Self { x: self.x - other.x, y: self.y - other.y }
+    }
+}
+
+impl<L: Lane> Mul<L> for LaneVec2<L> {
+    type Output = Self;
+    #[inline(always)]
+    fn mul(self, factor: L) -> Self {
+        Self { x: self.x * factor, y: self.y * factor }
+    }
+}
+
+impl From<crate::math::Vec2> for LaneVec2<f32> {
+    #[inline(always)]
+    fn from(v: crate::math::Vec2) -> Self {
+        Self { x: v.x, y: v.y }
+    }
+}
+
+impl From<LaneVec2<f32>> for crate::math::Vec2 {
+    #[inline(always)]
+    fn from(v: LaneVec2<f32>) -> Self {
+        Self::new(v.x, v.y)
+    }
+}
+
+/// `WIDTH` rotations of the plane.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct LaneRot<L> {
+    pub(crate) c: L,
+    pub(crate) s: L,
+}
+
+impl<L: Lane> LaneRot<L> {
+    /// How far the rotation carries the tip of `r`: R r - r. Exactly zero for the rotation by 0, however
+    /// long `r` is.
+    #[inline(always)]
+    pub(crate) fn displacement(self, r: LaneVec2<L>) -> LaneVec2<L> {
+        let c = self.c - L::splat(1.0);
+        LaneVec2 { x: c * r.x - self.s * r.y, y: c * r.y + self.s * r.x }
+    }
+}

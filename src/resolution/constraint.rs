@@ -1,0 +1,185 @@
+//! A contact as the solver sees it: made from the manifold at the start of a step, asked for its impulses at
+//! the end.
+//!
+//! For each point with anchors r_a, r_b and the normal n (from a to b):
+//!
+//! ```text
+//! separation      s  = s₀ + n·(Δx_b + (ΔR_b - 1) r_b - Δx_a - (ΔR_a - 1) r_a)
+//! velocity        vn = n·(v_b + w_b × r_b - v_a - w_a × r_a)
+//! 1/(eff. mass)   k  = 1/m_a + 1/m_b + (r_a × n)²/I_a + (r_b × n)²/I_b
+//! impulse λ       v_a -= λ n/m_a,  w_a -= λ (r_a × n)/I_a,  v_b += λ n/m_b,  w_b += λ (r_b × n)/I_b
+//! ```
+//!
+//! and the same with the tangent for friction. `L` holds `L::WIDTH` contacts that share no movable body.
+
+use crate::body::Bodies;
+use crate::collision::Contact;
+use crate::compute::{BodyState, Lane, LaneVec2};
+use crate::math::Vec2;
+
+/// One of the (at most two) points of a contact.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct ConstraintPoint<L> {
+    /// Contact point from the centre of a, m. It holds still during the step.
+    pub(crate) anchor_a: LaneVec2<L>,
+    /// Contact point from the centre of b, m.
+    pub(crate) anchor_b: LaneVec2<L>,
+    /// Separation at the start of the step, m.
+    pub(crate) separation: L,
+    /// Inverse effective mass k along the normal, 1/kg; 0 for a point that is not there.
+    pub(crate) normal_k: L,
+    /// Effective mass along the tangent, kg.
+    pub(crate) tangent_mass: L,
+    /// Impulse along the normal in this substep, N s, 0 or more.
+    pub(crate) normal_impulse: L,
+    /// Impulse along the tangent in this substep, N s.
+    pub(crate) tangent_impulse: L,
+    /// What the warm start of this substep applies twice, N s.
+    pub(crate) normal_share: L,
+    /// What the warm start of this substep applies twice, N s.
+    pub(crate) tangent_share: L,
+    /// Added to the separation, m: 0, or so much that the sweeps leave the point alone, because it
+    /// approaches fast enough to bounce and its impact is not due in this substep.
+    pub(crate) awaits_impact: L,
+}
+
+/// What the sweeps see as the separation of a point that awaits its impact, m.
+pub(crate) const OUT_OF_REACH: f32 = 1e9;
+
+/// `L::WIDTH` contacts.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct ContactConstraint<L: Lane> {
+    pub(crate) row_a: L::Rows,
+    pub(crate) row_b: L::Rows,
+    pub(crate) inverse_mass_a: L,
+    pub(crate) inverse_mass_b: L,
+    pub(crate) inverse_inertia_a: L,
+    pub(crate) inverse_inertia_b: L,
+    /// From a to b.
+    pub(crate) normal: LaneVec2<L>,
+    pub(crate) friction: L,
+    /// Coupling of the two points along the normal, 1/kg: what a unit impulse at one does to the other's vn.
+    pub(crate) coupling: L,
+    pub(crate) points: [ConstraintPoint<L>; 2],
+}
+
+/// |k12| may be at most this share of √(k11 k22). Two points that all but coincide would otherwise ask for
+/// huge impulses of opposite sign; this bounds the condition number at about 4000.
+const LARGEST_COUPLING: f32 = 0.9995;
+
+impl<L: Lane> ContactConstraint<L> {
+    /// Puts `contact` at `place` of the lane. Its impulses are multiplied by `scale`, the length of a substep
+    /// now over that of the substep they were found in.
+    pub(crate) fn set(&mut self, place: usize, contact: &Contact, bodies: &Bodies, scale: f32) {
+        let [a, b] = contact.slots.map(|slot| &bodies.motions[slot as usize]);
+        let normal = contact.manifold.normal;
+        let tangent = normal.perp();
+        let k = |first: [f32; 2], second: [f32; 2]| {
+            a.inverse_mass
+                + b.inverse_mass
+                + a.inverse_inertia * (first[0] * second[0])
+                + b.inverse_inertia * (first[1] * second[1])
+        };
+        L::set_row(&mut self.row_a, place, a.row);
+        L::set_row(&mut self.row_b, place, b.row);
+        self.inverse_mass_a.set(place, a.inverse_mass);
+        self.inverse_mass_b.set(place, b.inverse_mass);
+        self.inverse_inertia_a.set(place, a.inverse_inertia);
+        self.inverse_inertia_b.set(place, b.inverse_inertia);
+        set_vector(&mut self.normal, place, normal);
+        self.friction.set(place, contact.friction);
+        self.coupling.set(place, 0.0);
+        let mut arms = [[0.0; 2]; 2];
+        for (index, point) in contact.manifold.points().iter().enumerate() {
+            let slot = &mut self.points[index];
+            let arm = [point.anchor_a.cross(normal), point.anchor_b.cross(normal)];
+            let tangent_arm = [point.anchor_a.cross(tangent), point.anchor_b.cross(tangent)];
+            arms[index] = arm;
+            set_vector(&mut slot.anchor_a, place, point.anchor_a);
+            set_vector(&mut slot.anchor_b, place, point.anchor_b);
+            slot.separation.set(place, point.separation);
+            slot.normal_k.set(place, k(arm, arm));
+            slot.tangent_mass.set(place, 1.0 / k(tangent_arm, tangent_arm));
+            slot.normal_impulse.set(place, scale * point.normal_impulse);
+            slot.tangent_impulse.set(place, scale * point.tangent_impulse);
+            slot.awaits_impact.set(place, 0.0);
+        }
+        if contact.manifold.points().len() == 2 {
+            let limit = LARGEST_COUPLING * (k(arms[0], arms[0]) * k(arms[1], arms[1])).sqrt();
+            self.coupling.set(place, k(arms[0], arms[1]).clamp(-limit, limit));
+        }
+    }
+
+    /// Separation of a point now, m.
+    #[inline(always)]
+    pub(crate) fn separation(&self, point: &ConstraintPoint<L>, a: &BodyState<L>, b: &BodyState<L>) -> L {
+        let tip_a = a.delta_position + a.delta_rotation.displacement(point.anchor_a);
+        let tip_b = b.delta_position + b.delta_rotation.displacement(point.anchor_b);
+        point.separation + self.normal.dot(tip_b - tip_a)
+    }
+
+    /// Velocity of b against a at a point, m/s.
+    #[inline(always)]
+    pub(crate) fn relative_velocity(
+        &self,
+        point: &ConstraintPoint<L>,
+        a: &BodyState<L>,
+        b: &BodyState<L>,
+    ) -> LaneVec2<L> {
+        let tip_a = a.velocity + point.anchor_a.perp() * a.angular_velocity;
+        let tip_b = b.velocity + point.anchor_b.perp() * b.angular_velocity;
+        tip_b - tip_a
+    }
+
+    /// Applies `impulse`, N s, to b and its opposite to a, at a point.
+    #[inline(always)]
+    pub(crate) fn apply(
+        &self,
+        point: &ConstraintPoint<L>,
+        impulse: LaneVec2<L>,
+        a: &mut BodyState<L>,
+        b: &mut BodyState<L>,
+    ) {
+        a.velocity = a.velocity - impulse * self.inverse_mass_a;
+        a.angular_velocity = a.angular_velocity - self.inverse_inertia_a * point.anchor_a.cross(impulse);
+        b.velocity = b.velocity + impulse * self.inverse_mass_b;
+        b.angular_velocity = b.angular_velocity + self.inverse_inertia_b * point.anchor_b.cross(impulse);
+    }
+
+    /// Writes impulses and end-of-step separations back into the manifold; adds what is left wrong to
+    /// `residual`.
+    pub(crate) fn store(
+        &self,
+        place: usize,
+        states: &[BodyState],
+        contact: &mut Contact,
+        residual: &mut StepResidual,
+    ) {
+        let (a, b) = (L::gather(states, self.row_a), L::gather(states, self.row_b));
+        for (point, stored) in self.points.iter().zip(contact.manifold.points_mut()) {
+            let separation = self.separation(point, &a, &b).get(place);
+            let approach = -self.normal.dot(self.relative_velocity(point, &a, &b)).get(place);
+            stored.separation = separation;
+            stored.normal_impulse = point.normal_impulse.get(place);
+            stored.tangent_impulse = point.tangent_impulse.get(place);
+            residual.penetration = residual.penetration.max(-separation);
+            if separation <= 0.0 && point.awaits_impact.get(place) == 0.0 {
+                residual.approach_speed = residual.approach_speed.max(approach);
+            }
+        }
+    }
+}
+
+fn set_vector<L: Lane>(to: &mut LaneVec2<L>, place: usize, from: Vec2) {
+    to.x.set(place, from.x);
+    to.y.set(place, from.y);
+}
+
+/// What the solver left wrong at the end of a step.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(crate) struct StepResidual {
+    /// Deepest overlap, m.
+    pub(crate) penetration: f32,
+    /// Largest speed with which two touching points still approach each other, m/s.
+    pub(crate) approach_speed: f32,
+}

@@ -1,0 +1,326 @@
+//! Impacts: bounces at their time, pairwise and in order, between the first kick and the warm start.
+//!
+//! Where restitution is a correction at the end of a step, a ball bounces from wherever the step left it and
+//! a chain of touching balls is hit all at once; neither converges. Here each impact happens when the
+//! surfaces meet, with the speed they meet at.
+//!
+//! After the half kick a body has the velocity v of the middle of the substep; with constant acceleration a
+//! it has v + a d at the time t, where d = t - h/2. For the gap s and the relative velocity and acceleration
+//! v, a along the normal:
+//!
+//! ```text
+//! the gap closes at t :  s + (v - a h/2) t + a t²/2 = 0
+//! speed of approach   :  u  = v + a d
+//! after it            :  -e u,  so mid-substep v' = -e u - a d = v - (1 + e) u
+//! ```
+//!
+//! The drift will move each body by h v'. It really moves by v t + v' (h - t): the terms in a cancel. So the
+//! impact itself moves it by (v - v') t, and later impacts, the drift and the second kick need not know.
+//!
+//! Cost: one look at every bouncy contact per substep; a heap of the few that meet. Nothing where no contact
+//! has restitution.
+
+use crate::collision::Contact;
+use crate::compute::{BodyState, GROUND_ROW, LaneVec2};
+use crate::math::Vec2;
+use crate::resolution::block::solve_pair;
+use crate::resolution::constraint::{ContactConstraint, OUT_OF_REACH};
+use crate::resolution::constraint_graph::ConstraintGraph;
+use crate::resolution::impact_queue::{ImpactQueue, Neighbours};
+use crate::resolution::integrate::{Kick, turn};
+
+/// An approach slower than this many substeps' gain of speed is no impact: a body that rests gains half a
+/// substep's before its support is applied, and a bounce that slow would be over within the substep.
+const RESTING_SUBSTEPS: f32 = 2.0;
+
+/// How often one contact may bounce within a substep. More happens only where bodies are wedged; the sweeps
+/// take what is left, as if there were no restitution.
+const IMPACTS_PER_SUBSTEP: u8 = 16;
+
+/// A contact that may bounce.
+#[derive(Clone, Debug)]
+struct BouncyContact {
+    constraint: ContactConstraint<f32>,
+    /// Index of the contact, and its place in the constraint graph.
+    contact: u32,
+    graph_place: (u32, u32),
+    point_count: usize,
+    restitution: f32,
+    /// Approach speed from which the contact bounces, m/s.
+    threshold: f32,
+    /// Impacts in this substep.
+    impacts: u8,
+    /// Greatest speed of an impact in this step, m/s.
+    greatest_speed: f32,
+}
+
+/// The next impact of a contact.
+#[derive(Clone, Copy, Debug)]
+struct Upcoming {
+    /// Time within the substep, s.
+    time: f32,
+    /// Per point, whether it takes part, and its approach speed v + a d (negative), m/s.
+    speeds: [Option<f32>; 2],
+}
+
+/// The impacts stage and its buffers.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Impacts {
+    contacts: Vec<BouncyContact>,
+    queue: ImpactQueue,
+    neighbours: Neighbours,
+    neighbours_are_built: bool,
+    /// By row: time of the last impact in this substep, s.
+    last_impact: Vec<f32>,
+    /// Rows with an impact in this substep.
+    hit_rows: Vec<u32>,
+    count: usize,
+}
+
+/// What the stage works on.
+#[derive(Debug)]
+pub(crate) struct ImpactScene<'a> {
+    pub(crate) states: &'a mut [BodyState],
+    pub(crate) kicks: &'a [Kick],
+    pub(crate) graph: &'a mut ConstraintGraph,
+    /// Length of the substep, s.
+    pub(crate) h: f32,
+}
+
+impl Impacts {
+    /// Forgets the contacts of the last step.
+    pub(crate) fn clear(&mut self) {
+        self.contacts.clear();
+        self.neighbours_are_built = false;
+        self.count = 0;
+    }
+
+    /// Takes up a contact that has points and restitution; `constraint` is the one in the graph.
+    pub(crate) fn add(
+        &mut self,
+        index: u32,
+        contact: &Contact,
+        constraint: &ContactConstraint<f32>,
+        threshold: f32,
+    ) {
+        let Some(graph_place) = contact.graph_place else { return };
+        self.contacts.push(BouncyContact {
+            constraint: *constraint,
+            contact: index,
+            graph_place,
+            point_count: contact.manifold.points().len(),
+            restitution: contact.restitution,
+            threshold,
+            impacts: 0,
+            greatest_speed: 0.0,
+        });
+    }
+
+    /// How many contacts may bounce.
+    pub(crate) fn len(&self) -> usize {
+        self.contacts.len()
+    }
+
+    /// How many impacts there were in this step.
+    pub(crate) fn count(&self) -> usize {
+        self.count
+    }
+
+    /// Contacts that bounced in this step, with the greatest speed of their impacts, m/s.
+    pub(crate) fn bounced(&self) -> impl Iterator<Item = (u32, f32)> {
+        self.contacts
+            .iter()
+            .filter(|bouncy| bouncy.greatest_speed > 0.0)
+            .map(|bouncy| (bouncy.contact, bouncy.greatest_speed))
+    }
+
+    /// Lets everything bounce that meets within this substep, in the order of time.
+    pub(crate) fn run(&mut self, scene: &mut ImpactScene<'_>) {
+        self.last_impact.resize(scene.states.len(), 0.0);
+        for number in 0..self.contacts.len() as u32 {
+            self.contacts[number as usize].impacts = 0;
+            self.expect(number, scene);
+        }
+        while let Some((expected, number)) = self.queue.pop() {
+            // Impacts since may have hastened, delayed or cancelled it.
+            let Some(upcoming) = self.upcoming(number, scene) else { continue };
+            if upcoming.time > expected {
+                self.queue.push(upcoming.time, number);
+                continue;
+            }
+            self.bounce(number, upcoming, scene);
+        }
+        for row in self.hit_rows.drain(..) {
+            self.last_impact[row as usize] = 0.0;
+        }
+    }
+
+    /// Queues the next impact of a contact, if it comes within this substep, and tells the sweeps to leave
+    /// alone the points that approach fast but will not have met by then.
+    fn expect(&mut self, number: u32, scene: &mut ImpactScene<'_>) {
+        let upcoming = self.upcoming(number, scene);
+        let bouncy = &mut self.contacts[number as usize];
+        let (a, b) = bouncy.states(scene);
+        let (constraint, _) = scene.graph.constraint_mut(bouncy.graph_place);
+        for (point, in_graph) in
+            bouncy.constraint.points.iter().zip(&mut constraint.points).take(bouncy.point_count)
+        {
+            let vn = bouncy.constraint.normal.dot(bouncy.constraint.relative_velocity(point, &a, &b));
+            let is_apart = bouncy.constraint.separation(point, &a, &b) > 0.0;
+            let waits = is_apart && vn < -bouncy.threshold && bouncy.impacts < IMPACTS_PER_SUBSTEP;
+            in_graph.awaits_impact = if waits { OUT_OF_REACH } else { 0.0 };
+        }
+        if let Some(upcoming) = upcoming {
+            self.queue.push(upcoming.time, number);
+        }
+    }
+
+    /// The next impact of a contact within this substep.
+    fn upcoming(&self, number: u32, scene: &ImpactScene<'_>) -> Option<Upcoming> {
+        let bouncy = &self.contacts[number as usize];
+        if bouncy.impacts >= IMPACTS_PER_SUBSTEP {
+            return None;
+        }
+        let (a, b) = bouncy.states(scene);
+        let constraint = &bouncy.constraint;
+        let [row_a, row_b] = bouncy.rows();
+        let h = scene.h;
+        let acceleration = bouncy.acceleration(scene.kicks);
+        let mut first = f32::INFINITY;
+        let mut meetings = [None; 2];
+        for (point, meeting) in constraint.points.iter().zip(&mut meetings).take(bouncy.point_count) {
+            let v = constraint.normal.dot(constraint.relative_velocity(point, &a, &b));
+            if v < -bouncy.threshold {
+                let separation = constraint.separation(point, &a, &b);
+                let time = time_of_impact(separation, v, acceleration, h);
+                *meeting = time.map(|time| (time, v));
+                first = first.min(time.unwrap_or(f32::INFINITY));
+            }
+        }
+        // Never before an earlier impact of either body: until then it moved otherwise.
+        let time = first.max(self.last_impact[row_a as usize]).max(self.last_impact[row_b as usize]);
+        // Points that meet within a ten-thousandth of the substep of each other meet together: a box that
+        // lands flat is not to be tipped over by a rounding error.
+        let together = time + 1e-4 * h;
+        let speeds = meetings.map(|meeting| {
+            meeting.filter(|&(at, _)| at <= together).map(|(_, v)| v + acceleration * (time - 0.5 * h))
+        });
+        (time <= h).then_some(Upcoming { time, speeds })
+    }
+
+    /// Applies the impulses of an impact, moves the two bodies by what they would else miss, and looks at
+    /// their contacts again.
+    fn bounce(&mut self, number: u32, upcoming: Upcoming, scene: &mut ImpactScene<'_>) {
+        let bouncy = &mut self.contacts[number as usize];
+        let (mut a, mut b) = bouncy.states(scene);
+        let before = [a, b];
+        bouncy.apply_impulses(upcoming.speeds, &mut a, &mut b);
+        bouncy.impacts += 1;
+        let [row_a, row_b] = bouncy.rows();
+        self.count += 1;
+        for ((row, mut state), before) in [(row_a, a), (row_b, b)].into_iter().zip(before) {
+            if row == GROUND_ROW {
+                continue;
+            }
+            let missed = (before.velocity - state.velocity) * upcoming.time;
+            state.delta_position = state.delta_position + missed;
+            let missed_turn = (before.angular_velocity - state.angular_velocity) * upcoming.time;
+            turn(&mut state, missed_turn);
+            scene.states[row as usize] = state;
+            self.last_impact[row as usize] = upcoming.time;
+            self.hit_rows.push(row);
+        }
+        let (constraint, _) = scene.graph.constraint_mut(bouncy.graph_place);
+        for (point, speed) in constraint.points.iter_mut().zip(upcoming.speeds) {
+            if speed.is_some() {
+                // What the contact carried before the blow says nothing of what it carries after it.
+                point.normal_impulse = 0.0;
+                point.tangent_impulse = 0.0;
+            }
+        }
+        self.look_again([row_a, row_b], scene);
+    }
+
+    /// Expects the impacts of all contacts of two bodies anew.
+    fn look_again(&mut self, rows: [u32; 2], scene: &mut ImpactScene<'_>) {
+        if !self.neighbours_are_built {
+            self.neighbours_are_built = true;
+            self.neighbours.build(scene.states.len(), self.contacts.iter().map(BouncyContact::rows));
+        }
+        for row in rows {
+            for place in 0..self.neighbours.of(row).len() {
+                self.expect(self.neighbours.of(row)[place], scene);
+            }
+        }
+    }
+}
+
+impl BouncyContact {
+    fn rows(&self) -> [u32; 2] {
+        [self.constraint.row_a, self.constraint.row_b]
+    }
+
+    fn states(&self, scene: &ImpactScene<'_>) -> (BodyState, BodyState) {
+        let [a, b] = self.rows();
+        (scene.states[a as usize], scene.states[b as usize])
+    }
+
+    /// Acceleration of b against a along the normal, m/s².
+    fn acceleration(&self, kicks: &[Kick]) -> f32 {
+        let [a, b] = self.rows().map(|row| kicks[row as usize].acceleration);
+        Vec2::from(self.constraint.normal).dot(b - a)
+    }
+
+    /// Turns the approach speed u of each point that takes part into -e u; then friction, at most µ times
+    /// as strong as the blow. `speeds` are those of [`Upcoming`].
+    fn apply_impulses(&mut self, speeds: [Option<f32>; 2], a: &mut BodyState, b: &mut BodyState) {
+        let constraint = &self.constraint;
+        let [point_1, point_2] = &constraint.points;
+        // The change asked for, u - (-e u), is q of the complementarity problem K x + q ≥ 0.
+        let change = speeds.map(|speed| speed.map(|u| (1.0 + self.restitution) * u));
+        let impulses = match change {
+            [Some(q_1), Some(q_2)] => {
+                solve_pair(point_1.normal_k, constraint.coupling, point_2.normal_k, [q_1, q_2])
+            }
+            _ => [
+                change[0].map_or(0.0, |q| (-q / point_1.normal_k).max(0.0)),
+                change[1].map_or(0.0, |q| (-q / point_2.normal_k).max(0.0)),
+            ],
+        };
+        for (point, impulse) in constraint.points.iter().zip(impulses) {
+            constraint.apply(point, constraint.normal * impulse, a, b);
+        }
+        let tangent: LaneVec2<f32> = constraint.normal.perp();
+        for (point, impulse) in constraint.points.iter().zip(impulses) {
+            let slip = tangent.dot(constraint.relative_velocity(point, a, b));
+            let limit = constraint.friction * impulse;
+            let friction = (-point.tangent_mass * slip).clamp(-limit, limit);
+            constraint.apply(point, tangent * friction, a, b);
+        }
+        for speed in speeds.into_iter().flatten() {
+            self.greatest_speed = self.greatest_speed.max(-speed);
+        }
+    }
+}
+
+/// When the gap `s` closes, within [0, h], for mid-substep speed `v` < 0 and acceleration `a`: the first
+/// root of s + (v - a h/2) t + a t²/2. At once where there is no gap.
+fn time_of_impact(s: f32, v: f32, a: f32, h: f32) -> Option<f32> {
+    if s <= 0.0 {
+        return Some(0.0);
+    }
+    let start = v - 0.5 * a * h;
+    let discriminant = start * start - 2.0 * a * s;
+    if discriminant < 0.0 {
+        return None;
+    }
+    // The form of the root that does not cancel for start < 0, which the threshold on v sees to.
+    let time = 2.0 * s / (discriminant.sqrt() - start);
+    (time >= 0.0 && time <= h).then_some(time)
+}
+
+/// Approach speed, m/s, from which a contact bounces: the setting, or what support makes up for anyway.
+pub(crate) fn bounce_threshold(setting: f32, contact: &Contact, kicks: [&Kick; 2], h: f32) -> f32 {
+    let [a, b] = kicks.map(|kick| kick.acceleration);
+    setting.max(RESTING_SUBSTEPS * h * contact.manifold.normal.dot(b - a).abs())
+}

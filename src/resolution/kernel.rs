@@ -1,0 +1,192 @@
+//! The contact kernel: warm start, solve, relax. One text for every lane width.
+//!
+//! This is where a step spends its time: per substep each contact is warm started twice and swept twice.
+
+use crate::compute::{BodyState, Lane, LaneVec2};
+use crate::resolution::block::solve_pair;
+use crate::resolution::constraint::ContactConstraint;
+use crate::resolution::softness::{bias, gap_bias, leak};
+
+/// What a sweep does, beside stopping the approach.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Sweep {
+    /// Pushes overlapping bodies apart and lets contacts leak: the sweep before the bodies move.
+    pub(crate) biased: bool,
+    /// Solves friction after the normals.
+    pub(crate) friction: bool,
+    /// Solves the two points of a contact together.
+    pub(crate) block: bool,
+}
+
+/// Begins a substep: what of the last impulse to apply now, and, where the kick is split, again after the
+/// move.
+#[inline(always)]
+pub(crate) fn warm_start<L: Lane>(
+    constraint: &mut ContactConstraint<L>,
+    states: &mut [BodyState],
+    share: f32,
+) {
+    for point in &mut constraint.points {
+        point.normal_share = point.normal_impulse * L::splat(share);
+        point.tangent_share = point.tangent_impulse * L::splat(share);
+        point.normal_impulse = L::splat(0.0);
+        point.tangent_impulse = L::splat(0.0);
+    }
+    apply_share(constraint, states);
+}
+
+/// Applies the share of the warm start and adds it to the impulse of the substep.
+///
+/// There is one accumulator for the whole substep. With one per half, or with the biased impulse applied
+/// again, the push out of an overlap would be counted as load and pump energy into the scene.
+#[inline(always)]
+pub(crate) fn apply_share<L: Lane>(constraint: &mut ContactConstraint<L>, states: &mut [BodyState]) {
+    let (mut a, mut b) = gather(constraint, states);
+    let normal = constraint.normal;
+    let tangent = normal.perp();
+    for index in 0..2 {
+        let point = &mut constraint.points[index];
+        point.normal_impulse = point.normal_impulse + point.normal_share;
+        point.tangent_impulse = point.tangent_impulse + point.tangent_share;
+        let point = &constraint.points[index];
+        let impulse = normal * point.normal_share + tangent * point.tangent_share;
+        constraint.apply(point, impulse, &mut a, &mut b);
+    }
+    scatter(constraint, states, &a, &b);
+}
+
+/// One sweep over the contacts of a lane: normals, then friction.
+#[inline(always)]
+pub(crate) fn sweep<L: Lane>(
+    constraint: &mut ContactConstraint<L>,
+    states: &mut [BodyState],
+    kind: Sweep,
+    per_substep: f32,
+) {
+    let (mut a, mut b) = gather(constraint, states);
+    if kind.block {
+        solve_normals_together(constraint, &mut a, &mut b, kind.biased, per_substep);
+    } else {
+        for index in 0..2 {
+            solve_normal(constraint, index, &mut a, &mut b, kind.biased, per_substep);
+        }
+    }
+    if kind.friction {
+        for index in 0..2 {
+            solve_friction(constraint, index, &mut a, &mut b);
+        }
+    }
+    scatter(constraint, states, &a, &b);
+}
+
+/// vn + bias of a point, m/s, and its leak.
+#[inline(always)]
+fn violation<L: Lane>(
+    constraint: &ContactConstraint<L>,
+    index: usize,
+    a: &BodyState<L>,
+    b: &BodyState<L>,
+    biased: bool,
+    per_substep: f32,
+) -> (L, L) {
+    let point = &constraint.points[index];
+    let separation = constraint.separation(point, a, b) + point.awaits_impact;
+    let vn = constraint.normal.dot(constraint.relative_velocity(point, a, b));
+    if biased {
+        (vn + bias(separation, L::splat(per_substep)), leak(separation))
+    } else {
+        (vn + gap_bias(separation, L::splat(per_substep)), L::splat(0.0))
+    }
+}
+
+/// k of a point, with a harmless 1 where there is no point: its impulse is kept at 0 by `mask`.
+#[inline(always)]
+fn k_or_one<L: Lane>(k: L) -> (L, L::Mask) {
+    let is_there = k.greater(L::splat(0.0));
+    (L::select(is_there, k, L::splat(1.0)), is_there)
+}
+
+#[inline(always)]
+fn solve_normals_together<L: Lane>(
+    constraint: &mut ContactConstraint<L>,
+    a: &mut BodyState<L>,
+    b: &mut BodyState<L>,
+    biased: bool,
+    per_substep: f32,
+) {
+    let zero = L::splat(0.0);
+    let one = L::splat(1.0);
+    let (violation_1, leak_1) = violation(constraint, 0, a, b, biased, per_substep);
+    let (violation_2, leak_2) = violation(constraint, 1, a, b, biased, per_substep);
+    let [point_1, point_2] = &constraint.points;
+    let before = [point_1.normal_impulse, point_2.normal_impulse];
+    let (k11, first_is_there) = k_or_one(point_1.normal_k);
+    let (k22, second_is_there) = k_or_one(point_2.normal_k);
+    let k12 = constraint.coupling;
+    let q = [
+        violation_1 - (k11 * before[0] + k12 * before[1]),
+        violation_2 - (k12 * before[0] + k22 * before[1]),
+    ];
+    let [x1, x2] = solve_pair(k11 * (one + leak_1), k12, k22 * (one + leak_2), q);
+    let after = [L::select(first_is_there, x1, zero), L::select(second_is_there, x2, zero)];
+    for index in 0..2 {
+        let impulse = constraint.normal * (after[index] - before[index]);
+        constraint.points[index].normal_impulse = after[index];
+        constraint.apply(&constraint.points[index], impulse, a, b);
+    }
+}
+
+/// One point on its own: λ = (k λ₀ - (vn + bias)) / (k (1 + leak)), 0 or more.
+#[inline(always)]
+fn solve_normal<L: Lane>(
+    constraint: &mut ContactConstraint<L>,
+    index: usize,
+    a: &mut BodyState<L>,
+    b: &mut BodyState<L>,
+    biased: bool,
+    per_substep: f32,
+) {
+    let zero = L::splat(0.0);
+    let (violation, leak) = violation(constraint, index, a, b, biased, per_substep);
+    let point = &constraint.points[index];
+    let before = point.normal_impulse;
+    let (k, is_there) = k_or_one(point.normal_k);
+    let wanted = (k * before - violation) / (k * (L::splat(1.0) + leak));
+    let after = L::select(is_there, wanted.max(zero), zero);
+    constraint.points[index].normal_impulse = after;
+    constraint.apply(&constraint.points[index], constraint.normal * (after - before), a, b);
+}
+
+/// Friction of one point: stops the slip, with at most µ times the normal impulse (Coulomb).
+#[inline(always)]
+fn solve_friction<L: Lane>(
+    constraint: &mut ContactConstraint<L>,
+    index: usize,
+    a: &mut BodyState<L>,
+    b: &mut BodyState<L>,
+) {
+    let point = &constraint.points[index];
+    let tangent: LaneVec2<L> = constraint.normal.perp();
+    let slip = tangent.dot(constraint.relative_velocity(point, a, b));
+    let limit = constraint.friction * point.normal_impulse;
+    let before = point.tangent_impulse;
+    let after = (before - point.tangent_mass * slip).min(limit).max(-limit);
+    constraint.points[index].tangent_impulse = after;
+    constraint.apply(&constraint.points[index], tangent * (after - before), a, b);
+}
+
+#[inline(always)]
+fn gather<L: Lane>(constraint: &ContactConstraint<L>, states: &[BodyState]) -> (BodyState<L>, BodyState<L>) {
+    (L::gather(states, constraint.row_a), L::gather(states, constraint.row_b))
+}
+
+#[inline(always)]
+fn scatter<L: Lane>(
+    constraint: &ContactConstraint<L>,
+    states: &mut [BodyState],
+    a: &BodyState<L>,
+    b: &BodyState<L>,
+) {
+    L::scatter_velocities(states, constraint.row_a, a);
+    L::scatter_velocities(states, constraint.row_b, b);
+}

@@ -1,0 +1,22 @@
+//! Resolution: from manifolds to velocities.
+//!
+//! Sequential impulses in substeps over a coloured constraint graph, with soft contacts, a relax sweep and
+//! impacts as a stage of their own. [`solve`] is the substep loop; read it first.
+
+mod block;
+mod constraint;
+mod constraint_graph;
+mod impact_queue;
+mod impacts;
+mod integrate;
+mod islands;
+mod kernel;
+mod projection;
+mod softness;
+mod solver;
+
+pub(crate) use constraint::StepResidual;
+pub(crate) use constraint_graph::ConstraintGraph;
+pub(crate) use integrate::SpeedLimits;
+pub(crate) use islands::Islands;
+pub(crate) use solver::{Acceleration, Scheme, Solver, solve};

@@ -1,0 +1,34 @@
+//! Projection of positions: the classic way to part overlapping bodies, after the velocities are done.
+//!
+//! Each iteration moves the bodies of every contact directly, by a share of the overlap, as if by an impulse
+//! on positions (non-linear Gauss-Seidel; E. Catto, "Iterative Dynamics with Temporal Coherence", 2005).
+
+use crate::compute::BodyState;
+use crate::resolution::constraint::ContactConstraint;
+use crate::resolution::integrate::turn;
+
+/// Overlap that is left, so that contacts persist, m.
+const SLOP: f32 = 0.005;
+
+/// Share of the rest that one iteration removes, no unit; more overshoots where contacts share bodies.
+const SHARE: f32 = 0.2;
+
+/// One iteration moves no contact farther than this, m.
+const LARGEST_CORRECTION: f32 = 0.2;
+
+/// One iteration for one contact.
+pub(crate) fn project(constraint: &ContactConstraint<f32>, states: &mut [BodyState]) {
+    let [row_a, row_b] = [constraint.row_a as usize, constraint.row_b as usize];
+    for point in constraint.points.iter().filter(|point| point.normal_k > 0.0) {
+        let (mut a, mut b) = (states[row_a], states[row_b]);
+        let separation = constraint.separation(point, &a, &b);
+        let correction = (SHARE * (separation + SLOP)).clamp(-LARGEST_CORRECTION, 0.0);
+        let impulse = constraint.normal * (-correction / point.normal_k);
+        a.delta_position = a.delta_position - impulse * constraint.inverse_mass_a;
+        turn(&mut a, -constraint.inverse_inertia_a * point.anchor_a.cross(impulse));
+        b.delta_position = b.delta_position + impulse * constraint.inverse_mass_b;
+        turn(&mut b, constraint.inverse_inertia_b * point.anchor_b.cross(impulse));
+        states[row_a] = a;
+        states[row_b] = b;
+    }
+}

@@ -1,0 +1,236 @@
+//! The substep loop.
+
+use crate::body::Bodies;
+use crate::collision::Contacts;
+use crate::compute::BodyState;
+use crate::math::Vec2;
+use crate::resolution::constraint::{ContactConstraint, StepResidual};
+use crate::resolution::constraint_graph::ConstraintGraph;
+use crate::resolution::impacts::{ImpactScene, Impacts, bounce_threshold};
+use crate::resolution::integrate::{Damping, Kick, SpeedLimits, damping_factor, drift, kick};
+use crate::resolution::kernel::{Sweep, apply_share, sweep, warm_start};
+use crate::resolution::projection::project;
+
+/// How a step is solved. One text covers the default and the classic scheme: the classic one has a single
+/// kick, one substep, many sweeps with friction, none to relax, and projects positions afterwards.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Scheme {
+    /// Length of the step, s.
+    pub(crate) dt: f32,
+    pub(crate) substeps: u32,
+    /// Sweeps before the bodies move, per substep.
+    pub(crate) iterations: u32,
+    /// Sweeps after the bodies have moved, per substep.
+    pub(crate) relax_iterations: u32,
+    /// Half a kick before and half after the drift, rather than a whole one before it.
+    pub(crate) split_kick: bool,
+    pub(crate) warm_starting: bool,
+    pub(crate) block_solve: bool,
+    /// Iterations of position projection at the end of the step, instead of a bias in the sweeps.
+    pub(crate) projections: Option<u32>,
+    /// Slowest approach that bounces, m/s.
+    pub(crate) restitution_threshold: f32,
+    pub(crate) limits: SpeedLimits,
+}
+
+/// What accelerates bodies, beside contacts.
+pub(crate) trait Acceleration {
+    /// The same everywhere, m/s²; bodies scale it by their gravity scale.
+    fn uniform(&self) -> Vec2;
+    /// Whether there is a part that depends on where a body is.
+    fn varies(&self) -> bool;
+    /// The part that depends on where a body is, m/s²: for the body in `slot`, moved by `delta` (m) since
+    /// the step began.
+    fn at(&self, bodies: &Bodies, slot: u32, delta: Vec2) -> Vec2;
+}
+
+/// Buffers of the solver, kept from step to step.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Solver {
+    /// By row.
+    kicks: Vec<Kick>,
+    /// Rows with damping.
+    damped: Vec<Damping>,
+    pub(crate) impacts: Impacts,
+    /// Length of the last substep, s; impulses are stored per substep.
+    last_h: f32,
+}
+
+/// One step: moves the velocities and deltas of all rows, and the impulses of all contacts.
+///
+/// ```text
+/// repeat substeps:
+///     v += h/2 a(x);  impacts
+///     warm start with half of λ;  sweep (bias pushes overlaps apart)
+///     x += h v
+///     v += h/2 a(x);  the other half of λ;  sweep (relax: no bias), friction
+/// ```
+pub(crate) fn solve(
+    solver: &mut Solver,
+    scheme: &Scheme,
+    bodies: &mut Bodies,
+    contacts: &mut Contacts,
+    graph: &mut ConstraintGraph,
+    acceleration: &impl Acceleration,
+) -> StepResidual {
+    let h = scheme.dt / scheme.substeps as f32;
+    solver.prepare(scheme, h, bodies, contacts, graph, acceleration);
+    let share = match (scheme.warm_starting, scheme.split_kick) {
+        (false, _) => 0.0,
+        (true, false) => 1.0,
+        (true, true) => 0.5,
+    };
+    let kick_time = if scheme.split_kick { 0.5 * h } else { h };
+    let main_sweep = Sweep {
+        biased: scheme.projections.is_none(),
+        friction: scheme.relax_iterations == 0,
+        block: scheme.block_solve,
+    };
+    let relax_sweep = Sweep { biased: false, friction: true, block: scheme.block_solve };
+    for _ in 0..scheme.substeps {
+        solver.kick(&mut bodies.states, kick_time, scheme.limits);
+        if solver.impacts.len() > 0 {
+            let kicks = &solver.kicks;
+            solver.impacts.run(&mut ImpactScene { states: &mut bodies.states, kicks, graph, h });
+        }
+        let states = &mut bodies.states;
+        for_each(graph, |constraint| warm_start(constraint, states, share));
+        for _ in 0..scheme.iterations {
+            for_each(graph, |constraint| sweep(constraint, states, main_sweep, 1.0 / h));
+        }
+        for state in &mut states[1..] {
+            drift(state, h);
+        }
+        if acceleration.varies() {
+            solver.accelerate(bodies, acceleration);
+        }
+        let states = &mut bodies.states;
+        if scheme.split_kick {
+            solver.kick(states, kick_time, scheme.limits);
+            for_each(graph, |constraint| apply_share(constraint, states));
+        }
+        for _ in 0..scheme.relax_iterations {
+            for_each(graph, |constraint| sweep(constraint, states, relax_sweep, 1.0 / h));
+        }
+    }
+    for _ in 0..scheme.projections.unwrap_or(0) {
+        for_each(graph, |constraint| project(constraint, &mut bodies.states));
+    }
+    solver.finish(bodies, contacts, graph)
+}
+
+/// Does something to every constraint, colour by colour.
+fn for_each(graph: &mut ConstraintGraph, mut work: impl FnMut(&mut ContactConstraint<f32>)) {
+    for colour in graph.in_order() {
+        for constraint in &mut colour.constraints {
+            work(constraint);
+        }
+    }
+}
+
+impl Solver {
+    /// Fills the rows of kicks, the constraints, and the contacts that may bounce.
+    fn prepare(
+        &mut self,
+        scheme: &Scheme,
+        h: f32,
+        bodies: &Bodies,
+        contacts: &Contacts,
+        graph: &mut ConstraintGraph,
+        acceleration: &impl Acceleration,
+    ) {
+        let kick_time = if scheme.split_kick { 0.5 * h } else { h };
+        self.kicks.clear();
+        self.damped.clear();
+        self.kicks.push(Kick::NONE);
+        for (row, &slot) in (0_u32..).zip(&bodies.slot_of_row).skip(1) {
+            let motion = &bodies.motions[slot as usize];
+            if motion.inverse_mass == 0.0 {
+                self.kicks.push(Kick::NONE);
+                continue;
+            }
+            let steady = acceleration.uniform() * motion.gravity_scale + motion.force * motion.inverse_mass;
+            self.kicks.push(Kick {
+                acceleration: steady,
+                steady,
+                carry: motion.velocity_carry,
+                angular_acceleration: motion.torque * motion.inverse_inertia,
+            });
+            if motion.linear_damping > 0.0 || motion.angular_damping > 0.0 {
+                let linear = damping_factor(motion.linear_damping, kick_time);
+                let angular = damping_factor(motion.angular_damping, kick_time);
+                self.damped.push(Damping { row, linear, angular });
+            }
+        }
+        if acceleration.varies() {
+            self.accelerate(bodies, acceleration);
+        }
+        let scale = if self.last_h > 0.0 { h / self.last_h } else { 1.0 };
+        self.last_h = h;
+        graph.prepare(contacts, bodies, scale);
+        self.gather_bouncy(scheme, h, bodies, contacts, graph);
+    }
+
+    fn gather_bouncy(
+        &mut self,
+        scheme: &Scheme,
+        h: f32,
+        bodies: &Bodies,
+        contacts: &Contacts,
+        graph: &mut ConstraintGraph,
+    ) {
+        self.impacts.clear();
+        for colour in graph.in_order() {
+            for (&index, constraint) in colour.contacts.iter().zip(&colour.constraints) {
+                let contact = &contacts[index];
+                if contact.restitution > 0.0 {
+                    let kicks =
+                        contact.slots.map(|slot| &self.kicks[bodies.motions[slot as usize].row as usize]);
+                    let threshold = bounce_threshold(scheme.restitution_threshold, contact, kicks, h);
+                    self.impacts.add(index, contact, constraint, threshold);
+                }
+            }
+        }
+    }
+
+    /// Finds the accelerations that depend on the place anew.
+    fn accelerate(&mut self, bodies: &Bodies, acceleration: &impl Acceleration) {
+        for ((kick, state), &slot) in
+            self.kicks.iter_mut().zip(&bodies.states).zip(&bodies.slot_of_row).skip(1)
+        {
+            if bodies.is_dynamic(slot) {
+                kick.acceleration = kick.steady + acceleration.at(bodies, slot, state.delta_position.into());
+            }
+        }
+    }
+
+    fn kick(&mut self, states: &mut [BodyState], time: f32, limits: SpeedLimits) {
+        for (state, this) in states.iter_mut().zip(&mut self.kicks).skip(1) {
+            kick(state, this, time, limits);
+        }
+        for &Damping { row, linear, angular } in &self.damped {
+            let state = &mut states[row as usize];
+            state.velocity = state.velocity * linear;
+            state.angular_velocity *= angular;
+        }
+    }
+
+    /// Writes impulses back into the contacts and carries back into the bodies.
+    fn finish(
+        &self,
+        bodies: &mut Bodies,
+        contacts: &mut Contacts,
+        graph: &mut ConstraintGraph,
+    ) -> StepResidual {
+        let mut residual = StepResidual::default();
+        for colour in graph.in_order() {
+            for (&index, constraint) in colour.contacts.iter().zip(&colour.constraints) {
+                constraint.store(0, &bodies.states, &mut contacts[index], &mut residual);
+            }
+        }
+        for (kick, &slot) in self.kicks.iter().zip(&bodies.slot_of_row).skip(1) {
+            bodies.motions[slot as usize].velocity_carry = kick.carry;
+        }
+        residual
+    }
+}

@@ -1,0 +1,101 @@
+//! A convex outline with its edge normals: what detection works on.
+
+use crate::math::Vec2;
+
+/// Most corners a polygon can have. Eight keep a hull in three cache lines and its loops short; rounder
+/// things are better circles.
+pub const MAX_VERTICES: usize = 8;
+
+/// A convex outline about the centre of mass, counter-clockwise. Edge i runs from vertex i to vertex i + 1.
+///
+/// The arrays are longer than the outline; entries from `count` on are zero.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Hull {
+    /// Corners, m.
+    pub(crate) vertices: [Vec2; MAX_VERTICES],
+    /// Outward unit normals of the edges.
+    pub(crate) normals: [Vec2; MAX_VERTICES],
+    /// Distances of the edges' lines from the centre, m: normal · vertex. A gap is measured from here and
+    /// not from a vertex, which on a long thin hull lies far away and would bring its rounding along.
+    pub(crate) planes: [f32; MAX_VERTICES],
+    /// Distance of the nearest edge's line from the centre, m.
+    pub(crate) inradius: f32,
+    /// Number of corners, 3 to 8.
+    pub(crate) count: u8,
+}
+
+impl Hull {
+    const EMPTY: Self = Self {
+        vertices: [Vec2::ZERO; MAX_VERTICES],
+        normals: [Vec2::ZERO; MAX_VERTICES],
+        planes: [0.0; MAX_VERTICES],
+        inradius: f32::INFINITY,
+        count: 0,
+    };
+
+    /// The hull of `corners`: 3 to 8, convex, counter-clockwise, about the centre of mass.
+    pub(crate) fn new(corners: &[Vec2]) -> Self {
+        debug_assert!((3..=MAX_VERTICES).contains(&corners.len()));
+        let mut hull = Self { count: corners.len() as u8, ..Self::EMPTY };
+        for (i, &v) in corners.iter().enumerate() {
+            let next = corners[(i + 1) % corners.len()];
+            // In f64, so that the normal is the exact one rounded once.
+            let (x, y) = (f64::from(v.x), f64::from(v.y));
+            let (edge_x, edge_y) = (f64::from(next.x) - x, f64::from(next.y) - y);
+            let length = (edge_x * edge_x + edge_y * edge_y).sqrt();
+            let (normal_x, normal_y) = (edge_y / length, -edge_x / length);
+            hull.vertices[i] = v;
+            hull.normals[i] = Vec2::new(normal_x as f32, normal_y as f32);
+            hull.planes[i] = (normal_x * x + normal_y * y) as f32;
+            hull.inradius = hull.inradius.min(hull.planes[i]);
+        }
+        hull
+    }
+
+    /// The hull of a box of half width `half.x` and half height `half.y`, m: corners from the lower left one
+    /// on, edges bottom, right, top, left.
+    pub(crate) fn rectangle(half: Vec2) -> Self {
+        let corners = [-half, Vec2::new(half.x, -half.y), half, Vec2::new(-half.x, half.y)];
+        let normals = [(0.0, -1.0), (1.0, 0.0), (0.0, 1.0), (-1.0, 0.0)];
+        let planes = [half.y, half.x, half.y, half.x];
+        let mut hull = Self { inradius: half.x.min(half.y), count: 4, ..Self::EMPTY };
+        for i in 0..4 {
+            hull.vertices[i] = corners[i];
+            hull.normals[i] = normals[i].into();
+            hull.planes[i] = planes[i];
+        }
+        hull
+    }
+
+    /// The corners, m.
+    #[inline(always)]
+    pub(crate) fn vertices(&self) -> &[Vec2] {
+        &self.vertices[..self.count as usize]
+    }
+
+    /// The outward unit normals, one for each edge.
+    #[inline(always)]
+    pub(crate) fn normals(&self) -> &[Vec2] {
+        &self.normals[..self.count as usize]
+    }
+
+    /// The vertex after `index`, which is the end of that edge.
+    #[inline(always)]
+    pub(crate) fn next(&self, index: usize) -> usize {
+        if index + 1 < self.count as usize { index + 1 } else { 0 }
+    }
+
+    /// Smallest width across, m. The narrowest strip that holds a convex outline has an edge on one of its
+    /// sides, so it is enough to measure from each edge.
+    pub(crate) fn thickness(&self) -> f32 {
+        let width_from = |(&normal, &plane): (&Vec2, &f32)| {
+            self.vertices().iter().map(|&v| plane - normal.dot(v)).fold(0.0, f32::max)
+        };
+        self.normals().iter().zip(&self.planes).map(width_from).fold(f32::INFINITY, f32::min)
+    }
+
+    /// Greatest distance of a corner from the centre, m.
+    pub(crate) fn extent(&self) -> f32 {
+        self.vertices().iter().map(|v| v.length()).fold(0.0, f32::max)
+    }
+}

@@ -1,0 +1,127 @@
+//! Questions to one shape: does it hold a point, where does a ray meet it.
+//!
+//! Not part of the step. Places are subtracted in `f64` before anything is rounded, and the products are
+//! taken in `f64`, where those of two `f32` are exact: answers at the border do not depend on rounding.
+
+use crate::math::{Point, Pose, Rot, Vec2};
+use crate::shape::Shape;
+use crate::shape::hull::Hull;
+
+/// Where a ray first meets a shape.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct RayHit {
+    /// Part of the ray's translation up to the outline; 0 where the ray starts inside.
+    pub fraction: f32,
+    /// Outward unit normal of the outline there; zero where the ray starts inside.
+    pub normal: Vec2,
+}
+
+impl Shape {
+    /// Whether the shape at `pose` holds `place`, border included. `Shape::Aabb` ignores the rotation.
+    pub fn contains(&self, pose: Pose, place: impl Into<Point>) -> bool {
+        self.contains_local(self.place_in_body(pose, place.into()))
+    }
+
+    /// Where the ray from `origin` along `translation`, m, first meets the outline of the shape at `pose`, if
+    /// it does within `max_fraction` of the translation.
+    ///
+    /// A ray that starts inside, border included, hits at fraction 0 with a zero normal.
+    pub fn ray_cast(
+        &self,
+        pose: Pose,
+        origin: impl Into<Point>,
+        translation: impl Into<Vec2>,
+        max_fraction: f32,
+    ) -> Option<RayHit> {
+        let rotation = self.rotation_at(pose.rotation);
+        let start = self.place_in_body(pose, origin.into());
+        let hit = if self.contains_local(start) {
+            RayHit { fraction: 0.0, normal: Vec2::ZERO }
+        } else {
+            let (start, along) = (widen(start), widen(rotation.unrotate(translation.into())));
+            match self {
+                Self::Circle(circle) => ray_circle(f64::from(circle.radius()), start, along)?,
+                Self::Aabb(rectangle) | Self::Obb(rectangle) => ray_hull(&rectangle.hull, start, along)?,
+                Self::Polygon(polygon) => ray_hull(&polygon.hull, start, along)?,
+            }
+        };
+        (hit.fraction <= max_fraction).then(|| RayHit { normal: rotation.rotate(hit.normal), ..hit })
+    }
+
+    /// The rotation that the shape takes on in a body turned by `rotation`: none for `Shape::Aabb`.
+    #[inline(always)]
+    pub(crate) fn rotation_at(&self, rotation: Rot) -> Rot {
+        if self.can_rotate() { rotation } else { Rot::IDENTITY }
+    }
+
+    fn place_in_body(&self, pose: Pose, place: Point) -> Vec2 {
+        self.rotation_at(pose.rotation).unrotate(place - pose.center)
+    }
+
+    fn contains_local(&self, place: Vec2) -> bool {
+        let hull_contains = |hull: &Hull| {
+            let (x, y) = widen(place);
+            (0..hull.count as usize).all(|i| {
+                let (start_x, start_y) = widen(hull.vertices[i]);
+                let (end_x, end_y) = widen(hull.vertices[hull.next(i)]);
+                (end_x - start_x) * (y - start_y) - (end_y - start_y) * (x - start_x) >= 0.0
+            })
+        };
+        match self {
+            Self::Circle(circle) => {
+                let (x, y) = widen(place);
+                let radius = f64::from(circle.radius());
+                x * x + y * y <= radius * radius
+            }
+            Self::Aabb(rectangle) | Self::Obb(rectangle) => {
+                let half = rectangle.half_size();
+                place.x.abs() <= half.x && place.y.abs() <= half.y
+            }
+            Self::Polygon(polygon) => hull_contains(&polygon.hull),
+        }
+    }
+}
+
+fn widen(v: Vec2) -> (f64, f64) {
+    (f64::from(v.x), f64::from(v.y))
+}
+
+/// |start + f·along|² = r²: the smaller root, where the ray comes in.
+fn ray_circle(radius: f64, start: (f64, f64), along: (f64, f64)) -> Option<RayHit> {
+    let a = along.0 * along.0 + along.1 * along.1;
+    let b = start.0 * along.0 + start.1 * along.1;
+    // The line's distance from the centre by a cross product: no difference of large squares.
+    let cross = start.0 * along.1 - start.1 * along.0;
+    let discriminant = radius * radius * a - cross * cross;
+    // b < 0: the ray comes nearer. This also refuses a ray of no length, and NaN.
+    if !(b < 0.0 && discriminant >= 0.0) {
+        return None;
+    }
+    let fraction = (-b - discriminant.sqrt()) / a;
+    let (x, y) = (start.0 + fraction * along.0, start.1 + fraction * along.1);
+    let normal = Vec2::new((x / radius) as f32, (y / radius) as f32);
+    Some(RayHit { fraction: fraction as f32, normal })
+}
+
+/// The ray enters the hull where it has crossed the last of the lines it comes in by, unless it has then
+/// already left by another (M. Cyrus and J. Beck, 1978).
+fn ray_hull(hull: &Hull, start: (f64, f64), along: (f64, f64)) -> Option<RayHit> {
+    let (mut enter, mut leave, mut normal) = (f64::NEG_INFINITY, f64::INFINITY, None);
+    for i in 0..hull.count as usize {
+        let (n_x, n_y) = widen(hull.normals[i]);
+        let (v_x, v_y) = widen(hull.vertices[i]);
+        let gap = n_x * (start.0 - v_x) + n_y * (start.1 - v_y);
+        let speed = n_x * along.0 + n_y * along.1;
+        if speed < 0.0 {
+            let crossing = gap / -speed;
+            if crossing > enter {
+                (enter, normal) = (crossing, Some(hull.normals[i]));
+            }
+        } else if speed > 0.0 {
+            leave = leave.min(gap / -speed);
+        } else if gap > 0.0 {
+            return None;
+        }
+    }
+    (0.0 <= enter && enter <= leave).then_some(RayHit { fraction: enter as f32, normal: normal? })
+}

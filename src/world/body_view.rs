@@ -1,0 +1,431 @@
+//! A body of a world: seen, and changed.
+
+use crate::body::description::{
+    check_damping, check_friction, check_gravity_scale, check_place, check_restitution, check_strength,
+    check_vector,
+};
+use crate::body::{Body, BodyError, BodyId, BodyType, Material, Motion, NONE, Record};
+use crate::compute::BodyState;
+use crate::math::{Aabb, Point, Pose, Rot, Vec2};
+use crate::shape::Shape;
+use crate::world::World;
+
+/// A body of a world, seen.
+#[derive(Clone, Copy, Debug)]
+pub struct BodyRef<'a> {
+    id: BodyId,
+    record: &'a Record,
+    motion: &'a Motion,
+    state: &'a BodyState,
+    shape: &'a Shape,
+}
+
+impl<'a> BodyRef<'a> {
+    pub(in crate::world) fn new(world: &'a World, id: BodyId) -> Option<Self> {
+        let record = world.bodies.records.get(id.0)?;
+        let slot = id.0.index();
+        Some(Self {
+            id,
+            record,
+            motion: &world.bodies.motions[slot as usize],
+            state: world.bodies.state(slot),
+            shape: &world.bodies.shapes[slot as usize],
+        })
+    }
+
+    /// Its id.
+    pub fn id(&self) -> BodyId {
+        self.id
+    }
+
+    /// Centre of mass, m, in `f32`.
+    pub fn position(&self) -> Vec2 {
+        self.motion.pose.center.to_vec2()
+    }
+
+    /// Centre of mass, m, as exactly as the engine knows it: (x, y).
+    pub fn position_f64(&self) -> [f64; 2] {
+        self.motion.pose.center.into()
+    }
+
+    /// Angle, rad, in (-π, π], counter-clockwise.
+    pub fn angle(&self) -> f32 {
+        self.motion.pose.rotation.angle()
+    }
+
+    /// Rotation from the body's frame into the world's.
+    pub fn rotation(&self) -> Rot {
+        self.motion.pose.rotation
+    }
+
+    /// Centre of mass and rotation.
+    pub fn pose(&self) -> Pose {
+        self.motion.pose
+    }
+
+    /// Velocity of the centre of mass, m/s.
+    pub fn velocity(&self) -> Vec2 {
+        self.state.velocity.into()
+    }
+
+    /// Angular velocity, rad/s, counter-clockwise.
+    pub fn angular_velocity(&self) -> f32 {
+        self.state.angular_velocity
+    }
+
+    /// Velocity of the point of the body that is at `place`, m/s.
+    pub fn velocity_at(&self, place: impl Into<Point>) -> Vec2 {
+        self.velocity() + (place.into() - self.motion.pose.center).perp() * self.state.angular_velocity
+    }
+
+    /// Mass, kg; infinite for fixed and kinematic bodies.
+    pub fn mass(&self) -> f32 {
+        if self.is_dynamic() { self.record.mass } else { f32::INFINITY }
+    }
+
+    /// Moment of inertia about the centre of mass, kg m²; infinite for bodies that contacts cannot turn.
+    pub fn inertia(&self) -> f32 {
+        if self.motion.inverse_inertia > 0.0 { self.record.inertia } else { f32::INFINITY }
+    }
+
+    /// Whether it is dynamic, fixed or kinematic.
+    pub fn body_type(&self) -> BodyType {
+        self.record.body_type
+    }
+
+    fn is_dynamic(&self) -> bool {
+        self.record.body_type == BodyType::Dynamic
+    }
+
+    /// Its shape.
+    pub fn shape(&self) -> &'a Shape {
+        self.shape
+    }
+
+    /// The smallest axis-aligned box around it, m, rounded outward.
+    pub fn aabb(&self) -> Aabb {
+        self.shape.bounding_box(self.motion.pose)
+    }
+
+    /// Density, friction and restitution.
+    pub fn material(&self) -> Material {
+        self.record.material
+    }
+
+    /// Factor on the world's forces.
+    pub fn gravity_scale(&self) -> f32 {
+        self.motion.gravity_scale
+    }
+
+    /// Linear damping, 1/s.
+    pub fn linear_damping(&self) -> f32 {
+        self.motion.linear_damping
+    }
+
+    /// Angular damping, 1/s.
+    pub fn angular_damping(&self) -> f32 {
+        self.motion.angular_damping
+    }
+
+    /// The caller's own number.
+    pub fn user_data(&self) -> u64 {
+        self.record.user_data
+    }
+
+    /// Whether it sleeps.
+    pub fn is_sleeping(&self) -> bool {
+        self.record.sleep_group != NONE
+    }
+
+    /// Whether the place lies in the body, its outline included.
+    pub fn contains(&self, place: impl Into<Point>) -> bool {
+        self.shape.contains(self.motion.pose, place.into())
+    }
+}
+
+/// A body of a world, for changing it. Every change wakes the body, and is refused whole if a number is NaN,
+/// infinite or out of range.
+#[derive(Debug)]
+pub struct BodyMut<'a> {
+    world: &'a mut World,
+    id: BodyId,
+}
+
+impl<'a> BodyMut<'a> {
+    pub(in crate::world) fn new(world: &'a mut World, id: BodyId) -> Option<Self> {
+        world.bodies.records.get(id.0)?;
+        Some(Self { world, id })
+    }
+
+    /// The body, seen.
+    pub fn view(&self) -> BodyRef<'_> {
+        let slot = self.slot();
+        let bodies = &self.world.bodies;
+        BodyRef {
+            id: self.id,
+            record: &bodies.records[slot],
+            motion: &bodies.motions[slot as usize],
+            state: bodies.state(slot),
+            shape: &bodies.shapes[slot as usize],
+        }
+    }
+
+    fn slot(&self) -> u32 {
+        self.id.0.index()
+    }
+
+    fn record(&mut self) -> &mut Record {
+        let slot = self.slot();
+        &mut self.world.bodies.records[slot]
+    }
+
+    fn motion(&mut self) -> &mut Motion {
+        let slot = self.slot();
+        &mut self.world.bodies.motions[slot as usize]
+    }
+
+    /// The row of the body, woken; `None` for a fixed body, which has none.
+    fn state(&mut self) -> Option<&mut BodyState> {
+        self.wake();
+        if self.record().body_type == BodyType::Fixed {
+            return None;
+        }
+        let row = self.motion().row;
+        self.world.bodies.states.get_mut(row as usize)
+    }
+
+    /// Wakes the body and all that it rests on or that rests on it.
+    pub fn wake(&mut self) {
+        self.world.wake_slot(self.slot());
+    }
+
+    /// Puts the centre of mass at `center`, m.
+    ///
+    /// # Errors
+    /// [`BodyError`], if a coordinate is not finite or beyond 10¹² m.
+    pub fn set_position(&mut self, center: impl Into<Point>) -> Result<(), BodyError> {
+        let center = center.into();
+        check_place(center)?;
+        self.motion().pose.center = center;
+        self.moved();
+        Ok(())
+    }
+
+    /// Turns the body to `angle`, rad. Axis-aligned boxes stay as they are.
+    ///
+    /// # Errors
+    /// [`BodyError`], if the angle is not finite.
+    pub fn set_angle(&mut self, angle: f32) -> Result<(), BodyError> {
+        check_strength("the angle", angle, "rad")?;
+        if self.view().shape().can_rotate() {
+            self.motion().pose.rotation = Rot::from_angle(angle);
+            self.moved();
+        }
+        Ok(())
+    }
+
+    /// Lets box and neighbours know that the pose was changed.
+    fn moved(&mut self) {
+        let slot = self.slot();
+        let aabb = self.world.bodies.aabb(slot);
+        self.world.broad_phase.update(slot, aabb, Vec2::ZERO);
+        self.wake();
+        self.world.wake_neighbours(slot);
+    }
+
+    /// Sets the velocity of the centre of mass, m/s. Fixed bodies stay at rest.
+    ///
+    /// # Errors
+    /// [`BodyError`], if a component is not finite or beyond 10¹⁸ m/s.
+    pub fn set_velocity(&mut self, velocity: impl Into<Vec2>) -> Result<(), BodyError> {
+        let velocity = velocity.into();
+        check_vector("the velocity", velocity, "m/s")?;
+        self.motion().velocity_carry = Vec2::ZERO;
+        if let Some(state) = self.state() {
+            state.velocity = velocity.into();
+        }
+        Ok(())
+    }
+
+    /// Sets the angular velocity, rad/s. Fixed bodies and axis-aligned boxes stay at rest.
+    ///
+    /// # Errors
+    /// [`BodyError`], if it is not finite or beyond 10¹⁸ rad/s.
+    pub fn set_angular_velocity(&mut self, angular_velocity: f32) -> Result<(), BodyError> {
+        check_strength("the angular velocity", angular_velocity, "rad/s")?;
+        if !self.view().shape().can_rotate() {
+            return Ok(());
+        }
+        if let Some(state) = self.state() {
+            state.angular_velocity = angular_velocity;
+        }
+        Ok(())
+    }
+
+    /// Changes the velocity by `impulse`/mass; N s, at the centre of mass. Only dynamic bodies respond.
+    ///
+    /// # Errors
+    /// [`BodyError`], if a component is not finite or beyond 10¹⁸ N s.
+    pub fn apply_impulse(&mut self, impulse: impl Into<Vec2>) -> Result<(), BodyError> {
+        let center = self.motion().pose.center;
+        self.apply_impulse_at(impulse, center)
+    }
+
+    /// Changes velocity and spin by an impulse, N s, that acts at `place`, m. Only dynamic bodies respond.
+    ///
+    /// # Errors
+    /// [`BodyError`], if a number is not finite, an impulse beyond 10¹⁸ N s or a place beyond 10¹² m.
+    pub fn apply_impulse_at(
+        &mut self,
+        impulse: impl Into<Vec2>,
+        place: impl Into<Point>,
+    ) -> Result<(), BodyError> {
+        let (impulse, place) = (impulse.into(), place.into());
+        check_vector("the impulse", impulse, "N s")?;
+        check_place(place)?;
+        let arm = place - self.motion().pose.center;
+        self.add_velocity(impulse, arm.cross(impulse));
+        Ok(())
+    }
+
+    /// Changes the angular velocity by `impulse`/inertia; N m s. Only dynamic bodies that can turn respond.
+    ///
+    /// # Errors
+    /// [`BodyError`], if it is not finite or beyond 10¹⁸ N m s.
+    pub fn apply_angular_impulse(&mut self, impulse: f32) -> Result<(), BodyError> {
+        check_strength("the angular impulse", impulse, "N m s")?;
+        self.add_velocity(Vec2::ZERO, impulse);
+        Ok(())
+    }
+
+    fn add_velocity(&mut self, impulse: Vec2, angular_impulse: f32) {
+        let (inverse_mass, inverse_inertia) = (self.motion().inverse_mass, self.motion().inverse_inertia);
+        let limits = (self.world.settings.max_speed, self.world.settings.max_spin);
+        let Some(state) = self.state() else { return };
+        let velocity = Vec2::from(state.velocity) + impulse * inverse_mass;
+        state.velocity.x = velocity.x.clamp(-limits.0, limits.0);
+        state.velocity.y = velocity.y.clamp(-limits.0, limits.0);
+        let spin = state.angular_velocity + angular_impulse * inverse_inertia;
+        state.angular_velocity = spin.clamp(-limits.1, limits.1);
+    }
+
+    /// Applies a force, N, at the centre of mass during the next step. Forces of several calls add up.
+    ///
+    /// # Errors
+    /// [`BodyError`], if a component is not finite or beyond 10¹⁸ N.
+    pub fn apply_force(&mut self, force: impl Into<Vec2>) -> Result<(), BodyError> {
+        let center = self.motion().pose.center;
+        self.apply_force_at(force, center)
+    }
+
+    /// Applies a force, N, at `place`, m, during the next step. Forces of several calls add up.
+    ///
+    /// # Errors
+    /// [`BodyError`], if a number is not finite, a force beyond 10¹⁸ N or a place beyond 10¹² m.
+    pub fn apply_force_at(
+        &mut self,
+        force: impl Into<Vec2>,
+        place: impl Into<Point>,
+    ) -> Result<(), BodyError> {
+        let (force, place) = (force.into(), place.into());
+        check_vector("the force", force, "N")?;
+        check_place(place)?;
+        let arm = place - self.motion().pose.center;
+        self.add_force(force, arm.cross(force));
+        Ok(())
+    }
+
+    /// Applies a torque, N m, during the next step. Torques of several calls add up.
+    ///
+    /// # Errors
+    /// [`BodyError`], if it is not finite or beyond 10¹⁸ N m.
+    pub fn apply_torque(&mut self, torque: f32) -> Result<(), BodyError> {
+        check_strength("the torque", torque, "N m")?;
+        self.add_force(Vec2::ZERO, torque);
+        Ok(())
+    }
+
+    fn add_force(&mut self, force: Vec2, torque: f32) {
+        self.wake();
+        let motion = self.motion();
+        let cut = |value: f32| value.clamp(-STRONGEST_SUM, STRONGEST_SUM);
+        let sum = motion.force + force;
+        motion.force = Vec2::new(cut(sum.x), cut(sum.y));
+        motion.torque = cut(motion.torque + torque);
+    }
+
+    /// Sets the coefficient of friction, 0 or more.
+    ///
+    /// # Errors
+    /// [`BodyError`], if it is negative, not finite or beyond 10⁶.
+    pub fn set_friction(&mut self, friction: f32) -> Result<(), BodyError> {
+        check_friction(friction)?;
+        self.record().material.friction = friction;
+        self.surface_changed();
+        Ok(())
+    }
+
+    /// Sets the coefficient of restitution, 0 to 1.
+    ///
+    /// # Errors
+    /// [`BodyError`], if it is not from 0 to 1.
+    pub fn set_restitution(&mut self, restitution: f32) -> Result<(), BodyError> {
+        check_restitution(restitution)?;
+        self.record().material.restitution = restitution;
+        self.surface_changed();
+        Ok(())
+    }
+
+    fn surface_changed(&mut self) {
+        let slot = self.slot();
+        self.world.mix_body(slot);
+        self.wake();
+        self.world.wake_neighbours(slot);
+    }
+
+    /// Sets the factor on the world's forces.
+    ///
+    /// # Errors
+    /// [`BodyError`], if it is not finite or beyond ±10⁶.
+    pub fn set_gravity_scale(&mut self, scale: f32) -> Result<(), BodyError> {
+        check_gravity_scale(scale)?;
+        self.motion().gravity_scale = scale;
+        self.wake();
+        Ok(())
+    }
+
+    /// Sets the linear damping, 1/s, 0 or more.
+    ///
+    /// # Errors
+    /// [`BodyError`], if it is negative, not finite or beyond 10⁶ 1/s.
+    pub fn set_linear_damping(&mut self, damping: f32) -> Result<(), BodyError> {
+        check_damping("the linear damping", damping)?;
+        self.motion().linear_damping = damping;
+        self.wake();
+        Ok(())
+    }
+
+    /// Sets the angular damping, 1/s, 0 or more.
+    ///
+    /// # Errors
+    /// [`BodyError`], if it is negative, not finite or beyond 10⁶ 1/s.
+    pub fn set_angular_damping(&mut self, damping: f32) -> Result<(), BodyError> {
+        check_damping("the angular damping", damping)?;
+        self.motion().angular_damping = damping;
+        self.wake();
+        Ok(())
+    }
+
+    /// Sets the caller's own number.
+    pub fn set_user_data(&mut self, user_data: u64) {
+        self.record().user_data = user_data;
+    }
+
+    /// The description of the body as it is now, from which another like it can be added.
+    pub fn describe(&self) -> Option<Body> {
+        self.world.bodies.describe(self.id.0)
+    }
+}
+
+/// Forces (N) and torques (N m) of one step add up to at most this: over the smallest mass it stays in `f32`.
+const STRONGEST_SUM: f32 = 1e20;

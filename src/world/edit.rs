@@ -1,0 +1,145 @@
+//! Adding and removing: bodies, forces, attractors.
+
+use crate::body::{Body, BodyError, BodyId, BodyType};
+use crate::math::Vec2;
+use crate::world::events::ContactEvent;
+use crate::world::{Attractor, AttractorId, Force, ForceId, World};
+
+impl World {
+    /// Adds a body.
+    ///
+    /// # Errors
+    /// [`BodyError`], if a number of the description or its shape is NaN, infinite or out of range; the
+    /// world is as it was.
+    pub fn add(&mut self, body: Body) -> Result<BodyId, BodyError> {
+        body.validate()?;
+        let id = self.bodies.insert(&body);
+        let slot = id.0.index();
+        self.broad_phase.add(slot, body.body_type != BodyType::Fixed, self.bodies.aabb(slot));
+        Ok(id)
+    }
+
+    /// Removes a body and returns its description as of now, or `None` if it was removed before. Other ids
+    /// stay valid; what it touched wakes.
+    pub fn remove(&mut self, id: BodyId) -> Option<Body> {
+        self.bodies.records.get(id.0)?;
+        let slot = id.0.index();
+        self.wake_slot(slot);
+        self.wake_neighbours(slot);
+        let contacts: Vec<u32> = self.contacts.of_body(&self.bodies, slot).collect();
+        for index in contacts {
+            self.end_contact(index);
+        }
+        self.broad_phase.remove(slot);
+        self.bodies.remove(id.0)
+    }
+
+    /// Ends a contact everywhere: graph, lists, pair set.
+    pub(in crate::world) fn end_contact(&mut self, index: u32) {
+        self.graph.leave(&mut self.contacts, index);
+        let contact = self.contacts.end(&mut self.bodies, index);
+        let [a, b] = contact.slots;
+        self.broad_phase.forget_pair(a, b);
+        if contact.is_touching {
+            let [a, b] = [a, b].map(|slot| BodyId(self.bodies.records.key_at(slot)));
+            self.events.ended_by_edit.push(ContactEvent { a, b });
+        }
+    }
+
+    /// Coefficients of friction and restitution of a contact between the bodies in two slots.
+    pub(in crate::world) fn mixed(&self, a: u32, b: u32) -> (f32, f32) {
+        let [a, b] = [a, b].map(|slot| self.bodies.records[slot].material);
+        (
+            self.settings.friction_mix.mix(a.friction, b.friction),
+            self.settings.restitution_mix.mix(a.restitution, b.restitution),
+        )
+    }
+
+    /// Mixes the coefficients of the contacts with these indices anew.
+    fn mix(&mut self, indices: Vec<u32>) {
+        for index in indices {
+            let [a, b] = self.contacts[index].slots;
+            let (friction, restitution) = self.mixed(a, b);
+            let contact = &mut self.contacts[index];
+            (contact.friction, contact.restitution) = (friction, restitution);
+        }
+    }
+
+    /// Mixes the coefficients of all contacts anew.
+    pub(in crate::world) fn mix_all(&mut self) {
+        let all = self.contacts.iter().map(|(index, _)| index).collect();
+        self.mix(all);
+    }
+
+    /// Mixes the coefficients of the contacts of one body anew.
+    pub(in crate::world) fn mix_body(&mut self, slot: u32) {
+        let of_body = self.contacts.of_body(&self.bodies, slot).collect();
+        self.mix(of_body);
+    }
+
+    /// Adds a force; it acts from the next step on. Wakes all bodies.
+    pub fn add_force(&mut self, force: Force) -> ForceId {
+        let key = self.forces.insert(force);
+        self.forces_changed();
+        ForceId(key)
+    }
+
+    /// Removes a force and returns it, or `None` if it was removed before. Wakes all bodies.
+    pub fn remove_force(&mut self, id: ForceId) -> Option<Force> {
+        let force = self.forces.remove(id.0)?;
+        self.forces_changed();
+        Some(force)
+    }
+
+    /// The force with this id, or `None` if it has been removed.
+    pub fn force(&self, id: ForceId) -> Option<&Force> {
+        self.forces.get(id.0)
+    }
+
+    /// Every force.
+    pub fn forces(&self) -> impl Iterator<Item = (ForceId, &Force)> {
+        self.forces.iter().map(|(key, force)| (ForceId(key), force))
+    }
+
+    /// The sum of all forces, m/s².
+    pub fn acceleration(&self) -> Vec2 {
+        self.acceleration
+    }
+
+    fn forces_changed(&mut self) {
+        self.acceleration = self.forces.iter().fold(Vec2::ZERO, |sum, (_, force)| sum + force.acceleration());
+        self.wake_all();
+    }
+
+    /// Adds an attractor; it pulls from the next step on. Wakes all bodies.
+    pub fn add_attractor(&mut self, attractor: Attractor) -> AttractorId {
+        let key = self.attractors.insert(attractor);
+        self.wake_all();
+        AttractorId(key)
+    }
+
+    /// Removes an attractor and returns it, or `None` if it was removed before. Wakes all bodies.
+    pub fn remove_attractor(&mut self, id: AttractorId) -> Option<Attractor> {
+        let attractor = self.attractors.remove(id.0)?;
+        self.wake_all();
+        Some(attractor)
+    }
+
+    /// Puts another attractor in the place of the one with this id, and returns that, or `None` (and does
+    /// nothing) if it has been removed. Wakes all bodies.
+    pub fn replace_attractor(&mut self, id: AttractorId, attractor: Attractor) -> Option<Attractor> {
+        let replaced = std::mem::replace(self.attractors.get_mut(id.0)?, attractor);
+        self.wake_all();
+        Some(replaced)
+    }
+
+    /// The attractor with this id, or `None` if it has been removed.
+    pub fn attractor(&self, id: AttractorId) -> Option<&Attractor> {
+        self.attractors.get(id.0)
+    }
+
+    /// Every attractor.
+    pub fn attractors(&self) -> impl Iterator<Item = (AttractorId, &Attractor)> {
+        self.attractors.iter().map(|(key, attractor)| (AttractorId(key), attractor))
+    }
+}

@@ -1,0 +1,66 @@
+//! What happened in the last step.
+
+use crate::body::BodyId;
+
+/// Two bodies began or ceased to touch.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct ContactEvent {
+    /// One of the bodies.
+    pub a: BodyId,
+    /// The other. The id of a body that was removed meanwhile is stale.
+    pub b: BodyId,
+}
+
+/// Two bodies met fast.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct HitEvent {
+    /// One of the bodies.
+    pub a: BodyId,
+    /// The other.
+    pub b: BodyId,
+    /// Speed of approach along the normal, m/s; at least `Settings::hit_threshold`.
+    pub speed: f32,
+}
+
+/// What happened in the last step: slices, valid until the next step. The order is that of the bodies' ages,
+/// and the same in every run.
+#[derive(Clone, Debug, Default)]
+pub struct Events {
+    pub(crate) began: Vec<ContactEvent>,
+    pub(crate) ended: Vec<ContactEvent>,
+    pub(crate) hits: Vec<HitEvent>,
+    /// Contacts that ended by an edit since the last step; the next step reports them.
+    pub(crate) ended_by_edit: Vec<ContactEvent>,
+}
+
+impl Events {
+    /// Bodies that began to touch.
+    pub fn began(&self) -> &[ContactEvent] {
+        &self.began
+    }
+
+    /// Bodies that ceased to touch, because they parted or because one of them was removed.
+    pub fn ended(&self) -> &[ContactEvent] {
+        &self.ended
+    }
+
+    /// Bodies that began to touch with at least the speed of `Settings::hit_threshold`.
+    pub fn hits(&self) -> &[HitEvent] {
+        &self.hits
+    }
+
+    /// Begins a step: forgets the last one, takes over what edits have ended since.
+    pub(crate) fn begin_step(&mut self) {
+        self.began.clear();
+        self.hits.clear();
+        self.ended.clear();
+        self.ended.append(&mut self.ended_by_edit);
+    }
+
+    /// Brings the events of a step into an order that does not depend on how it was computed.
+    pub(crate) fn sort(&mut self) {
+        self.began.sort_unstable_by_key(|event| (event.a, event.b));
+        self.ended.sort_unstable_by_key(|event| (event.a, event.b));
+        self.hits.sort_unstable_by_key(|event| (event.a, event.b));
+    }
+}

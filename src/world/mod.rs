@@ -1,0 +1,246 @@
+//! The world: everything that is simulated together, and all that can be asked of it.
+
+mod advance;
+mod attractor;
+mod body_view;
+mod conserved;
+mod contact_view;
+mod edit;
+mod events;
+mod force;
+mod hash;
+mod profile;
+mod query;
+mod settings;
+mod sleep;
+mod step;
+mod validate;
+
+pub use attractor::{Attractor, AttractorError, AttractorId};
+pub use body_view::{BodyMut, BodyRef};
+pub use contact_view::ContactRef;
+pub use events::{ContactEvent, Events, HitEvent};
+pub use force::{Force, ForceError, ForceId};
+pub use profile::{Clock, Counters, Profile, Stage, StageReport};
+pub use query::RayHit;
+pub use settings::{PositionCorrection, Settings, SettingsError};
+
+use crate::body::{Bodies, BodyId};
+use crate::collision::Contacts;
+use crate::collision::broad_phase::BroadPhase;
+use crate::math::{Aabb, Vec2};
+use crate::resolution::{ConstraintGraph, Solver, StepResidual};
+use crate::store::Slots;
+use crate::world::attractor::Field;
+use crate::world::sleep::{SleepTables, Sleepers};
+
+/// Bodies, forces and attractors that are simulated together.
+///
+/// A world owns all it needs and shares nothing: it can be cloned, sent to another thread, and stepped there
+/// with the same result, bit for bit.
+///
+/// ```
+/// use rustycs::prelude::*;
+///
+/// let mut world = World::new(Settings::default());
+/// world.add_force(Force::EARTH_GRAVITY);
+/// let ball = world.add(Body::dynamic(Shape::circle(0.5)).at([0.0, 10.0]))?;
+/// for _ in 0..60 {
+///     world.step();
+/// }
+/// let fallen = 10.0 - world.body(ball).unwrap().position().y;
+/// assert!((fallen - 0.5 * 9.81).abs() < 1e-5);
+/// # Ok::<(), BodyError>(())
+/// ```
+#[derive(Clone, Debug)]
+pub struct World {
+    settings: Settings,
+    bodies: Bodies,
+    broad_phase: BroadPhase,
+    contacts: Contacts,
+    graph: ConstraintGraph,
+    sleepers: Sleepers,
+    forces: Slots<Force>,
+    /// The sum of all forces, m/s².
+    acceleration: Vec2,
+    attractors: Slots<Attractor>,
+    solver: Solver,
+    events: Events,
+    profile: Profile,
+    residual: StepResidual,
+    /// Awake bodies that have been at rest for long enough to sleep.
+    resting: usize,
+    ticks: u64,
+    /// Time that `advance` was given and no tick has used yet, s.
+    unused_time: f64,
+    /// Scratch of the step.
+    new_pairs: Vec<(u32, u32)>,
+    /// Scratch of the step: index, and whether the bodies are still close.
+    changed_contacts: Vec<(u32, bool)>,
+}
+
+/// How far the last step was from perfect.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct StepError {
+    /// Deepest overlap of two bodies, m, along the normals of their manifolds.
+    pub penetration: f32,
+    /// Largest speed with which two touching points still approach each other, m/s.
+    pub velocity_residual: f32,
+}
+
+impl World {
+    /// An empty world: no bodies, no forces, no gravity.
+    ///
+    /// # Panics
+    /// If `settings` holds a number that [`Settings::validate`] refuses; [`try_new`](Self::try_new) returns
+    /// the reason instead.
+    pub fn new(settings: Settings) -> Self {
+        Self::try_new(settings).unwrap_or_else(|error| panic!("{error}"))
+    }
+
+    /// An empty world: no bodies, no forces, no gravity.
+    ///
+    /// # Errors
+    /// [`SettingsError`], if `settings` holds a number that [`Settings::validate`] refuses.
+    pub fn try_new(settings: Settings) -> Result<Self, SettingsError> {
+        settings.validate()?;
+        Ok(Self {
+            settings,
+            bodies: Bodies::default(),
+            broad_phase: BroadPhase::default(),
+            contacts: Contacts::default(),
+            graph: ConstraintGraph::default(),
+            sleepers: Sleepers::default(),
+            forces: Slots::default(),
+            acceleration: Vec2::ZERO,
+            attractors: Slots::default(),
+            solver: Solver::default(),
+            events: Events::default(),
+            profile: Profile::default(),
+            residual: StepResidual::default(),
+            resting: 0,
+            ticks: 0,
+            unused_time: 0.0,
+            new_pairs: Vec::new(),
+            changed_contacts: Vec::new(),
+        })
+    }
+
+    /// The settings.
+    pub fn settings(&self) -> &Settings {
+        &self.settings
+    }
+
+    /// Puts other settings in force from the next step on, and wakes all bodies.
+    ///
+    /// # Errors
+    /// [`SettingsError`], if `settings` holds a number that [`Settings::validate`] refuses; the world keeps
+    /// those it has.
+    pub fn set_settings(&mut self, settings: Settings) -> Result<(), SettingsError> {
+        settings.validate()?;
+        let mixes = |settings: &Settings| (settings.friction_mix, settings.restitution_mix);
+        let mix_changed = mixes(&settings) != mixes(&self.settings);
+        self.settings = settings;
+        if mix_changed {
+            self.mix_all();
+        }
+        self.wake_all();
+        Ok(())
+    }
+
+    /// The body with this id, or `None` if it has been removed.
+    pub fn body(&self, id: BodyId) -> Option<BodyRef<'_>> {
+        BodyRef::new(self, id)
+    }
+
+    /// The body with this id, for changing it, or `None` if it has been removed. Changes wake the body.
+    pub fn body_mut(&mut self, id: BodyId) -> Option<BodyMut<'_>> {
+        BodyMut::new(self, id)
+    }
+
+    /// Every body, by ascending place; a removed body's place is used again.
+    pub fn bodies(&self) -> impl Iterator<Item = (BodyId, BodyRef<'_>)> {
+        self.bodies.records.iter().filter_map(|(key, _)| Some((BodyId(key), self.body(BodyId(key))?)))
+    }
+
+    /// How many bodies there are.
+    pub fn body_count(&self) -> usize {
+        self.bodies.records.len()
+    }
+
+    /// Every contact with points: bodies that touch, or are about to.
+    pub fn contacts(&self) -> impl Iterator<Item = ContactRef<'_>> {
+        self.contacts
+            .iter()
+            .filter(|(_, contact)| !contact.manifold.points().is_empty())
+            .map(|(_, contact)| ContactRef::new(self, contact))
+    }
+
+    /// What happened in the last step.
+    pub fn events(&self) -> &Events {
+        &self.events
+    }
+
+    /// How far the last step was from perfect.
+    pub fn error(&self) -> StepError {
+        StepError { penetration: self.residual.penetration, velocity_residual: self.residual.approach_speed }
+    }
+
+    /// What the last step did.
+    pub fn profile(&self) -> &Profile {
+        &self.profile
+    }
+
+    /// Hands the profile a clock to time stages with, or takes it away.
+    pub fn set_clock(&mut self, clock: Option<Clock>) {
+        self.profile.clock = clock;
+    }
+
+    /// How many steps the world has taken.
+    pub fn ticks(&self) -> u64 {
+        self.ticks
+    }
+
+    /// How many islands of bodies sleep.
+    pub fn sleeping_islands(&self) -> usize {
+        self.sleepers.len()
+    }
+
+    /// The boxes of the broad phase's trees, m, for drawing: depth in the tree, and whether it is the fat
+    /// box of one body.
+    pub fn tree_boxes(&self) -> Vec<(Aabb, u32, bool)> {
+        let mut boxes = Vec::new();
+        self.broad_phase.for_each_node(|aabb, depth, is_leaf| boxes.push((aabb, depth, is_leaf)));
+        boxes
+    }
+
+    fn field(&self) -> Field<'_> {
+        Field {
+            uniform: self.acceleration,
+            attractors: &self.attractors,
+            gravitational_constant: self.settings.gravitational_constant,
+        }
+    }
+
+    fn sleep_tables(&mut self) -> (&mut Sleepers, SleepTables<'_>) {
+        let tables =
+            SleepTables { bodies: &mut self.bodies, contacts: &mut self.contacts, graph: &mut self.graph };
+        (&mut self.sleepers, tables)
+    }
+
+    fn wake_slot(&mut self, slot: u32) {
+        let (sleepers, mut tables) = self.sleep_tables();
+        sleepers.wake(&mut tables, slot);
+    }
+
+    fn wake_neighbours(&mut self, slot: u32) {
+        let (sleepers, mut tables) = self.sleep_tables();
+        sleepers.wake_neighbours(&mut tables, slot);
+    }
+
+    /// Wakes every sleeping body.
+    pub fn wake_all(&mut self) {
+        let (sleepers, mut tables) = self.sleep_tables();
+        sleepers.wake_all(&mut tables);
+    }
+}

@@ -1,0 +1,116 @@
+//! Which stages of a step ran, on how much, and for how long.
+
+/// The stages of a step, in order.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Stage {
+    /// Broad phase: new pairs among bodies whose boxes have moved.
+    Pairs,
+    /// Narrow phase: manifolds of pairs that are close.
+    Contacts,
+    /// The substep loop: forces, impacts, contacts, motion.
+    Solve,
+    /// New poses and boxes.
+    Finalize,
+    /// Contacts that began or ended.
+    Events,
+    /// Islands at rest go to sleep.
+    Sleep,
+}
+
+impl Stage {
+    /// All stages, in the order in which a step runs them.
+    pub const ALL: [Self; 6] =
+        [Self::Pairs, Self::Contacts, Self::Solve, Self::Finalize, Self::Events, Self::Sleep];
+
+    /// The name of the stage.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Pairs => "pairs",
+            Self::Contacts => "contacts",
+            Self::Solve => "solve",
+            Self::Finalize => "finalize",
+            Self::Events => "events",
+            Self::Sleep => "sleep",
+        }
+    }
+}
+
+/// What one stage did in the last step.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct StageReport {
+    /// Whether it ran; a stage without input does not.
+    pub ran: bool,
+    /// How many things it worked on: moved boxes, contacts, bodies, ...
+    pub count: usize,
+    /// How long it took, s; `None` without a clock.
+    pub seconds: Option<f64>,
+}
+
+/// A clock: seconds since any moment of the caller's choice.
+///
+/// The library reads no clock of its own; on the web there is none in the standard library.
+pub type Clock = fn() -> f64;
+
+/// What the last step did.
+#[derive(Clone, Debug, Default)]
+pub struct Profile {
+    stages: [StageReport; Stage::ALL.len()],
+    pub(crate) clock: Option<Clock>,
+    pub(crate) counters: Counters,
+}
+
+/// How much there was in the last step.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Counters {
+    /// Bodies that the solver moved.
+    pub awake_bodies: usize,
+    /// Contacts with points: what the solver solved.
+    pub contacts: usize,
+    /// Pairs of bodies whose boxes overlap.
+    pub pairs: usize,
+    /// Contacts that could bounce.
+    pub bouncy_contacts: usize,
+    /// Bounces.
+    pub impacts: usize,
+    /// Colours of the constraint graph in use.
+    pub colours: usize,
+    /// Contacts that found no colour.
+    pub overflow: usize,
+    /// Substeps.
+    pub substeps: u32,
+}
+
+impl Profile {
+    /// What one stage did.
+    pub fn stage(&self, stage: Stage) -> StageReport {
+        self.stages[stage as usize]
+    }
+
+    /// What each stage did, in the order in which they ran.
+    pub fn stages(&self) -> impl Iterator<Item = (Stage, StageReport)> {
+        Stage::ALL.into_iter().zip(self.stages)
+    }
+
+    /// How long the stages took together, s; `None` without a clock.
+    pub fn seconds(&self) -> Option<f64> {
+        self.clock?;
+        Some(self.stages.iter().filter_map(|stage| stage.seconds).sum())
+    }
+
+    /// How much there was.
+    pub fn counters(&self) -> Counters {
+        self.counters
+    }
+
+    /// Runs a stage, unless it has no input.
+    pub(crate) fn run_stage(&mut self, stage: Stage, count: usize, work: impl FnOnce()) {
+        let report = &mut self.stages[stage as usize];
+        *report = StageReport { ran: count > 0, count, seconds: self.clock.map(|_| 0.0) };
+        if count == 0 {
+            return;
+        }
+        let start = self.clock.map(|clock| clock());
+        work();
+        report.seconds = self.clock.zip(start).map(|(clock, start)| clock() - start);
+    }
+}

@@ -1,0 +1,132 @@
+//! Questions about where bodies are. All of them see every edit at once, also before the first step.
+
+use crate::body::BodyId;
+use crate::collision::detect;
+use crate::math::{Aabb, Point, Pose, Vec2};
+use crate::shape::Shape;
+use crate::world::World;
+
+/// Where a ray met a body.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct RayHit {
+    /// The body.
+    pub body: BodyId,
+    /// Where on the outline, m.
+    pub point: Point,
+    /// Normal of the outline there, length 1; zero where the ray began inside the body.
+    pub normal: Vec2,
+    /// How far along the ray, as a fraction of its length, 0 to 1.
+    pub fraction: f32,
+}
+
+impl World {
+    /// The bodies at a place (m), their outlines included, by ascending id. None for a place that is not
+    /// finite.
+    pub fn bodies_at(&self, place: impl Into<Point>) -> Vec<BodyId> {
+        let place = place.into();
+        let mut found = Vec::new();
+        if !place.is_finite() {
+            return found;
+        }
+        let at_place = Aabb::around(place, Vec2::ZERO, Vec2::ZERO);
+        self.broad_phase.query(at_place, |slot| {
+            let body = &self.bodies.motions[slot as usize];
+            if self.bodies.shapes[slot as usize].contains(body.pose, place) {
+                found.push(self.id_of(slot));
+            }
+            true
+        });
+        found.sort_unstable();
+        found
+    }
+
+    /// The bodies that share a point with a box given by two corners (m), by ascending id. None for a box
+    /// that is not finite or has its corners the wrong way round.
+    pub fn bodies_in(&self, min: impl Into<Point>, max: impl Into<Point>) -> Vec<BodyId> {
+        let (min, max) = (min.into(), max.into());
+        let mut found = Vec::new();
+        if !(min.is_finite() && max.is_finite() && min.x <= max.x && min.y <= max.y) {
+            return found;
+        }
+        let size = max - min;
+        let center = Point::new(0.5 * (min.x + max.x), 0.5 * (min.y + max.y));
+        let region = Shape::aabb(size.x, size.y);
+        let bounds = Aabb::around(center, size * -0.5, size * 0.5);
+        self.broad_phase.query(bounds, |slot| {
+            let (pose, shape) = (self.bodies.motions[slot as usize].pose, &self.bodies.shapes[slot as usize]);
+            let overlaps = if region.validate().is_ok() {
+                detect(&region, Pose::at(center), shape, pose).is_some()
+            } else {
+                // A box without area is a place or a line: what its own box overlaps.
+                shape.bounding_box(pose).overlaps(bounds)
+            };
+            if overlaps {
+                found.push(self.id_of(slot));
+            }
+            true
+        });
+        found.sort_unstable();
+        found
+    }
+
+    /// The first body on the way from `origin` (m) along `translation` (m). A ray that begins in a body hits
+    /// it at once. `None` where there is nothing, or the ray is not finite or has no length.
+    pub fn ray_cast(&self, origin: impl Into<Point>, translation: impl Into<Vec2>) -> Option<RayHit> {
+        let (origin, translation) = (origin.into(), translation.into());
+        let mut nearest: Option<RayHit> = None;
+        if !is_ray(origin, translation) {
+            return None;
+        }
+        self.broad_phase.ray_cast(origin, translation, 1.0, |slot, max_fraction| {
+            let Some(hit) = self.ray_cast_body(slot, origin, translation, max_fraction) else {
+                return max_fraction;
+            };
+            // Among equals the smallest id, whatever order the tree is searched in.
+            if nearest.is_none_or(|best| (hit.fraction, hit.body) < (best.fraction, best.body)) {
+                nearest = Some(hit);
+            }
+            // Just beyond the hit, so that equals are still found.
+            max_fraction.min(hit.fraction + f32::MIN_POSITIVE + hit.fraction * f32::EPSILON)
+        });
+        nearest
+    }
+
+    /// All bodies on the way from `origin` (m) along `translation` (m), nearest first. None where the ray is
+    /// not finite or has no length.
+    pub fn ray_cast_all(&self, origin: impl Into<Point>, translation: impl Into<Vec2>) -> Vec<RayHit> {
+        let (origin, translation) = (origin.into(), translation.into());
+        let mut hits = Vec::new();
+        if is_ray(origin, translation) {
+            self.broad_phase.ray_cast(origin, translation, 1.0, |slot, max_fraction| {
+                hits.extend(self.ray_cast_body(slot, origin, translation, 1.0));
+                max_fraction
+            });
+        }
+        hits.sort_unstable_by(|one, other| {
+            one.fraction.total_cmp(&other.fraction).then(one.body.cmp(&other.body))
+        });
+        hits
+    }
+
+    fn ray_cast_body(
+        &self,
+        slot: u32,
+        origin: Point,
+        translation: Vec2,
+        max_fraction: f32,
+    ) -> Option<RayHit> {
+        let (pose, shape) = (self.bodies.motions[slot as usize].pose, &self.bodies.shapes[slot as usize]);
+        let hit = shape.ray_cast(pose, origin, translation, max_fraction)?;
+        let point = origin + translation * hit.fraction;
+        Some(RayHit { body: self.id_of(slot), point, normal: hit.normal, fraction: hit.fraction })
+    }
+
+    fn id_of(&self, slot: u32) -> BodyId {
+        BodyId(self.bodies.records.key_at(slot))
+    }
+}
+
+/// Whether a ray has a place and a direction.
+fn is_ray(origin: Point, translation: Vec2) -> bool {
+    origin.is_finite() && translation.normalized().is_some()
+}

@@ -1,0 +1,201 @@
+//! What can be set about a world, and what is refused.
+
+use core::fmt;
+
+use crate::body::Mix;
+use crate::resolution::{Scheme, SpeedLimits};
+
+/// How overlapping bodies are parted.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum PositionCorrection {
+    /// By a bias in the velocity sweeps that leaves no velocity behind.
+    Bias,
+    /// By moving the bodies directly after the velocities are solved: the classic way.
+    Projection {
+        /// How many times every contact is visited.
+        iterations: u32,
+    },
+}
+
+/// What can be set about a world.
+///
+/// All fields are public; write the ones you care about and take the rest from the default:
+///
+/// ```
+/// use rustycs::Settings;
+///
+/// let settings = Settings { tick_rate: 120.0, substeps: 8, ..Settings::default() };
+/// ```
+#[derive(Clone, Debug, PartialEq)]
+pub struct Settings {
+    /// Ticks per second of simulated time, 1/s, 0.1 to 10⁶. Default 60.
+    pub tick_rate: f32,
+    /// Substeps per tick, 1 to 256. The error of contacts falls as their number grows. Default 4.
+    pub substeps: u32,
+    /// Sequential-impulse sweeps over all contacts before the bodies move, per substep, 1 to 1000. Default 1.
+    pub iterations: u32,
+    /// Sweeps after the bodies have moved, which take the push out of overlaps out of the velocities again,
+    /// per substep, 0 to 1000; 1 or more where `split_kick` is set. Default 1.
+    pub relax_iterations: u32,
+    /// Whether forces act half before and half after the bodies move (second order) or whole before it
+    /// (first order, the classic way). Default true.
+    pub split_kick: bool,
+    /// Whether contacts begin with the impulse they ended with. Default true.
+    pub warm_starting: bool,
+    /// Whether the two points of a contact are solved together. Default true.
+    pub block_solve: bool,
+    /// Whether manifolds are kept while the bodies hardly move against each other. Default true.
+    pub recycling: bool,
+    /// How overlapping bodies are parted. Default [`PositionCorrection::Bias`].
+    pub position_correction: PositionCorrection,
+    /// Whether bodies at rest are put to sleep, which costs nothing until something wakes them. Default true.
+    pub sleep: bool,
+    /// Slowest approach that bounces, m/s, 0 or more; 0: everything bounces. An approach slower than what
+    /// forces add in two substeps never does. Default 0.1.
+    pub restitution_threshold: f32,
+    /// Slowest approach that is reported as a hit, m/s, 0 or more. Default 1.
+    pub hit_threshold: f32,
+    /// How two coefficients of friction mix. Default [`Mix::Average`].
+    pub friction_mix: Mix,
+    /// How two coefficients of restitution mix. Default [`Mix::Average`].
+    pub restitution_mix: Mix,
+    /// G in a = G·mass/r² of attractors, m³/(kg s²), 0 to 10¹². Default 1.
+    pub gravitational_constant: f32,
+    /// Components of velocities are cut to this speed, m/s, up to 10⁶. Default 10⁵.
+    pub max_speed: f32,
+    /// Angular velocities are cut to this, rad/s, up to 10⁶. Default 10⁵.
+    pub max_spin: f32,
+}
+
+impl Default for Settings {
+    fn default() -> Self {
+        Self {
+            tick_rate: 60.0,
+            substeps: 4,
+            iterations: 1,
+            relax_iterations: 1,
+            split_kick: true,
+            warm_starting: true,
+            block_solve: true,
+            recycling: true,
+            position_correction: PositionCorrection::Bias,
+            sleep: true,
+            restitution_threshold: 0.1,
+            hit_threshold: 1.0,
+            friction_mix: Mix::Average,
+            restitution_mix: Mix::Average,
+            gravitational_constant: 1.0,
+            max_speed: 1e5,
+            max_spin: 1e5,
+        }
+    }
+}
+
+impl Settings {
+    /// The scheme of classic engines: one substep with a single kick, ten sweeps with friction over points
+    /// one at a time, no relax sweep, manifolds found anew each step, positions projected afterwards.
+    pub fn classic() -> Self {
+        Self {
+            substeps: 1,
+            iterations: 10,
+            relax_iterations: 0,
+            split_kick: false,
+            block_solve: false,
+            recycling: false,
+            position_correction: PositionCorrection::Projection { iterations: 4 },
+            ..Self::default()
+        }
+    }
+
+    /// Length of a tick, s.
+    pub fn tick_seconds(&self) -> f64 {
+        1.0 / f64::from(self.tick_rate)
+    }
+
+    /// Checks every number.
+    ///
+    /// # Errors
+    /// [`SettingsError`], if a number is NaN or outside the range its field states, or if a split kick is
+    /// asked for without a relax sweep to solve its second half.
+    pub fn validate(&self) -> Result<(), SettingsError> {
+        let projections = match self.position_correction {
+            PositionCorrection::Bias => 1,
+            PositionCorrection::Projection { iterations } => iterations,
+        };
+        for (field, value, min, max) in [
+            ("tick_rate", f64::from(self.tick_rate), 0.1, 1e6),
+            ("substeps", f64::from(self.substeps), 1.0, 256.0),
+            ("iterations", f64::from(self.iterations), 1.0, 1000.0),
+            ("relax_iterations", f64::from(self.relax_iterations), 0.0, 1000.0),
+            ("position_correction.iterations", f64::from(projections), 1.0, 1000.0),
+            ("restitution_threshold", f64::from(self.restitution_threshold), 0.0, 1e18),
+            ("hit_threshold", f64::from(self.hit_threshold), 0.0, 1e18),
+            ("gravitational_constant", f64::from(self.gravitational_constant), 0.0, 1e12),
+            ("max_speed", f64::from(self.max_speed), 1e-3, 1e6),
+            ("max_spin", f64::from(self.max_spin), 1e-3, 1e6),
+        ] {
+            // NaN fails the comparison.
+            if !(value >= min && value <= max) {
+                return Err(SettingsError::OutOfRange { field, value, min, max });
+            }
+        }
+        if self.split_kick && self.relax_iterations == 0 {
+            return Err(SettingsError::SplitKickWithoutRelax);
+        }
+        Ok(())
+    }
+
+    /// What the solver needs to know.
+    pub(crate) fn scheme(&self) -> Scheme {
+        Scheme {
+            dt: self.tick_seconds() as f32,
+            substeps: self.substeps,
+            iterations: self.iterations,
+            relax_iterations: self.relax_iterations,
+            split_kick: self.split_kick,
+            warm_starting: self.warm_starting,
+            block_solve: self.block_solve,
+            projections: match self.position_correction {
+                PositionCorrection::Bias => None,
+                PositionCorrection::Projection { iterations } => Some(iterations),
+            },
+            restitution_threshold: self.restitution_threshold,
+            limits: SpeedLimits { speed: self.max_speed, spin: self.max_spin },
+        }
+    }
+}
+
+/// Why settings were refused. The world keeps the ones it has.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum SettingsError {
+    /// A number is NaN or outside the range of its field.
+    OutOfRange {
+        /// Name of the field.
+        field: &'static str,
+        /// The number given.
+        value: f64,
+        /// Smallest number allowed.
+        min: f64,
+        /// Largest number allowed.
+        max: f64,
+    },
+    /// `split_kick` is set and `relax_iterations` is 0.
+    SplitKickWithoutRelax,
+}
+
+impl fmt::Display for SettingsError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::OutOfRange { field, value, min, max } => {
+                write!(f, "Settings::{field} is {value}; give a number from {min} to {max}")
+            }
+            Self::SplitKickWithoutRelax => f.write_str(
+                "Settings::split_kick needs relax_iterations of 1 or more, to solve the second half of the \
+                 kick; set one or clear the other",
+            ),
+        }
+    }
+}
+
+impl std::error::Error for SettingsError {}

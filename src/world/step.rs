@@ -1,0 +1,195 @@
+//! One step, as a table of stages.
+
+use crate::body::{BodyId, NONE};
+use crate::collision::{Refresh, refresh};
+use crate::compute::BodyState;
+use crate::math::{Rot, Vec2};
+use crate::resolution::solve;
+use crate::world::World;
+use crate::world::attractor::Field;
+use crate::world::events::{ContactEvent, HitEvent};
+use crate::world::profile::{Counters, Stage};
+use crate::world::sleep::{REST_SPEED, TIME_TO_SLEEP};
+
+impl World {
+    /// Moves the world by one tick of `1 / tick_rate` seconds. Never fails and never panics.
+    ///
+    /// ```text
+    /// stage     runs on               does
+    /// pairs     moved boxes           begins a contact for each new pair of overlapping boxes
+    /// contacts  awake contacts        brings manifolds up to date; ends contacts whose boxes parted
+    /// solve     awake bodies          the substep loop: forces, impacts, contacts, motion
+    /// finalize  awake bodies          adds the motion to the poses; boxes follow
+    /// events    awake contacts        what began, ended, hit
+    /// sleep     bodies long at rest   islands at rest leave the step
+    /// ```
+    pub fn step(&mut self) {
+        let mut profile = std::mem::take(&mut self.profile);
+        self.events.begin_step();
+        profile.run_stage(Stage::Pairs, self.broad_phase.moved_count(), || self.find_pairs());
+        profile.run_stage(Stage::Contacts, self.contacts.awake().len(), || self.refresh_contacts());
+        profile.run_stage(Stage::Solve, self.bodies.awake_count(), || self.solve());
+        profile.run_stage(Stage::Finalize, self.bodies.awake_count(), || self.finalize());
+        profile.run_stage(Stage::Events, self.contacts.awake().len(), || self.report_events());
+        profile.run_stage(Stage::Sleep, self.resting, || self.put_to_sleep());
+        profile.counters = self.count();
+        self.profile = profile;
+        self.ticks += 1;
+    }
+
+    /// Begins a contact for each new pair of bodies whose fat boxes overlap.
+    fn find_pairs(&mut self) {
+        let bodies = &self.bodies;
+        let mut pairs = std::mem::take(&mut self.new_pairs);
+        self.broad_phase.find_pairs(|a, b| bodies.is_dynamic(a) || bodies.is_dynamic(b), &mut pairs);
+        for (a, b) in pairs.drain(..) {
+            let (friction, restitution) = self.mixed(a, b);
+            let index = self.contacts.begin(&mut self.bodies, [a, b], friction, restitution);
+            if self.bodies.is_awake(a) || self.bodies.is_awake(b) {
+                self.contacts.set_awake(index);
+            }
+        }
+        self.new_pairs = pairs;
+    }
+
+    /// Brings the manifolds of all awake contacts up to date, and the constraint graph with them.
+    fn refresh_contacts(&mut self) {
+        let how = Refresh { dt: self.settings.tick_seconds() as f32, recycling: self.settings.recycling };
+        let mut changed = std::mem::take(&mut self.changed_contacts);
+        for place in 0..self.contacts.awake().len() {
+            let index = self.contacts.awake()[place];
+            let contact = &mut self.contacts[index];
+            let [a, b] = contact.slots;
+            let is_close = self.broad_phase.overlap(a, b);
+            if is_close {
+                refresh(contact, &self.bodies, how);
+            }
+            if !is_close || contact.manifold.points().is_empty() == contact.graph_place.is_some() {
+                changed.push((index, is_close));
+            }
+        }
+        for (index, is_close) in changed.drain(..) {
+            if !is_close {
+                self.end_contact(index);
+            } else if self.contacts[index].manifold.points().is_empty() {
+                self.graph.leave(&mut self.contacts, index);
+            } else {
+                self.enter_graph(index);
+            }
+        }
+        self.changed_contacts = changed;
+    }
+
+    /// Lets the solver solve a contact that has got points; wakes a sleeping body that something moving has
+    /// come close to.
+    fn enter_graph(&mut self, index: u32) {
+        let [a, b] = self.contacts[index].slots;
+        for (sleeper, other) in [(a, b), (b, a)] {
+            let is_asleep = self.bodies.records[sleeper].sleep_group != NONE;
+            if is_asleep && (self.bodies.is_dynamic(other) || is_moving(self.bodies.state(other))) {
+                self.wake_slot(sleeper);
+            }
+        }
+        let is_asleep = |slot: u32| self.bodies.records[slot].sleep_group != NONE;
+        if !is_asleep(a) && !is_asleep(b) {
+            self.graph.enter(&mut self.contacts, &self.bodies, index);
+        }
+    }
+
+    /// The substep loop.
+    fn solve(&mut self) {
+        let scheme = self.settings.scheme();
+        let field = Field {
+            uniform: self.acceleration,
+            attractors: &self.attractors,
+            gravitational_constant: self.settings.gravitational_constant,
+        };
+        self.residual =
+            solve(&mut self.solver, &scheme, &mut self.bodies, &mut self.contacts, &mut self.graph, &field);
+    }
+
+    /// Adds the motion of the step to the poses, lets boxes follow, and counts the time at rest.
+    fn finalize(&mut self) {
+        let dt = self.settings.tick_seconds() as f32;
+        let bodies = &mut self.bodies;
+        self.resting = 0;
+        for (state, &slot) in bodies.states.iter_mut().zip(&bodies.slot_of_row).skip(1) {
+            let motion = &mut bodies.motions[slot as usize];
+            let turn = Rot { c: state.delta_rotation.c, s: state.delta_rotation.s };
+            motion.pose.center += state.delta_position.into();
+            motion.pose.rotation = (turn * motion.pose.rotation).normalized();
+            motion.force = Vec2::ZERO;
+            motion.torque = 0.0;
+            state.delta_position = BodyState::REST.delta_position;
+            state.delta_rotation = BodyState::REST.delta_rotation;
+            let velocity = Vec2::from(state.velocity);
+            let speed = velocity.length() + state.angular_velocity.abs() * motion.extent;
+            // A kinematic body rests only when it does not move at all: it keeps what it touches awake.
+            let is_resting = if motion.inverse_mass > 0.0 { speed < REST_SPEED } else { speed == 0.0 };
+            motion.still_time = if is_resting { motion.still_time + dt } else { 0.0 };
+            if self.settings.sleep && motion.inverse_mass > 0.0 && motion.still_time >= TIME_TO_SLEEP {
+                self.resting += 1;
+            }
+            let aabb = bodies.shapes[slot as usize].bounding_box(motion.pose);
+            self.broad_phase.update(slot, aabb, velocity * dt);
+        }
+    }
+
+    /// Reports which contacts began, ended or hit.
+    fn report_events(&mut self) {
+        for (index, speed) in self.solver.impacts.bounced() {
+            let contact = &mut self.contacts[index];
+            contact.has_bounced = true;
+            contact.approach_speed = contact.approach_speed.max(speed);
+        }
+        let id_of = |slot: u32| BodyId(self.bodies.records.key_at(slot));
+        for place in 0..self.contacts.awake().len() {
+            let index = self.contacts.awake()[place];
+            let contact = &mut self.contacts[index];
+            let is_touching = contact.has_bounced
+                || contact
+                    .manifold
+                    .points()
+                    .iter()
+                    .any(|point| point.normal_impulse > 0.0 || point.separation <= 0.0);
+            if is_touching == contact.is_touching {
+                continue;
+            }
+            contact.is_touching = is_touching;
+            let [a, b] = contact.slots.map(id_of);
+            if is_touching {
+                self.events.began.push(ContactEvent { a, b });
+                if contact.approach_speed >= self.settings.hit_threshold {
+                    self.events.hits.push(HitEvent { a, b, speed: contact.approach_speed });
+                }
+            } else {
+                self.events.ended.push(ContactEvent { a, b });
+            }
+        }
+        self.events.sort();
+    }
+
+    fn put_to_sleep(&mut self) {
+        let (sleepers, mut tables) = self.sleep_tables();
+        sleepers.put_to_sleep(&mut tables);
+    }
+
+    fn count(&self) -> Counters {
+        let (colours, overflow) = self.graph.occupancy();
+        Counters {
+            awake_bodies: self.bodies.awake_count(),
+            contacts: self.graph.len(),
+            pairs: self.contacts.len(),
+            bouncy_contacts: self.solver.impacts.len(),
+            impacts: self.solver.impacts.count(),
+            colours,
+            overflow,
+            substeps: self.settings.substeps,
+        }
+    }
+}
+
+/// Whether a body that is told how to move has been told to.
+fn is_moving(state: &BodyState) -> bool {
+    Vec2::from(state.velocity) != Vec2::ZERO || state.angular_velocity != 0.0
+}

@@ -1,0 +1,96 @@
+//! Checks that all tables of a world agree with each other: for tests.
+
+use crate::body::{BodyType, NONE};
+use crate::compute::{BodyState, GROUND_ROW};
+use crate::math::Vec2;
+use crate::world::World;
+
+impl World {
+    /// Checks that all tables agree and every number is finite. Slow; for tests.
+    ///
+    /// # Errors
+    /// A sentence that names the first disagreement found.
+    pub fn validate(&self) -> Result<(), String> {
+        self.validate_bodies()?;
+        self.validate_contacts()?;
+        self.graph.validate(&self.contacts, &self.bodies)?;
+        self.broad_phase.validate()
+    }
+
+    fn validate_bodies(&self) -> Result<(), String> {
+        let bodies = &self.bodies;
+        let ground = &bodies.states[GROUND_ROW as usize];
+        if Vec2::from(ground.velocity) != Vec2::ZERO || ground.angular_velocity != 0.0 {
+            return Err("the ground moves".into());
+        }
+        let mut rows = 1;
+        for (key, record) in bodies.records.iter() {
+            let slot = key.index();
+            let motion = &bodies.motions[slot as usize];
+            let state = bodies.state(slot);
+            let is_finite = motion.pose.center.is_finite()
+                && motion.pose.rotation.c.is_finite()
+                && motion.pose.rotation.s.is_finite()
+                && Vec2::from(state.velocity).is_finite()
+                && state.angular_velocity.is_finite();
+            if !is_finite {
+                return Err(format!("body {slot} has a number that is not finite: {motion:?} {state:?}"));
+            }
+            let should_have_row = record.body_type != BodyType::Fixed && record.sleep_group == NONE;
+            if should_have_row != (motion.row != GROUND_ROW) {
+                return Err(format!("body {slot} is {:?} but has row {}", record.body_type, motion.row));
+            }
+            if should_have_row {
+                rows += 1;
+                if bodies.slot_of_row[motion.row as usize] != slot {
+                    return Err(format!("row {} is not of body {slot}", motion.row));
+                }
+            }
+            let at_rest = BodyState::REST.delta_position;
+            if Vec2::from(state.delta_position) != Vec2::from(at_rest) {
+                return Err(format!("body {slot} has motion that was not added to its pose"));
+            }
+            if !self.broad_phase.fat_aabb(slot).contains(bodies.aabb(slot)) {
+                return Err(format!("the box of body {slot} does not hold it"));
+            }
+        }
+        if rows == bodies.states.len() {
+            Ok(())
+        } else {
+            Err(format!("{} rows for {rows}", bodies.states.len()))
+        }
+    }
+
+    fn validate_contacts(&self) -> Result<(), String> {
+        let mut links = 0;
+        for (key, _) in self.bodies.records.iter() {
+            links += self.contacts.of_body(&self.bodies, key.index()).count();
+        }
+        if links != 2 * self.contacts.len() {
+            return Err(format!("{} contacts are in {links} lists of bodies", self.contacts.len()));
+        }
+        for (index, contact) in self.contacts.iter() {
+            let [a, b] = contact.slots;
+            let is_awake = self.bodies.is_awake(a) || self.bodies.is_awake(b);
+            if is_awake != self.contacts.awake().contains(&index) {
+                return Err(format!(
+                    "contact {index} of {a} and {b}: awake is {is_awake}, its list disagrees"
+                ));
+            }
+            let sleeps = [a, b].iter().any(|&slot| self.bodies.records[slot].sleep_group != NONE);
+            if contact.graph_place.is_some() && sleeps {
+                return Err(format!("contact {index} is solved although {a} or {b} sleeps"));
+            }
+            let is_finite = contact.manifold.normal.is_finite()
+                && contact.manifold.points().iter().all(|point| {
+                    point.separation.is_finite()
+                        && point.normal_impulse.is_finite()
+                        && point.tangent_impulse.is_finite()
+                });
+            if !is_finite {
+                return Err(format!("contact {index} has a number that is not finite: {contact:?}"));
+            }
+        }
+        Ok(())
+    }
+}
