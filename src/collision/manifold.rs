@@ -57,6 +57,15 @@ pub struct ManifoldPoint {
     pub tangent_impulse: f32,
 }
 
+impl ManifoldPoint {
+    /// A point without impulses, `anchor_a` from a's centre; b's centre is `offset` from a's.
+    #[inline(always)]
+    pub(crate) fn new(anchor_a: Vec2, offset: Vec2, separation: f32, feature: FeatureId) -> Self {
+        let anchor_b = anchor_a - offset;
+        Self { anchor_a, anchor_b, separation, feature, normal_impulse: 0.0, tangent_impulse: 0.0 }
+    }
+}
+
 /// One or two contact points with a common normal.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Manifold {
@@ -67,23 +76,16 @@ pub struct Manifold {
 }
 
 impl Manifold {
-    /// A manifold without points.
+    /// The manifold of one point.
     #[inline(always)]
-    pub(crate) fn new(normal: Vec2) -> Self {
-        Self { normal, ..Self::default() }
+    pub(crate) fn of_one(normal: Vec2, point: ManifoldPoint) -> Self {
+        Self { normal, points: [point, ManifoldPoint::default()], count: 1 }
     }
 
-    /// Adds a point, `anchor_a` from a's centre, of two there can be.
+    /// The manifold of two points, `first` being the one that comes first along the outline of a.
     #[inline(always)]
-    pub(crate) fn push(&mut self, anchor_a: Vec2, offset: Vec2, separation: f32, feature: FeatureId) {
-        self.points[self.count as usize] = ManifoldPoint {
-            anchor_a,
-            anchor_b: anchor_a - offset,
-            separation,
-            feature,
-            ..ManifoldPoint::default()
-        };
-        self.count += 1;
+    pub(crate) fn of_two(normal: Vec2, first: ManifoldPoint, second: ManifoldPoint) -> Self {
+        Self { normal, points: [first, second], count: 2 }
     }
 
     /// The points, one or two, in the order of their places along the outline of a.

@@ -22,7 +22,7 @@ const SPECULATIVE_MARGIN: f32 = 0.02;
 
 /// How far two bodies may move against each other before their manifold is found anew, m. A tenth of it is
 /// too little for a house of cards, whose cards lean on frozen normals; more makes rolling polygons coarse.
-/// Thin bodies take a quarter of the thickness of the thinner of the two.
+/// Small bodies take a quarter of the extent of the smaller of the two.
 const RECYCLE_DISTANCE: f32 = 0.05;
 
 /// Cosine of the angle that either body may turn before the manifold is found anew: 11 degrees.
@@ -78,6 +78,8 @@ struct Pair<'a> {
     turning: f32,
     /// Width of the thinner of the two, m.
     thickness: f32,
+    /// Extent of the smaller of the two, m.
+    extent: f32,
 }
 
 impl<'a> Pair<'a> {
@@ -96,6 +98,7 @@ impl<'a> Pair<'a> {
             turning: turning(motion_a, state_a.angular_velocity)
                 + turning(motion_b, state_b.angular_velocity),
             thickness: motion_a.thickness.min(motion_b.thickness),
+            extent: motion_a.extent.min(motion_b.extent),
         }
     }
 
@@ -110,7 +113,7 @@ impl<'a> Pair<'a> {
             return false;
         }
         let frozen = &contact.frozen;
-        let distance = RECYCLE_DISTANCE.min(0.25 * self.thickness);
+        let distance = RECYCLE_DISTANCE.min(0.25 * self.extent);
         let turned = |now: Rot, then: Rot| now.c * then.c + now.s * then.s < RECYCLE_COSINE;
         (self.offset - frozen.offset).length_squared() < distance * distance
             && !turned(self.rotation_a, frozen.rotation_a)

@@ -4,18 +4,23 @@
 //! For each point with anchors r_a, r_b and the normal n (from a to b):
 //!
 //! ```text
-//! separation      s  = s₀ + n·(Δx_b + (ΔR_b - 1) r_b - Δx_a - (ΔR_a - 1) r_a)
+//! separation      s  = s₀ + n·(Δx_b + t_b (ΔR_b - 1) r_b - Δx_a - t_a (ΔR_a - 1) r_a)
 //! velocity        vn = n·(v_b + w_b × r_b - v_a - w_a × r_a)
 //! 1/(eff. mass)   k  = 1/m_a + 1/m_b + (r_a × n)²/I_a + (r_b × n)²/I_b
 //! impulse λ       v_a -= λ n/m_a,  w_a -= λ (r_a × n)/I_a,  v_b += λ n/m_b,  w_b += λ (r_b × n)/I_b
 //! ```
 //!
-//! and the same with the tangent for friction. `L` holds `L::WIDTH` contacts that share no movable body.
+//! and the same with the tangent for friction. t is 1 for an outline that turns with its body and 0 for a
+//! circle, which rolls: its contact point is always the one nearest to the other body, and a point that went
+//! round with it would seem to lift off.
+//!
+//! `L` holds `L::WIDTH` contacts that share no movable body.
 
 use crate::body::Bodies;
 use crate::collision::Contact;
 use crate::compute::{BodyState, Lane, LaneVec2};
 use crate::math::Vec2;
+use crate::shape::Shape;
 
 /// One of the (at most two) points of a contact.
 #[derive(Clone, Copy, Debug, Default)]
@@ -55,6 +60,10 @@ pub(crate) struct ContactConstraint<L: Lane> {
     pub(crate) inverse_mass_b: L,
     pub(crate) inverse_inertia_a: L,
     pub(crate) inverse_inertia_b: L,
+    /// 1 where the outline of a turns with it, 0 where it is a circle.
+    pub(crate) turns_a: L,
+    /// The same for b.
+    pub(crate) turns_b: L,
     /// From a to b.
     pub(crate) normal: LaneVec2<L>,
     pub(crate) friction: L,
@@ -86,6 +95,12 @@ impl<L: Lane> ContactConstraint<L> {
         self.inverse_mass_b.set(place, b.inverse_mass);
         self.inverse_inertia_a.set(place, a.inverse_inertia);
         self.inverse_inertia_b.set(place, b.inverse_inertia);
+        let [turns_a, turns_b] = contact.slots.map(|slot| match bodies.shapes[slot as usize] {
+            Shape::Circle(_) => 0.0,
+            Shape::Aabb(_) | Shape::Obb(_) | Shape::Polygon(_) => 1.0,
+        });
+        self.turns_a.set(place, turns_a);
+        self.turns_b.set(place, turns_b);
         set_vector(&mut self.normal, place, normal);
         self.friction.set(place, contact.friction);
         self.coupling.set(place, 0.0);
@@ -113,8 +128,8 @@ impl<L: Lane> ContactConstraint<L> {
     /// Separation of a point now, m.
     #[inline(always)]
     pub(crate) fn separation(&self, point: &ConstraintPoint<L>, a: &BodyState<L>, b: &BodyState<L>) -> L {
-        let tip_a = a.delta_position + a.delta_rotation.displacement(point.anchor_a);
-        let tip_b = b.delta_position + b.delta_rotation.displacement(point.anchor_b);
+        let tip_a = a.delta_position + a.delta_rotation.displacement(point.anchor_a) * self.turns_a;
+        let tip_b = b.delta_position + b.delta_rotation.displacement(point.anchor_b) * self.turns_b;
         point.separation + self.normal.dot(tip_b - tip_a)
     }
 

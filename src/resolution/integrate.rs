@@ -35,9 +35,9 @@ const _: () = assert!(size_of::<Kick>() == 32);
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Damping {
     pub(crate) row: u32,
-    /// Factor on the velocity, no unit.
+    /// Share of the velocity that is lost, no unit.
     pub(crate) linear: f32,
-    /// Factor on the angular velocity, no unit.
+    /// Share of the angular velocity that is lost, no unit.
     pub(crate) angular: f32,
 }
 
@@ -50,11 +50,12 @@ pub(crate) struct SpeedLimits {
     pub(crate) spin: f32,
 }
 
-/// Factor by which damping `c` (1/s) slows a velocity in the time `t` (s): e^(-ct) to second order, and
-/// between 0 and 1 for every c ≥ 0.
-pub(crate) fn damping_factor(c: f32, t: f32) -> f32 {
+/// Share of a velocity that damping `c` (1/s) takes in the time `t` (s): 1 - e^(-ct) to second order, and
+/// between 0 and 1 for every c ≥ 0. The share and not what is left, which so near to 1 has lost its digits.
+pub(crate) fn damping_loss(c: f32, t: f32) -> f32 {
     let x = c * t;
-    1.0 / (1.0 + x + 0.5 * x * x)
+    let gain = x + 0.5 * x * x;
+    gain / (1.0 + gain)
 }
 
 /// v += t·a, with what rounding loses carried to the next kick (Kahan, 1965; sum by Knuth's two-sum).

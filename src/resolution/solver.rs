@@ -7,7 +7,7 @@ use crate::math::Vec2;
 use crate::resolution::constraint::{ContactConstraint, StepResidual};
 use crate::resolution::constraint_graph::ConstraintGraph;
 use crate::resolution::impacts::{ImpactScene, Impacts, bounce_threshold};
-use crate::resolution::integrate::{Damping, Kick, SpeedLimits, damping_factor, drift, kick};
+use crate::resolution::integrate::{Damping, Kick, SpeedLimits, damping_loss, drift, kick};
 use crate::resolution::kernel::{Sweep, apply_share, sweep, warm_start};
 use crate::resolution::projection::project;
 
@@ -157,8 +157,8 @@ impl Solver {
                 angular_acceleration: motion.torque * motion.inverse_inertia,
             });
             if motion.linear_damping > 0.0 || motion.angular_damping > 0.0 {
-                let linear = damping_factor(motion.linear_damping, kick_time);
-                let angular = damping_factor(motion.angular_damping, kick_time);
+                let linear = damping_loss(motion.linear_damping, kick_time);
+                let angular = damping_loss(motion.angular_damping, kick_time);
                 self.damped.push(Damping { row, linear, angular });
             }
         }
@@ -210,8 +210,8 @@ impl Solver {
         }
         for &Damping { row, linear, angular } in &self.damped {
             let state = &mut states[row as usize];
-            state.velocity = state.velocity * linear;
-            state.angular_velocity *= angular;
+            state.velocity = state.velocity - state.velocity * linear;
+            state.angular_velocity -= state.angular_velocity * angular;
         }
     }
 

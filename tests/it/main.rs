@@ -1,1 +1,13 @@
-//! One test binary.
+//! One test binary: the laws of physics, twins of fast paths, determinism, bad input, and the house itself.
+
+mod bad_input;
+mod determinism;
+mod golden;
+mod house;
+mod interface;
+mod laws;
+mod queries;
+mod random_use;
+mod sleep;
+mod support;
+mod twins;

@@ -1,7 +1,7 @@
 //! Two boxes that never turn: the gaps along the two axes say everything.
 
 use crate::collision::detection::within;
-use crate::collision::{FeatureId, Manifold};
+use crate::collision::{FeatureId, Manifold, ManifoldPoint};
 use crate::math::Vec2;
 use crate::shape::Rectangle;
 
@@ -48,12 +48,14 @@ fn face(
     has_stretch: bool,
 ) -> Manifold {
     let second = (first + 1) % 4;
-    let mut manifold = Manifold::new(normal);
-    manifold.push(points[0], offset, separation, FeatureId::of_vertices(first, first ^ opposite));
+    let point = |at, vertex| {
+        ManifoldPoint::new(at, offset, separation, FeatureId::of_vertices(vertex, vertex ^ opposite))
+    };
     if has_stretch {
-        manifold.push(points[1], offset, separation, FeatureId::of_vertices(second, second ^ opposite));
+        Manifold::of_two(normal, point(points[0], first), point(points[1], second))
+    } else {
+        Manifold::of_one(normal, point(points[0], first))
     }
-    manifold
 }
 
 /// A gap along both axes: the corners are nearest, on the line between them.
@@ -71,7 +73,7 @@ fn corner_to_corner(half_a: Vec2, gap: Vec2, side: Vec2, offset: Vec2, margin: f
         (false, true) => 3,
     };
     let corner = Vec2::new(side.x * half_a.x, side.y * half_a.y);
-    let mut manifold = Manifold::new(across / distance);
-    manifold.push(corner + across * 0.5, offset, distance, FeatureId::of_vertices(vertex_a, vertex_a ^ 2));
-    Some(manifold)
+    let feature = FeatureId::of_vertices(vertex_a, vertex_a ^ 2);
+    let point = ManifoldPoint::new(corner + across * 0.5, offset, distance, feature);
+    Some(Manifold::of_one(across / distance, point))
 }

@@ -1,7 +1,7 @@
 //! Box against circle: the nearest point of the box, by clamping the circle's centre to it.
 
 use crate::collision::detection::within;
-use crate::collision::{FeatureId, Manifold};
+use crate::collision::{FeatureId, Manifold, ManifoldPoint};
 use crate::math::{Rot, Vec2};
 use crate::shape::{Circle, Rectangle};
 
@@ -21,10 +21,9 @@ pub(super) fn detect(
     if !within(separation, margin) {
         return None;
     }
-    let mut manifold = Manifold::new(rotation_a.rotate(normal));
-    let anchor = rotation_a.rotate(nearest + normal * (0.5 * separation));
-    manifold.push(anchor, offset, separation, FeatureId::SINGLE);
-    Some(manifold)
+    let halfway = rotation_a.rotate(nearest + normal * (0.5 * separation));
+    let point = ManifoldPoint::new(halfway, offset, separation, FeatureId::SINGLE);
+    Some(Manifold::of_one(rotation_a.rotate(normal), point))
 }
 
 /// Signed distance of a point from the outline of a box, m, the outward normal and the nearest point of the

@@ -1,7 +1,7 @@
 //! Circle against circle: the distance of their centres.
 
 use crate::collision::detection::within;
-use crate::collision::{FeatureId, Manifold};
+use crate::collision::{FeatureId, Manifold, ManifoldPoint};
 use crate::math::Vec2;
 use crate::shape::Circle;
 
@@ -18,7 +18,7 @@ pub(super) fn detect(a: Circle, b: Circle, offset: Vec2, margin: f32) -> Option<
     // Below the smallest normal number the square under the root has lost its digits.
     let has_direction = distance * distance >= f32::MIN_POSITIVE;
     let normal = if has_direction { offset / distance } else { NORMAL_OF_ONE_CENTER };
-    let mut manifold = Manifold::new(normal);
-    manifold.push(normal * (a.radius() + 0.5 * separation), offset, separation, FeatureId::SINGLE);
-    Some(manifold)
+    let halfway = normal * (a.radius() + 0.5 * separation);
+    let point = ManifoldPoint::new(halfway, offset, separation, FeatureId::SINGLE);
+    Some(Manifold::of_one(normal, point))
 }

@@ -6,7 +6,7 @@
 //! all others pass behind the corner.
 
 use crate::collision::detection::within;
-use crate::collision::{FeatureId, Manifold};
+use crate::collision::{FeatureId, Manifold, ManifoldPoint};
 use crate::math::{Rot, Vec2};
 use crate::shape::{Circle, Hull};
 
@@ -49,12 +49,7 @@ pub(super) fn detect(a: &Hull, rotation_a: Rot, b: Circle, offset: Vec2, margin:
     if !(within(separation, margin) && separation.is_finite()) {
         return None;
     }
-    let mut manifold = Manifold::new(rotation_a.rotate(normal));
-    manifold.push(
-        rotation_a.rotate(nearest + normal * (0.5 * separation)),
-        offset,
-        separation,
-        FeatureId::SINGLE,
-    );
-    Some(manifold)
+    let halfway = rotation_a.rotate(nearest + normal * (0.5 * separation));
+    let point = ManifoldPoint::new(halfway, offset, separation, FeatureId::SINGLE);
+    Some(Manifold::of_one(rotation_a.rotate(normal), point))
 }

@@ -1,27 +1,32 @@
 //! Clipping: the stretch that two facing edges have in common, and the manifold made of its ends.
 //!
 //! The reference edge gives the normal, the incident edge of the other hull is cut off by the lines through the
-//! reference edge's ends (I. Sutherland and G. Hodgman, 1974). All in the frame of the reference hull, where its
-//! edge is exact.
+//! reference edge's ends (I. Sutherland and G. Hodgman, 1974).
+//!
+//! All in the frame of the face: from the centre of the reference hull, x along the face's outward normal, y along
+//! its edge. There a distance from the face is an x, and what is past its ends shows in y.
 
-use crate::collision::{FeatureId, Manifold};
+use crate::collision::detection::within;
+use crate::collision::{FeatureId, Manifold, ManifoldPoint};
 use crate::math::{Rot, Vec2};
 
-/// An edge of a hull and the indices of its ends.
+/// The edge that gives the normal: it stands upright at x = `plane` and runs from y = `low` up to y = `high`, m.
 #[derive(Clone, Copy)]
-pub(super) struct Edge {
-    pub(super) start: Vec2,
-    pub(super) end: Vec2,
-    pub(super) first: u8,
-    pub(super) second: u8,
+pub(super) struct Reference {
+    pub(super) plane: f32,
+    pub(super) low: f32,
+    pub(super) high: f32,
+    /// Index of the vertex at its lower end, then of the one at its upper end.
+    pub(super) vertices: [u8; 2],
 }
 
-impl Edge {
-    /// The edge turned by `rotation`, then moved by `center`: from its hull's frame into the other's.
-    #[inline(always)]
-    pub(super) fn placed(self, rotation: Rot, center: Vec2) -> Self {
-        Self { start: center + rotation.rotate(self.start), end: center + rotation.rotate(self.end), ..self }
-    }
+/// The edge that faces the reference edge, so that it runs down; in the frame of the face, m.
+#[derive(Clone, Copy)]
+pub(super) struct Incident {
+    pub(super) start: Vec2,
+    pub(super) end: Vec2,
+    /// Index of the vertex at its start, then of the one at its end.
+    pub(super) vertices: [u8; 2],
 }
 
 /// What the choice of the reference face may leave open.
@@ -50,38 +55,36 @@ impl Tolerance {
     }
 }
 
-/// The ends of the common stretch of two edges, in the frame of the reference hull.
+/// The common stretch of two edges.
 pub(super) struct Stretch {
-    /// On the incident edge: near the reference edge's start, then near its end.
+    /// Its ends on the incident edge: the lower one, then the upper one.
     points: [Vec2; 2],
     separations: [f32; 2],
     features: [FeatureId; 2],
-    /// Length of the stretch along the reference edge, m; negative where the edges lie past each other.
-    length: f32,
+    /// Whether the edges lie past each other; the ends are then one and the same.
+    is_empty: bool,
 }
 
-/// Clips the edge `incident` to the sides of `reference`, whose line is at `plane` along `normal`.
+/// Cuts off what of `incident` is past the ends of `reference`.
 #[inline(always)]
-pub(super) fn clip(reference: Edge, normal: Vec2, plane: f32, incident: Edge) -> Stretch {
-    // Coordinates along the reference edge; the incident edge runs the other way.
-    let along = normal.perp();
-    let (low, high) = (along.dot(reference.start), along.dot(reference.end));
-    let (incident_low, incident_high) = (along.dot(incident.end), along.dot(incident.start));
-    // Cut off what is past an end, as a part of the incident edge. One that stands upright has no length along
-    // the reference edge; the smallest number in its place keeps 0/0 away.
-    let per_length = 1.0 / (incident_high - incident_low).max(f32::MIN_POSITIVE);
-    let cut_low = ((low - incident_low) * per_length).clamp(0.0, 1.0);
-    let cut_high = ((incident_high - high) * per_length).clamp(0.0, 1.0);
-    let edge = incident.start - incident.end;
-    let points = [incident.end + edge * cut_low, incident.start - edge * cut_high];
+pub(super) fn clip(reference: Reference, incident: Incident) -> Stretch {
+    let Reference { plane, low, high, vertices: [first, second] } = reference;
+    let Incident { start, end, vertices: [incident_first, incident_second] } = incident;
+    // How much to cut, as parts of the incident edge. One that lies along x has no length in y; the smallest
+    // number in its place keeps 0/0 away.
+    let per_length = 1.0 / (start.y - end.y).max(f32::MIN_POSITIVE);
+    let cut_low = ((low - end.y) * per_length).clamp(0.0, 1.0);
+    let cut_high = ((start.y - high) * per_length).clamp(0.0, 1.0);
+    let edge = start - end;
+    let points = [end + edge * cut_low, start - edge * cut_high];
     Stretch {
         points,
-        separations: [normal.dot(points[0]) - plane, normal.dot(points[1]) - plane],
+        separations: [points[0].x - plane, points[1].x - plane],
         features: [
-            FeatureId::of_vertices(reference.first, incident.second),
-            FeatureId::of_vertices(reference.second, incident.first),
+            FeatureId::of_vertices(first, incident_second),
+            FeatureId::of_vertices(second, incident_first),
         ],
-        length: high.min(incident_high) - low.max(incident_low),
+        is_empty: start.y < low || end.y > high,
     }
 }
 
@@ -90,30 +93,30 @@ impl Stretch {
     /// there is a gap, the nearest points are corners outside of the stretch.
     #[inline(always)]
     pub(super) fn is_nearest(&self, separation: f32, tolerance: f32) -> bool {
-        self.length >= 0.0 && self.separations[0].min(self.separations[1]) <= separation + tolerance
+        let nearest = separation + tolerance;
+        !self.is_empty && (self.separations[0] <= nearest || self.separations[1] <= nearest)
     }
 
-    /// The manifold of the ends whose separation is at most `margin`, the reference hull being a.
+    /// The manifold of the ends whose separation is at most `margin`, the reference hull being a. `face` turns the
+    /// frame of the face into the world's.
     #[inline(always)]
-    pub(super) fn manifold(
-        &self,
-        normal: Vec2,
-        rotation_a: Rot,
-        offset: Vec2,
-        noise: f32,
-        margin: f32,
-    ) -> Option<Manifold> {
-        let mut manifold = Manifold::new(rotation_a.rotate(normal));
-        // A stretch without length has one end, not two in one place.
-        let count = if self.length > noise { 2 } else { 1 };
-        for i in 0..count {
-            let separation = self.separations[i];
-            // NaN is not within any margin.
-            if separation <= margin {
-                let halfway = self.points[i] - normal * (0.5 * separation);
-                manifold.push(rotation_a.rotate(halfway), offset, separation, self.features[i]);
-            }
+    pub(super) fn manifold(&self, face: Rot, offset: Vec2, noise: f32, margin: f32) -> Option<Manifold> {
+        // Both points are made and the ones that count are chosen after: the usual case has both.
+        let point = |i: usize| {
+            let halfway = Vec2::new(self.points[i].x - 0.5 * self.separations[i], self.points[i].y);
+            ManifoldPoint::new(face.rotate(halfway), offset, self.separations[i], self.features[i])
+        };
+        let (first, second) = (point(0), point(1));
+        let normal = Vec2::new(face.c, face.s);
+        let length = self.points[1].y - self.points[0].y;
+        // NaN is within no margin. A stretch without length has one end, not two in one place.
+        let has_first = within(first.separation, margin);
+        let has_second = within(second.separation, margin) && (length > noise || !has_first);
+        match (has_first, has_second) {
+            (true, true) => Some(Manifold::of_two(normal, first, second)),
+            (true, false) => Some(Manifold::of_one(normal, first)),
+            (false, true) => Some(Manifold::of_one(normal, second)),
+            (false, false) => None,
         }
-        (!manifold.points().is_empty()).then_some(manifold)
     }
 }

@@ -3,7 +3,7 @@
 //! Called where two corners face each other across a gap, and by the sweep; both are rare, so this is written to
 //! be short. Edges that look away are skipped.
 
-use crate::collision::{FeatureId, Manifold};
+use crate::collision::{FeatureId, Manifold, ManifoldPoint};
 use crate::math::{Rot, Vec2};
 use crate::shape::Hull;
 
@@ -40,10 +40,9 @@ impl Closest {
 
     /// The manifold of the one point halfway.
     pub(super) fn manifold(&self, rotation_a: Rot, offset: Vec2) -> Manifold {
-        let mut manifold = Manifold::new(rotation_a.rotate(self.normal));
-        let halfway = (self.on_a + self.on_b) * 0.5;
-        manifold.push(rotation_a.rotate(halfway), offset, self.distance, self.feature);
-        manifold
+        let halfway = rotation_a.rotate((self.on_a + self.on_b) * 0.5);
+        let point = ManifoldPoint::new(halfway, offset, self.distance, self.feature);
+        Manifold::of_one(rotation_a.rotate(self.normal), point)
     }
 }
 

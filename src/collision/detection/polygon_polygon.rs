@@ -9,7 +9,7 @@
 //! normal are those between the corners.
 
 use crate::collision::Manifold;
-use crate::collision::detection::clip::{Edge, Tolerance, clip};
+use crate::collision::detection::clip::{Incident, Reference, Tolerance, clip};
 use crate::collision::detection::closest::Closest;
 use crate::collision::detection::within;
 use crate::math::{Rot, Vec2};
@@ -86,12 +86,30 @@ impl Pair<'_> {
         let rotation = self.rotation_a.inverse() * self.rotation_b;
         let center = self.rotation_a.unrotate(self.offset);
         let normal = self.a.normals[face.index];
-        let incident = edge(self.b, facing(self.b, rotation.unrotate(normal))).placed(rotation, center);
-        let stretch = clip(edge(self.a, face.index), normal, self.a.planes[face.index], incident);
-        if face.separation > tolerance.noise && !stretch.is_nearest(face.separation, tolerance.preference) {
-            return self.corner_contact(tolerance.noise, margin);
+        // From the frame of the face into a's: the turn that brings x to the normal.
+        let turn = Rot { c: normal.x, s: normal.y };
+        let (i, next) = (face.index, self.a.next(face.index));
+        let along = normal.perp();
+        let reference = Reference {
+            plane: self.a.planes[i],
+            low: along.dot(self.a.vertices[i]),
+            high: along.dot(self.a.vertices[next]),
+            vertices: [i as u8, next as u8],
+        };
+        let j = facing(self.b, rotation.unrotate(normal));
+        let next = self.b.next(j);
+        let (rotation, center) = (turn.inverse() * rotation, turn.unrotate(center));
+        let incident = Incident {
+            start: center + rotation.rotate(self.b.vertices[j]),
+            end: center + rotation.rotate(self.b.vertices[next]),
+            vertices: [j as u8, next as u8],
+        };
+        let stretch = clip(reference, incident);
+        let Tolerance { noise, preference } = tolerance;
+        if face.separation > noise && !stretch.is_nearest(face.separation, preference) {
+            return self.corner_contact(noise, margin);
         }
-        stretch.manifold(normal, self.rotation_a, self.offset, tolerance.noise, margin)
+        stretch.manifold(self.rotation_a * turn, self.offset, noise, margin)
     }
 
     /// The one point between the two nearest corners.
@@ -115,10 +133,4 @@ fn facing(hull: &Hull, normal: Vec2) -> usize {
         }
     }
     best
-}
-
-#[inline(always)]
-fn edge(hull: &Hull, index: usize) -> Edge {
-    let next = hull.next(index);
-    Edge { start: hull.vertices[index], end: hull.vertices[next], first: index as u8, second: next as u8 }
 }

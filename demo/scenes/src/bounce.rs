@@ -1,0 +1,37 @@
+//! Balls of every restitution, dropped side by side.
+
+use rustycs::{Body, Material, Settings, Shape, World};
+
+use crate::parts::{put, world_with_gravity};
+use crate::{Scene, View};
+
+/// Balls of every restitution, dropped side by side.
+pub const SCENE: Scene = Scene {
+    name: "bounce",
+    summary: "Restitution 0 on the left to 1 on the right: each bounce reaches e² of the height before, and the last ball never tires.",
+    view: View::above(-1.0, 0.0, 15.0, 8.6),
+    build,
+};
+
+/// Balls in the row, restitution 0 to 1 in even steps.
+const BALLS: u8 = 9;
+/// Radius of a ball, m.
+const RADIUS: f32 = 0.45;
+/// How far a ball falls, m.
+const DROP: f32 = 6.0;
+/// From one ball to the next, m.
+const PITCH: f32 = 1.5;
+
+/// Every ball has a plate of its own with the same restitution, so that any rule of mixing gives just that.
+fn build(_seed: u64, settings: Settings) -> World {
+    let mut world = world_with_gravity(settings);
+    for ball in 0..BALLS {
+        let restitution = f32::from(ball) / f32::from(BALLS - 1);
+        let x = (f32::from(ball) - 0.5 * f32::from(BALLS - 1)) * PITCH;
+        let plate = Body::fixed(Shape::aabb(1.2, 0.4)).at([x, -0.2]).restitution(restitution);
+        put(&mut world, plate);
+        let ball = Body::dynamic(Shape::circle(RADIUS)).at([x, RADIUS + DROP]).material(Material::RUBBER);
+        put(&mut world, ball.restitution(restitution));
+    }
+    world
+}

@@ -1,0 +1,8 @@
+//! Laws of physics, each against its closed form with a derived tolerance.
+
+mod bounces;
+mod collisions;
+mod flight;
+mod friction;
+mod orbits;
+mod stacks;
