@@ -131,14 +131,14 @@ impl ConstraintGraph {
         }
     }
 
-    /// The constraint of the contact at a place of the graph, and its place in the lane.
-    pub(crate) fn constraint_mut(
-        &mut self,
-        (colour, place): (u32, u32),
-    ) -> (&mut ContactConstraint<f32>, usize) {
-        let width = <f32 as Lane>::WIDTH;
-        let place = place as usize;
-        (&mut self.colours[colour as usize].constraints[place / width], place % width)
+    /// The constraint of the contact at a place of the graph.
+    pub(crate) fn constraint(&self, (colour, place): (u32, u32)) -> &ContactConstraint<f32> {
+        &self.colours[colour as usize].constraints[place as usize]
+    }
+
+    /// The constraint of the contact at a place of the graph, for changing it.
+    pub(crate) fn constraint_mut(&mut self, (colour, place): (u32, u32)) -> &mut ContactConstraint<f32> {
+        &mut self.colours[colour as usize].constraints[place as usize]
     }
 
     /// Checks that every contact with a place is at that place, and no colour holds a movable body twice.

@@ -17,6 +17,10 @@
 //! The drift will move each body by h v'. It really moves by v t + v' (h - t): the terms in a cancel. So the
 //! impact itself moves it by (v - v') t, and later impacts, the drift and the second kick need not know.
 //!
+//! Only a contact that carries no load bounces: what rests on something is pressed, not struck, and what
+//! still moves there is for the sweeps. Letting the contacts of a dense pile bounce would make each blow
+//! forget the weight that the contact carries.
+//!
 //! Cost: one look at every bouncy contact per substep; a heap of the few that meet. Nothing where no contact
 //! has restitution.
 
@@ -40,18 +44,28 @@ const IMPACTS_PER_SUBSTEP: u8 = 16;
 /// A contact that may bounce.
 #[derive(Clone, Debug)]
 struct BouncyContact {
-    constraint: ContactConstraint<f32>,
     /// Index of the contact, and its place in the constraint graph.
     contact: u32,
     graph_place: (u32, u32),
-    point_count: usize,
+    rows: [u32; 2],
     restitution: f32,
     /// Approach speed from which the contact bounces, m/s.
     threshold: f32,
-    /// Impacts in this substep.
-    impacts: u8,
     /// Greatest speed of an impact in this step, m/s.
     greatest_speed: f32,
+    /// Impacts in this substep.
+    impacts: u8,
+    /// Whether the sweeps have been told to leave a point alone.
+    is_waiting: bool,
+}
+
+/// How a point approaches.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Approach {
+    /// Gap, m; negative where the bodies overlap.
+    separation: f32,
+    /// Relative velocity along the normal in the middle of the substep, m/s, negative.
+    speed: f32,
 }
 
 /// The next impact of a contact.
@@ -105,14 +119,14 @@ impl Impacts {
     ) {
         let Some(graph_place) = contact.graph_place else { return };
         self.contacts.push(BouncyContact {
-            constraint: *constraint,
             contact: index,
             graph_place,
-            point_count: contact.manifold.points().len(),
+            rows: [constraint.row_a, constraint.row_b],
             restitution: contact.restitution,
             threshold,
-            impacts: 0,
             greatest_speed: 0.0,
+            impacts: 0,
+            is_waiting: false,
         });
     }
 
@@ -143,7 +157,8 @@ impl Impacts {
         }
         while let Some((expected, number)) = self.queue.pop() {
             // Impacts since may have hastened, delayed or cancelled it.
-            let Some(upcoming) = self.upcoming(number, scene) else { continue };
+            let approaching = self.contacts[number as usize].approaching(scene);
+            let Some(upcoming) = self.upcoming(number, approaching, scene) else { continue };
             if upcoming.time > expected {
                 self.queue.push(upcoming.time, number);
                 continue;
@@ -156,69 +171,63 @@ impl Impacts {
     }
 
     /// Queues the next impact of a contact, if it comes within this substep, and tells the sweeps to leave
-    /// alone the points that approach fast but will not have met by then.
+    /// alone the points that approach fast but are still apart.
     fn expect(&mut self, number: u32, scene: &mut ImpactScene<'_>) {
-        let upcoming = self.upcoming(number, scene);
         let bouncy = &mut self.contacts[number as usize];
-        let (a, b) = bouncy.states(scene);
-        let (constraint, _) = scene.graph.constraint_mut(bouncy.graph_place);
-        for (point, in_graph) in
-            bouncy.constraint.points.iter().zip(&mut constraint.points).take(bouncy.point_count)
-        {
-            let vn = bouncy.constraint.normal.dot(bouncy.constraint.relative_velocity(point, &a, &b));
-            let is_apart = bouncy.constraint.separation(point, &a, &b) > 0.0;
-            let waits = is_apart && vn < -bouncy.threshold && bouncy.impacts < IMPACTS_PER_SUBSTEP;
-            in_graph.awaits_impact = if waits { OUT_OF_REACH } else { 0.0 };
+        let approaching = bouncy.approaching(scene);
+        let waits = approaching.map(|point| point.is_some_and(|point| point.separation > 0.0));
+        if bouncy.is_waiting || waits[0] || waits[1] {
+            bouncy.is_waiting = waits[0] || waits[1];
+            let constraint = scene.graph.constraint_mut(bouncy.graph_place);
+            for (point, waits) in constraint.points.iter_mut().zip(waits) {
+                point.awaits_impact = if waits { OUT_OF_REACH } else { 0.0 };
+            }
         }
-        if let Some(upcoming) = upcoming {
+        if let Some(upcoming) = self.upcoming(number, approaching, scene) {
             self.queue.push(upcoming.time, number);
         }
     }
 
-    /// The next impact of a contact within this substep.
-    fn upcoming(&self, number: u32, scene: &ImpactScene<'_>) -> Option<Upcoming> {
-        let bouncy = &self.contacts[number as usize];
-        if bouncy.impacts >= IMPACTS_PER_SUBSTEP {
+    /// The next impact of a contact within this substep, of the points that approach.
+    fn upcoming(
+        &self,
+        number: u32,
+        approaching: [Option<Approach>; 2],
+        scene: &ImpactScene<'_>,
+    ) -> Option<Upcoming> {
+        if approaching == [None; 2] {
             return None;
         }
-        let (a, b) = bouncy.states(scene);
-        let constraint = &bouncy.constraint;
-        let [row_a, row_b] = bouncy.rows();
+        let bouncy = &self.contacts[number as usize];
         let h = scene.h;
-        let acceleration = bouncy.acceleration(scene.kicks);
-        let mut first = f32::INFINITY;
-        let mut meetings = [None; 2];
-        for (point, meeting) in constraint.points.iter().zip(&mut meetings).take(bouncy.point_count) {
-            let v = constraint.normal.dot(constraint.relative_velocity(point, &a, &b));
-            if v < -bouncy.threshold {
-                let separation = constraint.separation(point, &a, &b);
-                let time = time_of_impact(separation, v, acceleration, h);
-                *meeting = time.map(|time| (time, v));
-                first = first.min(time.unwrap_or(f32::INFINITY));
-            }
-        }
+        let acceleration = bouncy.acceleration(scene);
+        let times = approaching.map(|point| {
+            point.and_then(|point| time_of_impact(point.separation, point.speed, acceleration, h))
+        });
+        let first = times[0].unwrap_or(f32::INFINITY).min(times[1].unwrap_or(f32::INFINITY));
         // Never before an earlier impact of either body: until then it moved otherwise.
-        let time = first.max(self.last_impact[row_a as usize]).max(self.last_impact[row_b as usize]);
+        let time = bouncy.rows.iter().fold(first, |time, &row| time.max(self.last_impact[row as usize]));
         // Points that meet within a ten-thousandth of the substep of each other meet together: a box that
         // lands flat is not to be tipped over by a rounding error.
         let together = time + 1e-4 * h;
-        let speeds = meetings.map(|meeting| {
-            meeting.filter(|&(at, _)| at <= together).map(|(_, v)| v + acceleration * (time - 0.5 * h))
-        });
-        (time <= h).then_some(Upcoming { time, speeds })
+        let speed_at = |point: usize| {
+            let approach = approaching[point].filter(|_| times[point].is_some_and(|at| at <= together))?;
+            Some(approach.speed + acceleration * (time - 0.5 * h))
+        };
+        (time <= h).then(|| Upcoming { time, speeds: [speed_at(0), speed_at(1)] })
     }
 
     /// Applies the impulses of an impact, moves the two bodies by what they would else miss, and looks at
     /// their contacts again.
     fn bounce(&mut self, number: u32, upcoming: Upcoming, scene: &mut ImpactScene<'_>) {
         let bouncy = &mut self.contacts[number as usize];
-        let (mut a, mut b) = bouncy.states(scene);
-        let before = [a, b];
-        bouncy.apply_impulses(upcoming.speeds, &mut a, &mut b);
+        let before = bouncy.states(scene);
+        let mut after = before;
+        bouncy.apply_impulses(scene.graph.constraint(bouncy.graph_place), upcoming.speeds, &mut after);
         bouncy.impacts += 1;
-        let [row_a, row_b] = bouncy.rows();
         self.count += 1;
-        for ((row, mut state), before) in [(row_a, a), (row_b, b)].into_iter().zip(before) {
+        let rows = bouncy.rows;
+        for ((row, mut state), before) in rows.into_iter().zip(after).zip(before) {
             if row == GROUND_ROW {
                 continue;
             }
@@ -230,22 +239,14 @@ impl Impacts {
             self.last_impact[row as usize] = upcoming.time;
             self.hit_rows.push(row);
         }
-        let (constraint, _) = scene.graph.constraint_mut(bouncy.graph_place);
-        for (point, speed) in constraint.points.iter_mut().zip(upcoming.speeds) {
-            if speed.is_some() {
-                // What the contact carried before the blow says nothing of what it carries after it.
-                point.normal_impulse = 0.0;
-                point.tangent_impulse = 0.0;
-            }
-        }
-        self.look_again([row_a, row_b], scene);
+        self.look_again(rows, scene);
     }
 
     /// Expects the impacts of all contacts of two bodies anew.
     fn look_again(&mut self, rows: [u32; 2], scene: &mut ImpactScene<'_>) {
         if !self.neighbours_are_built {
             self.neighbours_are_built = true;
-            self.neighbours.build(scene.states.len(), self.contacts.iter().map(BouncyContact::rows));
+            self.neighbours.build(scene.states.len(), self.contacts.iter().map(|bouncy| bouncy.rows));
         }
         for row in rows {
             for place in 0..self.neighbours.of(row).len() {
@@ -256,25 +257,39 @@ impl Impacts {
 }
 
 impl BouncyContact {
-    fn rows(&self) -> [u32; 2] {
-        [self.constraint.row_a, self.constraint.row_b]
+    fn states(&self, scene: &ImpactScene<'_>) -> [BodyState; 2] {
+        self.rows.map(|row| scene.states[row as usize])
     }
 
-    fn states(&self, scene: &ImpactScene<'_>) -> (BodyState, BodyState) {
-        let [a, b] = self.rows();
-        (scene.states[a as usize], scene.states[b as usize])
+    /// Per point: how it approaches, if fast enough to bounce and without load.
+    fn approaching(&self, scene: &ImpactScene<'_>) -> [Option<Approach>; 2] {
+        let constraint = scene.graph.constraint(self.graph_place);
+        let [a, b] = self.states(scene);
+        [0, 1].map(|index| {
+            let point = &constraint.points[index];
+            let speed = constraint.normal.dot(constraint.relative_velocity(point, &a, &b));
+            let bounces = speed < -self.threshold
+                && point.normal_k > 0.0
+                && point.normal_impulse == 0.0
+                && self.impacts < IMPACTS_PER_SUBSTEP;
+            bounces.then(|| Approach { separation: constraint.separation(point, &a, &b), speed })
+        })
     }
 
     /// Acceleration of b against a along the normal, m/s².
-    fn acceleration(&self, kicks: &[Kick]) -> f32 {
-        let [a, b] = self.rows().map(|row| kicks[row as usize].acceleration);
-        Vec2::from(self.constraint.normal).dot(b - a)
+    fn acceleration(&self, scene: &ImpactScene<'_>) -> f32 {
+        let [a, b] = self.rows.map(|row| scene.kicks[row as usize].acceleration);
+        Vec2::from(scene.graph.constraint(self.graph_place).normal).dot(b - a)
     }
 
     /// Turns the approach speed u of each point that takes part into -e u; then friction, at most µ times
     /// as strong as the blow. `speeds` are those of [`Upcoming`].
-    fn apply_impulses(&mut self, speeds: [Option<f32>; 2], a: &mut BodyState, b: &mut BodyState) {
-        let constraint = &self.constraint;
+    fn apply_impulses(
+        &mut self,
+        constraint: &ContactConstraint<f32>,
+        speeds: [Option<f32>; 2],
+        [a, b]: &mut [BodyState; 2],
+    ) {
         let [point_1, point_2] = &constraint.points;
         // The change asked for, u - (-e u), is q of the complementarity problem K x + q ≥ 0.
         let change = speeds.map(|speed| speed.map(|u| (1.0 + self.restitution) * u));

@@ -93,7 +93,8 @@ fn violation<L: Lane>(
     let separation = constraint.separation(point, a, b) + point.awaits_impact;
     let vn = constraint.normal.dot(constraint.relative_velocity(point, a, b));
     if biased {
-        (vn + bias(separation, L::splat(per_substep)), leak(separation))
+        let leak = leak(separation, point.normal_k, point.normal_impulse);
+        (vn + bias(separation, L::splat(per_substep)), leak)
     } else {
         (vn + gap_bias(separation, L::splat(per_substep)), L::splat(0.0))
     }

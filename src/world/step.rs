@@ -59,11 +59,10 @@ impl World {
         for place in 0..self.contacts.awake().len() {
             let index = self.contacts.awake()[place];
             let contact = &mut self.contacts[index];
+            refresh(contact, &self.bodies, how);
+            // Bodies with points are close, whatever their boxes say.
             let [a, b] = contact.slots;
-            let is_close = self.broad_phase.overlap(a, b);
-            if is_close {
-                refresh(contact, &self.bodies, how);
-            }
+            let is_close = !contact.manifold.points().is_empty() || self.broad_phase.overlap(a, b);
             if !is_close || contact.manifold.points().is_empty() == contact.graph_place.is_some() {
                 changed.push((index, is_close));
             }
