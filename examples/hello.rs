@@ -1,4 +1,7 @@
-//! A falling ball.
+//! A rubber ball falls on a floor and bounces.
+//!
+//! `cargo run --example hello`
+
 use rustycs::prelude::*;
 
 fn main() -> Result<(), BodyError> {
@@ -6,17 +9,21 @@ fn main() -> Result<(), BodyError> {
     world.add_force(Force::EARTH_GRAVITY);
     world.add(Body::fixed(Shape::aabb(20.0, 1.0)).at([0.0, -0.5]))?;
     let ball = world.add(Body::dynamic(Shape::circle(0.5)).at([0.0, 5.0]).material(Material::RUBBER))?;
-    for tick in 0..180 {
+
+    println!("  time   height    speed");
+    for tick in 0..208 {
         world.step();
-        let body = world.body(ball).unwrap();
-        if tick % 10 == 9 {
-            println!(
-                "{:4.2} s: y = {:5.3} m, v = {:6.3} m/s",
-                (tick + 1) as f32 / 60.0,
-                body.position().y,
-                body.velocity().y
-            );
+        if tick % 8 == 7 {
+            let body = world.body(ball).expect("nobody removes the ball");
+            let (height, speed) = ((body.position().y - 0.5).max(0.0), body.velocity().y);
+            let trail = " ".repeat((height * 10.0) as usize);
+            println!("{:4.2} s  {height:5.2} m  {speed:5.1} m/s |{trail}o", (tick + 1) as f32 / 60.0);
+        }
+        for hit in world.events().hits() {
+            println!("        the floor is hit at {:.1} m/s", hit.speed);
         }
     }
+    let height = world.body(ball).expect("nobody removes the ball").position().y;
+    assert!((0.49..5.0).contains(&height), "the ball lies on the floor or bounces above it");
     Ok(())
 }

@@ -30,6 +30,7 @@ impl fmt::Display for BodyError {
         match self {
             Self::Shape(error) => write!(f, "the body's shape cannot be used: {error}"),
             Self::OutOfRange { quantity, value, min, max, unit } => {
+                let [value, min, max] = [*value, *min, *max].map(Number);
                 write!(f, "{quantity} is {value} {unit}; give a finite number from {min} to {max} {unit}")
             }
         }
@@ -51,6 +52,18 @@ impl From<ShapeError> for BodyError {
     }
 }
 
+/// A number in an error: as the caller wrote it, 0.1 and not the 0.10000000149 that its `f32` is, 1e18 and not
+/// nineteen digits.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Number(pub(crate) f64);
+
+impl fmt::Display for Number {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let narrow = self.0 as f32;
+        if f64::from(narrow) == self.0 { write!(f, "{narrow:?}") } else { write!(f, "{:?}", self.0) }
+    }
+}
+
 /// Checks that `value` is a number from `min` to `max`.
 pub(crate) fn check_range(
     quantity: &'static str,
@@ -58,8 +71,9 @@ pub(crate) fn check_range(
     [min, max]: [f64; 2],
     unit: &'static str,
 ) -> Result<(), BodyError> {
-    // NaN fails the comparison.
-    if value >= min && value <= max {
+    // The bounds themselves are in range also where an f32 can only come close. NaN fails the comparisons.
+    let is_bound = value as f32 == min as f32 || value as f32 == max as f32;
+    if value >= min && value <= max || is_bound {
         Ok(())
     } else {
         Err(BodyError::OutOfRange { quantity, value, min, max, unit })

@@ -12,6 +12,7 @@ mod material;
 pub(crate) use bodies::{Bodies, Motion, NONE, Record};
 pub use description::{Body, BodyType};
 pub use error::BodyError;
+pub(crate) use error::Number;
 pub use material::{Material, Mix};
 
 crate::store::id_type! {

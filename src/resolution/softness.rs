@@ -14,13 +14,13 @@ use crate::compute::Lane;
 /// come to rest fastest (rms speed after 10 s: 5 mm/s, against 18 mm/s for 0.116 and 24 1/s).
 pub(crate) const LEAK: f32 = 0.14;
 
-/// A contact whose leak, as a speed, exceeds this leaks less of the rest, m/s. It is the leak of an overlap
-/// at rest of about `SHALLOW`: where heavy bodies press on light ones, the full leak lets them sink in.
-const FULL_LEAK_SPEED: f32 = 1.0;
+/// A contact leaks in full up to this speed, m/s, and `LEAK_SHARE_BEYOND` of what is more: where heavy bodies
+/// press on light ones, the full leak would let them sink in.
+const FULL_LEAK_SPEED: f32 = 0.5;
 
-/// At least this share of the leak remains, whatever the load, no unit. With less, bodies that are pressed
-/// together from all sides do not come to rest.
-const LEAST_LEAK_SHARE: f32 = 0.25;
+/// What remains of a leak beyond `FULL_LEAK_SPEED`, no unit. It must not be 0: a contact whose leak no longer
+/// grows with its load is undamped, and bodies that are pressed together from all sides explode.
+const LEAK_SHARE_BEYOND: f32 = 0.15;
 
 /// Overlap up to `SHALLOW` is driven out at this rate, 1/s. Faster with the same leak, and large pyramids do
 /// not come to rest; slower, and stacks sag more.
@@ -58,8 +58,8 @@ pub(crate) fn gap_bias<L: Lane>(separation: L, per_substep: L) -> L {
 /// apart.
 #[inline(always)]
 pub(crate) fn leak<L: Lane>(separation: L, k: L, impulse: L) -> L {
-    let full_speed = L::splat(FULL_LEAK_SPEED);
-    let speed = L::splat(LEAK) * k * impulse;
-    let share = (full_speed / speed.max(full_speed)).max(L::splat(LEAST_LEAK_SHARE));
+    let full = L::splat(FULL_LEAK_SPEED);
+    let speed = (L::splat(LEAK) * k * impulse).max(full);
+    let share = (full + L::splat(LEAK_SHARE_BEYOND) * (speed - full)) / speed;
     L::select(separation.greater(L::splat(0.0)), L::splat(0.0), L::splat(LEAK) * share)
 }

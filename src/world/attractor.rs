@@ -2,7 +2,7 @@
 
 use core::fmt;
 
-use crate::body::Bodies;
+use crate::body::{Bodies, Number};
 use crate::math::{Point, Vec2};
 use crate::resolution::Acceleration;
 use crate::store::Slots;
@@ -155,7 +155,8 @@ impl fmt::Display for AttractorError {
         write!(
             f,
             "an attractor cannot have {} as its {}; give a finite number in range",
-            self.value, self.quantity
+            Number(self.value),
+            self.quantity
         )
     }
 }

@@ -29,7 +29,7 @@ pub struct Events {
     pub(crate) began: Vec<ContactEvent>,
     pub(crate) ended: Vec<ContactEvent>,
     pub(crate) hits: Vec<HitEvent>,
-    /// Contacts that ended by an edit since the last step; the next step reports them.
+    /// Contacts that ended because of an edit and are still to be reported, by this step or the next.
     pub(crate) ended_by_edit: Vec<ContactEvent>,
 }
 

@@ -201,6 +201,16 @@ impl World {
         self.ticks
     }
 
+    /// Simulated time since the world began, s, at the tick rate of now.
+    pub fn time(&self) -> f64 {
+        self.ticks as f64 * self.settings.tick_seconds()
+    }
+
+    /// How many bodies are awake: those that the next step moves.
+    pub fn awake_count(&self) -> usize {
+        self.bodies.awake_count()
+    }
+
     /// How many islands of bodies sleep.
     pub fn sleeping_islands(&self) -> usize {
         self.sleepers.len()

@@ -3,7 +3,7 @@
 use crate::body::BodyId;
 use crate::collision::detect;
 use crate::math::{Aabb, Point, Pose, Vec2};
-use crate::shape::Shape;
+use crate::shape::{MIN_SIZE, Shape};
 use crate::world::World;
 
 /// Where a ray met a body.
@@ -48,19 +48,9 @@ impl World {
         if !(min.is_finite() && max.is_finite() && min.x <= max.x && min.y <= max.y) {
             return found;
         }
-        let size = max - min;
-        let center = Point::new(0.5 * (min.x + max.x), 0.5 * (min.y + max.y));
-        let region = Shape::aabb(size.x, size.y);
-        let bounds = Aabb::around(center, size * -0.5, size * 0.5);
-        self.broad_phase.query(bounds, |slot| {
-            let (pose, shape) = (self.bodies.motions[slot as usize].pose, &self.bodies.shapes[slot as usize]);
-            let overlaps = if region.validate().is_ok() {
-                detect(&region, Pose::at(center), shape, pose).is_some()
-            } else {
-                // A box without area is a place or a line: what its own box overlaps.
-                shape.bounding_box(pose).overlaps(bounds)
-            };
-            if overlaps {
+        let corner = |place| Aabb::around(place, Vec2::ZERO, Vec2::ZERO);
+        self.broad_phase.query(Aabb::new(corner(min).min, corner(max).max), |slot| {
+            if self.shares_a_point(slot, min, max) {
                 found.push(self.id_of(slot));
             }
             true
@@ -119,6 +109,23 @@ impl World {
         let hit = shape.ray_cast(pose, origin, translation, max_fraction)?;
         let point = origin + translation * hit.fraction;
         Some(RayHit { body: self.id_of(slot), point, normal: hit.normal, fraction: hit.fraction })
+    }
+
+    /// Whether the body in `slot` shares a point with a box, to `MIN_SIZE`. The box is cut to where the body
+    /// is first, so that a box of any size anywhere is met as exactly as a small one.
+    fn shares_a_point(&self, slot: u32, min: Point, max: Point) -> bool {
+        let (pose, shape) = (self.bodies.motions[slot as usize].pose, &self.bodies.shapes[slot as usize]);
+        let Point { x, y } = pose.center;
+        let reach = 2.0 * f64::from(shape.extent());
+        let (left, right) = (min.x.max(x - reach), max.x.min(x + reach));
+        let (bottom, top) = (min.y.max(y - reach), max.y.min(y + reach));
+        if !(left <= right && bottom <= top) {
+            return false;
+        }
+        // A box without width is a line; the narrow phase wants one that has some.
+        let size = [right - left, top - bottom].map(|side| (side as f32).max(MIN_SIZE));
+        let region = Shape::aabb(size[0], size[1]);
+        detect(&region, Pose::at([0.5 * (left + right), 0.5 * (bottom + top)]), shape, pose).is_some()
     }
 
     fn id_of(&self, slot: u32) -> BodyId {

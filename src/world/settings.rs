@@ -2,7 +2,7 @@
 
 use core::fmt;
 
-use crate::body::Mix;
+use crate::body::{Mix, Number};
 use crate::resolution::{Scheme, SpeedLimits};
 
 /// How overlapping bodies are parted.
@@ -188,6 +188,7 @@ impl fmt::Display for SettingsError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::OutOfRange { field, value, min, max } => {
+                let [value, min, max] = [*value, *min, *max].map(Number);
                 write!(f, "Settings::{field} is {value}; give a number from {min} to {max}")
             }
             Self::SplitKickWithoutRelax => f.write_str(

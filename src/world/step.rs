@@ -1,10 +1,10 @@
 //! One step, as a table of stages.
 
-use crate::body::{BodyId, NONE};
+use crate::body::{BodyId, BodyType, NONE};
 use crate::collision::{Refresh, refresh};
 use crate::compute::BodyState;
 use crate::math::{Rot, Vec2};
-use crate::resolution::solve;
+use crate::resolution::{StepResidual, solve};
 use crate::world::World;
 use crate::world::attractor::Field;
 use crate::world::events::{ContactEvent, HitEvent};
@@ -26,6 +26,11 @@ impl World {
     pub fn step(&mut self) {
         let mut profile = std::mem::take(&mut self.profile);
         self.events.begin_step();
+        if self.bodies.awake_count() == 0 {
+            // The solver will not run; what it found last is no longer so.
+            self.residual = StepResidual::default();
+            self.solver.impacts.clear();
+        }
         profile.run_stage(Stage::Pairs, self.broad_phase.moved_count(), || self.find_pairs());
         profile.run_stage(Stage::Contacts, self.contacts.awake().len(), || self.refresh_contacts());
         profile.run_stage(Stage::Solve, self.bodies.awake_count(), || self.solve());
@@ -45,11 +50,21 @@ impl World {
         for (a, b) in pairs.drain(..) {
             let (friction, restitution) = self.mixed(a, b);
             let index = self.contacts.begin(&mut self.bodies, [a, b], friction, restitution);
+            for (sleeper, other) in [(a, b), (b, a)] {
+                // A sleeper does not move: something fixed was put beside it.
+                if !self.bodies.is_awake(sleeper) && self.is_fixed(other) {
+                    self.wake_slot(sleeper);
+                }
+            }
             if self.bodies.is_awake(a) || self.bodies.is_awake(b) {
                 self.contacts.set_awake(index);
             }
         }
         self.new_pairs = pairs;
+    }
+
+    fn is_fixed(&self, slot: u32) -> bool {
+        self.bodies.records[slot].body_type == BodyType::Fixed
     }
 
     /// Brings the manifolds of all awake contacts up to date, and the constraint graph with them.
@@ -76,6 +91,8 @@ impl World {
                 self.enter_graph(index);
             }
         }
+        // Of bodies that were taken apart while they touched.
+        self.events.ended.append(&mut self.events.ended_by_edit);
         self.changed_contacts = changed;
     }
 
@@ -171,6 +188,9 @@ impl World {
     fn put_to_sleep(&mut self) {
         let (sleepers, mut tables) = self.sleep_tables();
         sleepers.put_to_sleep(&mut tables);
+        self.resting = 0;
+        // Finalize counts anew; where nothing is awake any more it does not run.
+        self.resting = 0;
     }
 
     fn count(&self) -> Counters {

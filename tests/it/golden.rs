@@ -1,1 +1,67 @@
-//! To come.
+//! Golden hashes: what every scene comes to, bit for bit.
+//!
+//! The table is the same for debug and release builds and for every machine, so each of them checks all the
+//! others. It changes when the motion does, and only then: such a commit says why. To renew it, run
+//!
+//! ```text
+//! RUSTYCS_PRINT_HASHES=1 cargo test --release -p rustycs --test it golden -- --nocapture
+//! ```
+//!
+//! and paste what it prints, once both builds print the same.
+
+use std::fmt::Write as _;
+
+use rustycs::Settings;
+
+/// Length of a run, ticks.
+const TICKS: usize = 300;
+
+/// State hash of each scene after [`TICKS`] ticks with seed 1 and default settings.
+const GOLDEN: &[(&str, u64)] = &[
+    ("pile", 0xC447_3032_0DC7_8E6D),
+    ("tower", 0xC405_F6FB_193B_9115),
+    ("pyramid", 0xCDEC_E233_5C7F_EDBE),
+    ("card_house", 0xA676_9B8B_5F45_C3D7),
+    ("cradle", 0x55BE_0A37_CC18_CABB),
+    ("bounce", 0xEB76_1A24_DB1A_1138),
+    ("orbit", 0x9F8A_1F9B_4AED_59DD),
+    ("slope", 0xD321_7F40_DB9B_A360),
+];
+
+fn hashes() -> Vec<(&'static str, u64)> {
+    rustycs_scenes::all()
+        .iter()
+        .map(|scene| {
+            let mut world = scene.build(1, Settings::default());
+            for _ in 0..TICKS {
+                world.step();
+            }
+            (scene.name, world.state_hash())
+        })
+        .collect()
+}
+
+/// The table as source text.
+fn table(hashes: &[(&str, u64)]) -> String {
+    hashes.iter().fold(String::new(), |mut text, &(name, hash)| {
+        let [a, b, c, d] = [48, 32, 16, 0].map(|shift| hash >> shift & 0xFFFF);
+        _ = writeln!(text, "    (\"{name}\", 0x{a:04X}_{b:04X}_{c:04X}_{d:04X}),");
+        text
+    })
+}
+
+#[test]
+fn every_scene_comes_to_its_golden_hash() {
+    let hashes = hashes();
+    if std::env::var_os("RUSTYCS_PRINT_HASHES").is_some() {
+        println!("const GOLDEN: &[(&str, u64)] = &[\n{}];", table(&hashes));
+        return;
+    }
+    let moved: Vec<&str> =
+        hashes.iter().filter(|hash| !GOLDEN.contains(hash)).map(|&(name, _)| name).collect();
+    assert!(
+        moved.is_empty() && hashes.len() == GOLDEN.len(),
+        "the motion of {moved:?} has changed; the table is now\n{}",
+        table(&hashes)
+    );
+}

@@ -8,7 +8,7 @@ use crate::{Scene, View};
 /// Balls of every restitution, dropped side by side.
 pub const SCENE: Scene = Scene {
     name: "bounce",
-    summary: "Restitution 0 on the left to 1 on the right: each bounce reaches e² of the height before, and the last ball never tires.",
+    summary: "Restitution 0 to 1 from left to right: each bounce reaches e² of the height before it.",
     view: View::above(-1.0, 0.0, 15.0, 8.6),
     build,
 };

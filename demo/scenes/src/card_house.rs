@@ -1,6 +1,6 @@
 //! A house of cards, five levels high.
 
-use rustycs::{Body, Rot, Settings, Shape, World};
+use rustycs::{Body, Material, Rot, Settings, Shape, World};
 
 use crate::parts::{put, put_floor, world_with_gravity};
 use crate::{Scene, View};
@@ -57,5 +57,6 @@ fn build(_seed: u64, settings: Settings) -> World {
 
 /// An upright card.
 fn card() -> Body {
-    Body::dynamic(Shape::obb(THICKNESS, LENGTH)).density(0.5).friction(FRICTION).restitution(0.0)
+    let material = Material { friction: FRICTION, restitution: 0.0, ..Material::PLASTIC };
+    Body::dynamic(Shape::obb(THICKNESS, LENGTH)).material(material)
 }

@@ -16,7 +16,7 @@ use crate::{Scene, View};
 pub const SCENE: Scene = Scene {
     name: "pile",
     summary: "Discs, boxes and polygons of every material fall into a pool and come to rest.",
-    view: View::above(-1.6, 0.0, 22.5, 15.0),
+    view: View::above(-1.4, 0.0, 20.0, 13.4),
     build: |seed, settings| build_with(COUNT, seed, settings),
 };
 
@@ -25,12 +25,12 @@ pub const COUNT: usize = 450;
 
 /// Distance from the centre to the farthest corner of a body, m: smallest and largest.
 const RADIUS: [f32; 2] = [0.15, 0.42];
-/// Room that each body has at the start, m: two of the largest do not touch.
-const CELL: f32 = 0.9;
-/// How far a body may be off the middle of its room at the start, m.
-const JITTER: f32 = 0.5 * CELL - RADIUS[1];
-/// Thickness of the walls and depth of the floor, m: nothing gets through, however fast it comes.
-const WALL: f32 = 2.0;
+/// Side of the square that each body has for itself at the start, m: the largest fit in any angle.
+const CELL: f32 = 0.95;
+/// Thickness of the walls and depth of the floor, m: four times what the fastest body moves in a substep.
+const WALL: f32 = 1.0;
+/// Height from which the lowest bodies fall, m.
+const DROP: f32 = 3.0;
 
 const MATERIALS: [Material; 5] =
     [Material::DEFAULT, Material::RUBBER, Material::PLASTIC, Material::STONE, Material::METAL];
@@ -54,11 +54,14 @@ pub fn build_with(count: usize, seed: u64, settings: Settings) -> World {
     let columns = ((width / CELL) as usize).max(1);
     for index in 0..count {
         let (column, row) = (index % columns, index / columns);
-        let x = (column as f32 - 0.5 * (columns - 1) as f32) * CELL + random.random_range(-JITTER..JITTER);
-        let y = (row as f32 + 0.5) * CELL + random.random_range(-JITTER..JITTER);
+        let shape = random_shape(&mut random);
+        // Anywhere in its square: the smaller the body, the further from the middle.
+        let room = 0.5 * CELL - shape.extent();
+        let x = (column as f32 - 0.5 * (columns - 1) as f32) * CELL + random.random_range(-room..room);
+        let y = DROP + (row as f32 + 0.5) * CELL + random.random_range(-room..room);
         let material = MATERIALS[random.random_range(0..MATERIALS.len() as u32) as usize];
         let angle = random.random_range(0.0..core::f32::consts::TAU);
-        put(&mut world, Body::dynamic(random_shape(&mut random)).at([x, y]).angle(angle).material(material));
+        put(&mut world, Body::dynamic(shape).at([x, y]).angle(angle).material(material));
     }
     world
 }
@@ -68,7 +71,7 @@ fn put_pool(world: &mut World, width: f32) {
     let outer = width + 2.0 * WALL;
     let floor = Body::fixed(Shape::aabb(outer, WALL)).at([0.0, -0.5 * WALL]);
     put(world, floor.material(Material::STONE));
-    let height = 0.7 * width;
+    let height = 0.6 * width;
     for side in [-1.0, 1.0] {
         let wall = Body::fixed(Shape::aabb(WALL, height)).at([side * 0.5 * (width + WALL), 0.5 * height]);
         put(world, wall.material(Material::STONE));

@@ -9,7 +9,7 @@ use crate::{Scene, View};
 pub const SCENE: Scene = Scene {
     name: "slope",
     summary: "25° is too steep for metal and stone, which slide, and not for the others, which stick.",
-    view: View::above(-1.2, 2.0, 25.0, 10.0),
+    view: View::above(-5.0, 1.5, 26.0, 17.0),
     build,
 };
 

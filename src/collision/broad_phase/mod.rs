@@ -32,7 +32,7 @@ use crate::store::PairSet;
 const MARGIN: f32 = 0.1;
 
 /// Largest margin as a part of the box's mean side, which keeps a heap of gravel from being all neighbours.
-const MARGIN_OF_SIDE: f32 = 0.25;
+const MARGIN_OF_SIDE: f32 = 0.0625;
 
 /// For how many steps of its motion a fat box is stretched ahead: a body at constant speed is put back into
 /// the tree every fourth step. More would save little and make long boxes with many false neighbours.

@@ -1,0 +1,90 @@
+//! Stepping a scene without a window: progress while it runs, then a summary and a picture.
+
+use std::path::PathBuf;
+use std::process::ExitCode;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::time::{Duration, Instant};
+
+use indicatif::{ProgressBar, ProgressStyle};
+use rustycs::{Settings, World};
+
+use crate::cli::Cli;
+use crate::{quantity, svg};
+
+/// Exit code after Ctrl-C, as shells give it: 128 + SIGINT.
+const INTERRUPTED: u8 = 130;
+
+/// Steps the scene, prints what came of it and saves a picture. Ctrl-C ends the stepping, not the rest.
+pub(crate) fn run(cli: &Cli) -> ExitCode {
+    let mut world = cli.scene.build(cli.seed, Settings::default());
+    let interrupted = Arc::new(AtomicBool::new(false));
+    let flag = Arc::clone(&interrupted);
+    if let Err(error) = ctrlc::set_handler(move || flag.store(true, Ordering::Relaxed)) {
+        eprintln!("Ctrl-C will end the program at once: {error}");
+    }
+    let times = step(&mut world, cli.ticks, &interrupted);
+
+    println!("scene         {}, seed {}", cli.scene.name, cli.seed);
+    print_summary(&world, &times);
+    let path = cli.svg.clone().unwrap_or_else(|| PathBuf::from(format!("{}.svg", cli.scene.name)));
+    let seconds = world.ticks() as f64 * world.settings().tick_seconds();
+    let caption = format!("{} · {} bodies · {seconds:.2} s", cli.scene.name, world.body_count());
+    if let Err(error) = std::fs::write(&path, svg::picture(&world, cli.scene.view, &caption)) {
+        eprintln!("The picture could not be saved as {}: {error}", path.display());
+        return ExitCode::FAILURE;
+    }
+    println!("picture       {}", path.display());
+    if interrupted.load(Ordering::Relaxed) { ExitCode::from(INTERRUPTED) } else { ExitCode::SUCCESS }
+}
+
+/// How long steps took.
+#[derive(Debug, Default)]
+struct StepTimes {
+    total: Duration,
+    longest: Duration,
+}
+
+/// Takes `ticks` steps, or fewer if interrupted, and shows how far it is.
+fn step(world: &mut World, ticks: u64, interrupted: &AtomicBool) -> StepTimes {
+    let style = ProgressStyle::with_template("{bar:40} {pos}/{len} ticks, {eta} to go")
+        .expect("the template is a correct one");
+    let bar = ProgressBar::new(ticks).with_style(style.progress_chars("━╸─"));
+    // Where there is no terminal to draw a bar on, a line at each quarter.
+    let quarter = ticks.div_ceil(4).max(1);
+    let mut times = StepTimes::default();
+    for tick in 1..=ticks {
+        if interrupted.load(Ordering::Relaxed) {
+            break;
+        }
+        let start = Instant::now();
+        world.step();
+        let took = start.elapsed();
+        times.total += took;
+        times.longest = times.longest.max(took);
+        bar.inc(1);
+        if bar.is_hidden() && tick % quarter == 0 {
+            eprintln!("{tick} of {ticks} ticks");
+        }
+    }
+    bar.finish_and_clear();
+    times
+}
+
+fn print_summary(world: &World, times: &StepTimes) {
+    let asleep = world.bodies().filter(|(_, body)| body.is_sleeping()).count();
+    let steps = u32::try_from(world.ticks()).unwrap_or(u32::MAX).max(1);
+    let mean = (times.total / steps).as_secs_f64();
+    let touching = world.contacts().filter(rustycs::ContactRef::is_touching).count();
+    let error = world.error();
+    let seconds = world.ticks() as f64 * world.settings().tick_seconds();
+    println!("time          {seconds:.2} s, {} ticks", world.ticks());
+    println!("bodies        {}, {asleep} asleep", world.body_count());
+    println!("contacts      {touching}");
+    println!("step          {:.4} ms, longest {:.3} ms", mean * 1e3, times.longest.as_secs_f64() * 1e3);
+    println!("penetration   {}", quantity::with_unit(f64::from(error.penetration), "m"));
+    println!("residual      {}", quantity::with_unit(f64::from(error.velocity_residual), "m/s"));
+    println!("energy        {}", quantity::with_unit(world.energy(), "J"));
+    println!("  kinetic     {}", quantity::with_unit(world.kinetic_energy(), "J"));
+    println!("state hash    {:016x}", world.state_hash());
+}

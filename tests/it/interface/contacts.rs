@@ -1,0 +1,188 @@
+//! Contacts, events, and the error of a step.
+
+use rustycs::prelude::*;
+
+use crate::support::{G, add, add_floor, assert_near, assert_relative, earth, earth_with, run, unit_box};
+
+fn sum_of_normal_impulses(world: &World) -> f64 {
+    world.contacts().flat_map(|contact| contact.points()).map(|point| f64::from(point.normal_impulse)).sum()
+}
+
+/// At rest the ground returns the weight: over a substep of h the impulses add up to m g h.
+#[test]
+fn the_impulses_under_a_resting_body_add_up_to_its_weight() {
+    for substeps in [2, 4, 8] {
+        let mut world = earth_with(Settings { substeps, ..Settings::default() });
+        let floor = add_floor(&mut world, 0.6);
+        let resting = add(&mut world, unit_box(0.0, 0.5));
+        run(&mut world, 3.0);
+        let h = 1.0 / 60.0 / f64::from(substeps);
+        assert_relative(sum_of_normal_impulses(&world), G * h, 1e-3, "m g h");
+        let contact = world.contacts().next().unwrap();
+        assert_eq!((contact.a(), contact.b(), contact.points().len()), (floor, resting, 2));
+        assert!(contact.is_touching());
+        assert_near(f64::from(contact.normal().x), 0.0, 1e-6, "the normal points from the floor");
+        assert_near(f64::from(contact.normal().y), 1.0, 1e-6, "to the box");
+        for (position, x) in contact.positions().zip([-0.5, 0.5]) {
+            assert_near(position.x.abs(), f64::abs(x), 1e-3, "at the corners");
+            assert_near(position.y, 0.0, 5e-3, "at the surface");
+        }
+        for point in contact.points() {
+            assert!((-0.005..=0.0).contains(&point.separation), "{}", point.separation);
+        }
+    }
+}
+
+/// Two bodies, whichever was added first: the normal points from a to b.
+#[test]
+fn the_normal_of_a_contact_points_from_a_to_b() {
+    let (low, high) = ([0.0, 0.0], [0.0, 0.95]);
+    for [first, second] in [[low, high], [high, low]] {
+        let mut world = World::new(Settings::default());
+        for at in [first, second] {
+            add(&mut world, Body::dynamic(Shape::circle(0.5)).at(at));
+        }
+        world.step();
+        let contact = world.contacts().next().unwrap();
+        let [a, b] = [contact.a(), contact.b()].map(|id| world.body(id).unwrap().position());
+        assert!((b - a).dot(contact.normal()) > 0.9, "{:?}", contact.normal());
+    }
+}
+
+/// A ball of no restitution falls on the floor: it begins to touch once, hits once, and is reported as ended
+/// once, when it is taken away.
+#[test]
+fn a_fall_is_one_beginning_one_hit_and_one_end() {
+    for drop in [0.5_f64, 2.0, 10.0] {
+        let mut world = earth();
+        let floor = add_floor(&mut world, 0.6);
+        let ball = add(&mut world, Body::dynamic(Shape::circle(0.5)).at([0.0, 0.5 + drop]).restitution(0.0));
+        let (mut began, mut ended, mut hits) = (Vec::new(), Vec::new(), Vec::new());
+        for _ in 0..180 {
+            world.step();
+            began.extend_from_slice(world.events().began());
+            ended.extend_from_slice(world.events().ended());
+            hits.extend_from_slice(world.events().hits());
+        }
+        let pair = ContactEvent { a: floor, b: ball };
+        assert_eq!((began, ended), (vec![pair], vec![]));
+        assert_eq!(hits.len(), 1);
+        assert_eq!((hits[0].a, hits[0].b), (floor, ball));
+        // The speed is that at the beginning of the step in which the solver first stopped the approach: at
+        // most a tick and a substep before they met.
+        let speed = (2.0 * G * drop).sqrt();
+        let found = f64::from(hits[0].speed);
+        assert!(
+            found <= speed * 1.0001 && found >= speed - G * (1.0 / 60.0 + 1.0 / 240.0),
+            "{found} for {speed}"
+        );
+        assert!(world.remove(ball).is_some());
+        assert!(world.events().ended().is_empty(), "the events are those of the last step");
+        world.step();
+        assert_eq!(world.events().ended(), [pair]);
+        world.step();
+        assert!(world.events().ended().is_empty());
+    }
+}
+
+/// The impact stage knows the very moment: the speed of a bounce is exact.
+#[test]
+fn the_hit_of_a_bounce_has_the_speed_of_the_fall() {
+    let mut world = earth();
+    add(&mut world, Body::fixed(Shape::aabb(20.0, 1.0)).at([0.0, -0.5]).restitution(0.8));
+    add(&mut world, Body::dynamic(Shape::circle(0.5)).at([0.0, 2.5]).restitution(0.8));
+    let mut speeds = Vec::new();
+    for _ in 0..120 {
+        world.step();
+        speeds.extend(world.events().hits().iter().map(|hit| f64::from(hit.speed)));
+        assert_eq!(world.events().began().len(), world.events().hits().len());
+    }
+    let first = (2.0 * G * 2.0_f64).sqrt();
+    assert_relative(speeds[0], first, 2e-3, "√(2 g 2 m)");
+    assert_relative(speeds[1], 0.8 * first, 2e-3, "after one bounce");
+}
+
+#[test]
+fn a_slow_touch_is_no_hit() {
+    let mut world = earth_with(Settings { hit_threshold: 3.0, ..Settings::default() });
+    add_floor(&mut world, 0.6);
+    // √(2 g 0.3 m) = 2.4 m/s, √(2 g 0.8 m) = 4 m/s.
+    add(&mut world, unit_box(0.0, 0.8));
+    let fast = add(&mut world, unit_box(5.0, 1.3));
+    let (mut began, mut hits) = (0, Vec::new());
+    for _ in 0..60 {
+        world.step();
+        began += world.events().began().len();
+        hits.extend(world.events().hits().iter().map(|hit| hit.b));
+    }
+    assert_eq!((began, hits), (2, vec![fast]));
+}
+
+#[test]
+fn bodies_that_part_end_their_contact_once() {
+    for speed in [1.0_f32, 10.0, 1000.0] {
+        let mut world = earth();
+        let floor = add_floor(&mut world, 0.6);
+        let id = add(&mut world, unit_box(0.0, 0.5));
+        run(&mut world, 0.5);
+        world.body_mut(id).unwrap().set_velocity([0.0, speed]).unwrap();
+        let mut ended = Vec::new();
+        for tick in 0..5 {
+            world.step();
+            ended.extend(world.events().ended().iter().map(|&event| (tick, event)));
+        }
+        assert_eq!(ended, [(0, ContactEvent { a: floor, b: id })], "at {speed} m/s");
+    }
+}
+
+/// Taken away by hand, a body ceases to touch in the next step, not in the one after.
+#[test]
+fn bodies_that_are_taken_apart_end_their_contact_in_the_next_step() {
+    for to in [[0.0, 0.7], [0.0, 50.0], [1e9, 1e9]] {
+        let mut world = earth();
+        let floor = add_floor(&mut world, 0.6);
+        let id = add(&mut world, unit_box(0.0, 0.5));
+        run(&mut world, 0.5);
+        world.body_mut(id).unwrap().set_position(to).unwrap();
+        world.step();
+        assert_eq!(world.events().ended(), [ContactEvent { a: floor, b: id }], "to {to:?}");
+        world.step();
+        assert!(world.events().ended().is_empty(), "to {to:?}");
+    }
+}
+
+/// A ball that begins 1 cm deep: the error names it, and then it is driven out.
+#[test]
+fn the_error_of_a_step_names_the_deepest_overlap() {
+    let mut world = crate::support::space();
+    assert_eq!(world.error(), world.clone().error());
+    assert_eq!(world.error().penetration, 0.0);
+    add(&mut world, Body::fixed(Shape::circle(1.0)).restitution(0.0));
+    add(&mut world, Body::dynamic(Shape::circle(1.0)).at([0.0, 1.99]).restitution(0.0));
+    world.step();
+    let first = world.error().penetration;
+    // Driven out at 28 1/s for a tick: e^(-28/60) = 0.63 is left.
+    assert!((0.004..0.01).contains(&first), "{first}");
+    run(&mut world, 1.0);
+    assert!(world.error().penetration < 1e-4, "{}", world.error().penetration);
+    assert!(world.error().velocity_residual < 1e-3, "{}", world.error().velocity_residual);
+}
+
+/// What the last step did not solve is neither its error nor in its counts.
+#[test]
+fn error_and_counts_are_those_of_the_last_step_and_no_other() {
+    let mut world = earth();
+    add(&mut world, Body::fixed(Shape::aabb(20.0, 1.0)).at([0.0, -0.5]).restitution(1.0));
+    let ball = Body::dynamic(Shape::circle(0.5)).at([0.0, 0.51]).velocity([0.0, -5.0]).restitution(1.0);
+    let ball = add(&mut world, ball);
+    let sunk = add(&mut world, unit_box(5.0, 0.4));
+    world.step();
+    assert!(world.error().penetration > 0.0);
+    assert_eq!(world.profile().counters().impacts, 1);
+    assert!(world.remove(ball).is_some() && world.remove(sunk).is_some());
+    world.step();
+    assert_eq!((world.error().penetration, world.error().velocity_residual), (0.0, 0.0));
+    let counters = world.profile().counters();
+    assert_eq!((counters.impacts, counters.bouncy_contacts, counters.contacts), (0, 0, 0));
+    assert!(!world.profile().stage(Stage::Solve).ran);
+}

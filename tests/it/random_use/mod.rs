@@ -1,0 +1,104 @@
+//! Random use of everything that the public API offers, with the extremes of what it accepts: no panic, no
+//! number that is not finite, and tables that agree (`World::validate`) after every operation.
+//!
+//! `PROPTEST_CASES=20000 cargo test --release --test it random_use` looks longer than the default does.
+
+mod operations;
+mod values;
+
+use proptest::prelude::*;
+use proptest::test_runner::{Config, RngSeed};
+use rustycs::prelude::*;
+
+use crate::support::{add, earth_with, run, unit_box};
+use operations::{Operation, Player, operation, usual_operation};
+
+/// The same cases in every run, unless another number of them is asked for.
+fn config(cases: u32) -> Config {
+    let config = Config { failure_persistence: None, ..Config::default() };
+    if std::env::var_os("PROPTEST_CASES").is_some() {
+        return config;
+    }
+    Config { cases, rng_seed: RngSeed::Fixed(2), ..config }
+}
+
+proptest! {
+    #![proptest_config(config(1000))]
+
+    #[test]
+    fn nothing_that_the_api_accepts_breaks_a_world(operations in prop::collection::vec(operation(), 1..40)) {
+        try_all(Player::new(), &operations)?;
+    }
+}
+
+proptest! {
+    #![proptest_config(config(40))]
+
+    #[test]
+    fn nothing_that_a_game_does_breaks_a_world(operations in prop::collection::vec(usual_operation(), 1..60)) {
+        try_all(Player::in_a_pool(), &operations)?;
+    }
+}
+
+fn try_all(mut player: Player, operations: &[Operation]) -> Result<(), TestCaseError> {
+    for (number, operation) in operations.iter().enumerate() {
+        player.play(operation);
+        if let Err(problem) = player.check() {
+            return Err(TestCaseError::fail(format!("after operation {number}, {operation:?}: {problem}")));
+        }
+    }
+    Ok(())
+}
+
+/// What random use has found is kept here, and below in words.
+fn play_all(operations: &[Operation]) {
+    let mut player = Player::new();
+    for operation in operations {
+        player.play(operation);
+        player.check().unwrap();
+    }
+}
+
+#[test]
+fn an_empty_world_takes_every_step() {
+    play_all(&[Operation::Step(3), Operation::WakeAll, Operation::Step(1)]);
+}
+
+/// A stack a million kilometres from the origin stands as it does at the origin: there a step of `f64` is
+/// 1.2e-7 m, a thousandth of how far the boxes sink.
+#[test]
+fn a_stack_stands_a_million_kilometres_from_the_origin() {
+    let far = 1e9;
+    let mut world = earth_with(Settings::default());
+    add(&mut world, Body::fixed(Shape::aabb(20.0, 2.0)).at([far, far - 1.0]).friction(0.6).restitution(0.0));
+    let ids: Vec<BodyId> = (0..5).map(|i| add(&mut world, unit_box(far, far + 0.5 + f64::from(i)))).collect();
+    run(&mut world, 10.0);
+    world.validate().unwrap();
+    for (i, &id) in ids.iter().enumerate() {
+        let [x, y] = world.body(id).unwrap().position_f64();
+        assert!((x - far).abs() < 1e-3, "box {i} drifted to {x}");
+        assert!((y - far - 0.5 - i as f64).abs() < 1e-2, "box {i} is at {y}");
+    }
+}
+
+/// Bodies that leave at the greatest speed for years of simulated time stay finite, and so does what is near.
+#[test]
+fn bodies_that_fly_away_stay_finite_and_harm_nothing() {
+    let settings = Settings { tick_rate: 0.1, max_speed: 1e6, ..Settings::default() };
+    let mut world = World::new(settings);
+    let floor = add(&mut world, Body::fixed(Shape::aabb(10.0, 1.0)));
+    let leaving: Vec<BodyId> = [(0.0, [1e18_f32, 0.0]), (100.0, [-1e18, 1e18]), (-300.0, [3.0, -1e18])]
+        .into_iter()
+        .map(|(x, v)| add(&mut world, unit_box(x, 20.0).velocity(v).angular_velocity(1e18)))
+        .collect();
+    for _ in 0..1000 {
+        world.step();
+    }
+    world.validate().unwrap();
+    for id in leaving {
+        let [x, y] = world.body(id).unwrap().position_f64();
+        // 10⁴ s at 10⁶ m/s.
+        assert!(x.abs() <= 1.001e10 && y.abs() <= 1.001e10 && x.abs().max(y.abs()) >= 0.999e10, "({x}, {y})");
+    }
+    assert_eq!(world.bodies_at([0.0, 0.0]), [floor]);
+}

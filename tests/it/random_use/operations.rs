@@ -1,0 +1,249 @@
+//! What can be done to a world, and a player that does it.
+
+use proptest::prelude::*;
+use rustycs::prelude::*;
+
+use super::values::{
+    attractor, body, coordinate, factor, narrow, place, settings, strength, usual_body, vector,
+};
+
+/// One use of the API. Bodies, forces and attractors are named by a number, modulo how many there were.
+#[derive(Clone, Debug)]
+pub(crate) enum Operation {
+    Add(Body),
+    /// Several copies of a body in one point.
+    AddPile(Body, u8),
+    Remove(usize),
+    Change(usize, Change),
+    AddForce([f32; 2]),
+    RemoveForce(usize),
+    AddAttractor(Attractor),
+    ReplaceAttractor(usize, Attractor),
+    RemoveAttractor(usize),
+    Set(Settings),
+    Step(u8),
+    Advance(f32),
+    /// Goes on with a clone.
+    Clone,
+    WakeAll,
+    Ask([f64; 2], [f32; 2]),
+}
+
+/// A change to one body.
+#[derive(Clone, Debug)]
+pub(crate) enum Change {
+    Position([f64; 2]),
+    Angle(f32),
+    Velocity([f32; 2]),
+    Spin(f32),
+    Impulse([f32; 2], [f64; 2]),
+    AngularImpulse(f32),
+    Force([f32; 2], [f64; 2]),
+    Torque(f32),
+    Surface(f32, f32),
+    GravityScale(f32),
+    Damping(f32, f32),
+    Wake,
+}
+
+fn change() -> impl Strategy<Value = Change> {
+    prop_oneof![
+        place().prop_map(Change::Position),
+        strength().prop_map(Change::Angle),
+        vector().prop_map(Change::Velocity),
+        strength().prop_map(Change::Spin),
+        (vector(), place()).prop_map(|(impulse, at)| Change::Impulse(impulse, at)),
+        strength().prop_map(Change::AngularImpulse),
+        (vector(), place()).prop_map(|(force, at)| Change::Force(force, at)),
+        strength().prop_map(Change::Torque),
+        (factor(), narrow(0.0, 1.0))
+            .prop_map(|(friction, restitution)| Change::Surface(friction, restitution)),
+        factor().prop_map(|scale| Change::GravityScale(-scale)),
+        (factor(), factor()).prop_map(|(linear, angular)| Change::Damping(linear, angular)),
+        Just(Change::Wake),
+    ]
+}
+
+pub(crate) fn operation() -> impl Strategy<Value = Operation> {
+    let acceleration = prop_oneof![narrow(-10.0, 10.0), narrow(-1e12, 1e12)];
+    prop_oneof![
+        10 => body().prop_map(Operation::Add),
+        1 => (body(), 2_u8..6).prop_map(|(body, count)| Operation::AddPile(body, count)),
+        3 => any::<usize>().prop_map(Operation::Remove),
+        8 => (any::<usize>(), change()).prop_map(|(body, change)| Operation::Change(body, change)),
+        2 => [acceleration.clone(), acceleration].prop_map(Operation::AddForce),
+        1 => any::<usize>().prop_map(Operation::RemoveForce),
+        1 => attractor().prop_map(Operation::AddAttractor),
+        1 => (any::<usize>(), attractor()).prop_map(|(which, by)| Operation::ReplaceAttractor(which, by)),
+        1 => any::<usize>().prop_map(Operation::RemoveAttractor),
+        2 => settings().prop_map(Operation::Set),
+        12 => (1_u8..5).prop_map(Operation::Step),
+        1 => Just(Operation::Step(60)),
+        1 => narrow(0.0, 0.1).prop_map(Operation::Advance),
+        1 => Just(Operation::Clone),
+        1 => Just(Operation::WakeAll),
+        2 => ([coordinate(), coordinate()], vector()).prop_map(|(at, along)| Operation::Ask(at, along)),
+    ]
+}
+
+/// What a game does: bodies come, go and are pushed, and the pile comes to rest in between.
+pub(crate) fn usual_operation() -> impl Strategy<Value = Operation> {
+    let push = prop_oneof![
+        [narrow(-5.0, 5.0), narrow(0.0, 5.0)].prop_map(Change::Velocity),
+        [narrow(-4.0, 4.0), narrow(0.0, 6.0)].prop_map(|[x, y]| Change::Position([x.into(), y.into()])),
+        narrow(-3.0, 3.0).prop_map(Change::Angle),
+        narrow(-10.0, 10.0).prop_map(Change::Torque),
+        (factor(), narrow(0.0, 1.0))
+            .prop_map(|(friction, restitution)| Change::Surface(friction, restitution)),
+        Just(Change::Wake),
+    ];
+    prop_oneof![
+        6 => usual_body().prop_map(Operation::Add),
+        2 => any::<usize>().prop_map(Operation::Remove),
+        3 => (any::<usize>(), push).prop_map(|(body, change)| Operation::Change(body, change)),
+        6 => (1_u8..30).prop_map(Operation::Step),
+        2 => Just(Operation::Step(250)),
+        1 => Just(Operation::Clone),
+    ]
+}
+
+/// A world and the ids that were ever given out for it.
+pub(crate) struct Player {
+    world: World,
+    bodies: Vec<BodyId>,
+    forces: Vec<ForceId>,
+    attractors: Vec<AttractorId>,
+}
+
+impl Player {
+    pub(crate) fn new() -> Self {
+        let mut world = World::new(Settings::default());
+        let gravity = world.add_force(Force::EARTH_GRAVITY);
+        Self { world, bodies: Vec::new(), forces: vec![gravity], attractors: Vec::new() }
+    }
+
+    /// With a floor and two walls that cannot be removed.
+    pub(crate) fn in_a_pool() -> Self {
+        let mut player = Self::new();
+        for (at, size) in [([0.0, -2.0], [20.0, 4.0]), ([-7.0, 3.0], [4.0, 8.0]), ([7.0, 3.0], [4.0, 8.0])] {
+            player.world.add(Body::fixed(Shape::aabb(size[0], size[1])).at(at)).expect("a good wall");
+        }
+        player
+    }
+
+    /// The tables agree, and every number that can be asked for is finite.
+    pub(crate) fn check(&self) -> Result<(), String> {
+        self.world.validate()?;
+        let world = &self.world;
+        let error = world.error();
+        let (momentum, penetration) = (world.momentum(), error.penetration);
+        let numbers = [world.energy(), world.angular_momentum(), f64::from(error.velocity_residual)];
+        if !momentum.is_finite() || !penetration.is_finite() || !numbers.iter().all(|n| n.is_finite()) {
+            return Err(format!("momentum {momentum:?}, {error:?}, energy, angular momentum: {numbers:?}"));
+        }
+        for (id, body) in world.bodies() {
+            let Rot { c, s } = body.rotation();
+            if (c * c + s * s - 1.0).abs() > 1e-5 {
+                return Err(format!("the rotation of {id:?} is ({c}, {s})"));
+            }
+        }
+        for event in world.events().hits() {
+            if !event.speed.is_finite() {
+                return Err(format!("{event:?}"));
+            }
+        }
+        Ok(())
+    }
+
+    pub(crate) fn play(&mut self, operation: &Operation) {
+        let world = &mut self.world;
+        match operation {
+            Operation::Add(body) => self.bodies.extend(world.add(body.clone())),
+            Operation::AddPile(body, count) => {
+                self.bodies.extend((0..*count).filter_map(|_| world.add(body.clone()).ok()));
+            }
+            Operation::Remove(which) => {
+                if let Some(body) = pick(&self.bodies, *which).and_then(|id| world.remove(id)) {
+                    // What is given back can be added again, unless it has flown too far.
+                    let again = world.clone().add(body.clone());
+                    assert!(again.is_ok() || has_flown_far(&body), "{body:?}: {again:?}");
+                }
+            }
+            Operation::Change(which, change) => {
+                if let Some(body) = pick(&self.bodies, *which).and_then(|id| world.body_mut(id)) {
+                    apply(body, change).expect("the numbers are within the limits");
+                }
+            }
+            Operation::AddForce(acceleration) => {
+                self.forces.push(world.add_force(Force::new("push", *acceleration)));
+            }
+            Operation::RemoveForce(which) => {
+                pick(&self.forces, *which).map(|id| world.remove_force(id));
+            }
+            Operation::AddAttractor(attractor) => {
+                self.attractors.push(world.add_attractor(attractor.clone()));
+            }
+            Operation::ReplaceAttractor(which, by) => {
+                pick(&self.attractors, *which).map(|id| world.replace_attractor(id, by.clone()));
+            }
+            Operation::RemoveAttractor(which) => {
+                pick(&self.attractors, *which).map(|id| world.remove_attractor(id));
+            }
+            Operation::Set(settings) => {
+                // A split kick without a relax sweep is refused.
+                _ = world.set_settings(settings.clone());
+            }
+            Operation::Step(count) => (0..*count).for_each(|_| world.step()),
+            Operation::Advance(seconds) => _ = world.advance(*seconds),
+            Operation::Clone => self.world = world.clone(),
+            Operation::WakeAll => world.wake_all(),
+            Operation::Ask(at, along) => ask(world, *at, *along),
+        }
+    }
+}
+
+fn pick<T: Copy>(all: &[T], which: usize) -> Option<T> {
+    all.get(which % all.len().max(1)).copied()
+}
+
+fn has_flown_far(body: &Body) -> bool {
+    let mut world = World::new(Settings::default());
+    world.add(body.clone().at([0.0, 0.0])).is_ok()
+}
+
+fn apply(mut body: BodyMut<'_>, change: &Change) -> Result<(), BodyError> {
+    match *change {
+        Change::Position(at) => body.set_position(at),
+        Change::Angle(angle) => body.set_angle(angle),
+        Change::Velocity(velocity) => body.set_velocity(velocity),
+        Change::Spin(spin) => body.set_angular_velocity(spin),
+        Change::Impulse(impulse, at) => body.apply_impulse_at(impulse, at),
+        Change::AngularImpulse(impulse) => body.apply_angular_impulse(impulse),
+        Change::Force(force, at) => body.apply_force_at(force, at),
+        Change::Torque(torque) => body.apply_torque(torque),
+        Change::Surface(friction, restitution) => {
+            body.set_friction(friction).and_then(|()| body.set_restitution(restitution))
+        }
+        Change::GravityScale(scale) => body.set_gravity_scale(scale),
+        Change::Damping(linear, angular) => {
+            body.set_linear_damping(linear).and_then(|()| body.set_angular_damping(angular))
+        }
+        Change::Wake => {
+            body.wake();
+            Ok(())
+        }
+    }
+}
+
+fn ask(world: &World, at: [f64; 2], along: [f32; 2]) {
+    for id in world.bodies_at(at) {
+        assert!(world.body(id).expect("found, so there").contains(at));
+    }
+    let corner = [at[0] + f64::from(along[0].abs()), at[1] + f64::from(along[1].abs())];
+    assert!(world.bodies_in(at, corner).iter().all(|&id| world.body(id).is_some()));
+    let (first, all) = (world.ray_cast(at, along), world.ray_cast_all(at, along));
+    assert_eq!(first.map(|hit| hit.body), all.first().map(|hit| hit.body), "{first:?} {all:?}");
+    for hit in all {
+        assert!(hit.point.is_finite() && hit.normal.is_finite() && (0.0..=1.0).contains(&hit.fraction));
+    }
+}
