@@ -1,4 +1,66 @@
-//! rustycs: 2D rigid-body physics.
+//! 2D rigid-body physics that reports its error, stays steady on hard cases, and leaves out what a scene does
+//! not need.
+//!
+//! A [`World`] holds [bodies](Body) of [shapes](Shape) and [materials](Material), [forces](Force) and
+//! [attractors](Attractor); [`World::step`] moves it by one tick.
+//!
+//! ```
+//! use rustycs::prelude::*;
+//!
+//! let mut world = World::new(Settings::default()); // 60 ticks per second, 4 substeps, no gravity
+//! world.add_force(Force::EARTH_GRAVITY);
+//! world.add(Body::fixed(Shape::aabb(20.0, 1.0)).at([0.0, -0.5]))?;
+//! let ball = world.add(Body::dynamic(Shape::circle(0.5)).at([0.0, 5.0]).material(Material::RUBBER))?;
+//! for _ in 0..60 {
+//!     world.step();
+//! }
+//! println!("after a second the ball is at {:?}", world.body(ball).unwrap().position());
+//! # Ok::<(), BodyError>(())
+//! ```
+//!
+//! # A step
+//!
+//! | stage | runs on | does |
+//! |---|---|---|
+//! | pairs | boxes that moved | begins a contact for each new pair of overlapping boxes |
+//! | contacts | awake contacts | brings manifolds up to date, ends contacts whose boxes parted |
+//! | solve | awake bodies | substeps: forces, impacts, contacts, motion |
+//! | finalize | awake bodies | adds the motion to the poses; boxes follow |
+//! | events | awake contacts | what began, ended, hit |
+//! | sleep | bodies long at rest | islands at rest leave the step |
+//!
+//! A stage without input does not run, and [`World::profile`] shows it.
+//!
+//! # Units
+//!
+//! Metres, kilograms, seconds, radians; y points up and angles turn counter-clockwise. Mass comes from the
+//! density per area. The centre of a body is kept in `f64`, all that is relative in `f32`.
+//!
+//! # The house
+//!
+//! Modules by floor; each uses only what is below it.
+//!
+//! | floor | module | what is in it |
+//! |---|---|---|
+//! | 0 | [`math`] | vectors, places, rotations, poses, boxes, our own sine and cosine |
+//! | 0 | `store` | generational ids, slots, bit set, pair set |
+//! | 0 | `compute` | numbers in lanes, the hot rows of bodies |
+//! | 1 | [`shape`] | circle, boxes, convex polygon; mass, rays, points |
+//! | 2 | [`body`] | description, material, and how many bodies are kept |
+//! | 3 | [`collision`] | broad phase, detection, manifolds, contacts |
+//! | 4 | `resolution` | the solver: integration, constraint graph, contact kernel, impacts, islands |
+//! | 5 | [`world`] | the world, its step, and everything that can be asked of it |
+//!
+//! # Determinism
+//!
+//! Same calls, same bits: on every machine and build profile, in every clone. The library reads no clock, draws
+//! no random number and uses no trigonometry but its own.
+//!
+//! # Features
+//!
+//! `mint`, `glam-027`, `glam-029`, `glam-030`: conversions of vectors. None is on by default, and the default
+//! build has no dependency.
+
 pub mod body;
 pub mod collision;
 pub(crate) mod compute;
@@ -6,15 +68,31 @@ pub mod math;
 pub(crate) mod resolution;
 pub mod shape;
 pub(crate) mod store;
+#[cfg(test)]
+pub(crate) mod testing;
 pub mod world;
 
 pub use body::{Body, BodyError, BodyId, BodyType, Material, Mix};
 pub use collision::{FeatureId, Manifold, ManifoldPoint};
 pub use math::{Aabb, Point, Pose, Rot, Vec2};
 pub use shape::{Shape, ShapeError};
-pub use world::*;
+pub use world::{
+    Attractor, AttractorError, AttractorId, BodyMut, BodyRef, Clock, ContactEvent, ContactRef, Counters,
+    Events, Force, ForceError, ForceId, HitEvent, PositionCorrection, Profile, RayHit, Settings,
+    SettingsError, Stage, StageReport, StepError, World,
+};
 
-/// All that a program needs by name.
+/// Everything a program needs by name.
 pub mod prelude {
-    pub use crate::*;
+    pub use crate::{
+        Aabb, Attractor, AttractorError, AttractorId, Body, BodyError, BodyId, BodyMut, BodyRef, BodyType,
+        Clock, ContactEvent, ContactRef, Counters, Events, FeatureId, Force, ForceError, ForceId, HitEvent,
+        Manifold, ManifoldPoint, Material, Mix, Point, Pose, PositionCorrection, Profile, RayHit, Rot,
+        Settings, SettingsError, Shape, ShapeError, Stage, StageReport, StepError, Vec2, World, collision,
+    };
 }
+
+/// The code of the README compiles and runs.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

@@ -119,10 +119,10 @@ impl Bodies {
         let slot = key.index();
         if slot as usize == self.motions.len() {
             self.motions.push(motion);
-            self.shapes.push(body.shape.clone());
+            self.shapes.push(body.shape);
         } else {
             self.motions[slot as usize] = motion;
-            self.shapes[slot as usize] = body.shape.clone();
+            self.shapes[slot as usize] = body.shape;
         }
         if body.body_type != BodyType::Fixed {
             let row = self.give_row(slot);
@@ -148,7 +148,7 @@ impl Bodies {
         let (motion, state) = (&self.motions[slot as usize], self.state(slot));
         Some(Body {
             body_type: record.body_type,
-            shape: self.shapes[slot as usize].clone(),
+            shape: self.shapes[slot as usize],
             center: motion.pose.center,
             angle: motion.pose.rotation.angle(),
             velocity: state.velocity.into(),

@@ -51,9 +51,9 @@ pub struct ManifoldPoint {
     pub separation: f32,
     /// Which corners of the shapes bound it.
     pub feature: FeatureId,
-    /// Impulse along the normal in the last step, N s. Detection leaves it 0.
+    /// Impulse along the normal in the last substep, N s, 0 or more.
     pub normal_impulse: f32,
-    /// Impulse along the tangent in the last step, N s. Detection leaves it 0.
+    /// Impulse along the tangent in the last substep, N s.
     pub tangent_impulse: f32,
 }
 

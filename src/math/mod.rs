@@ -5,6 +5,7 @@
 //! be lost in it. The types keep the two apart: a point minus a point is a vector.
 
 mod aabb;
+mod convert;
 mod point;
 mod pose;
 mod rot;

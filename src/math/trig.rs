@@ -4,7 +4,11 @@
 //! Arguments are reduced in `f64`, the polynomials are the Taylor series cut where the next term is below
 //! `f64` × 1e-9, so results are within one unit in the last place of `f32`.
 
-use core::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
+use core::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI, TAU};
+
+/// Beyond this, rad, whole turns are taken off first (the remainder is exact), so that quarter turns stay small
+/// numbers; an `f32` that large has no digits left that say where in the turn it is.
+const LARGE: f32 = 1e9;
 
 /// Sine and cosine of `angle`, rad. Zero and one for an angle that is not finite.
 #[inline]
@@ -12,8 +16,8 @@ pub fn sin_cos(angle: f32) -> (f32, f32) {
     if !angle.is_finite() {
         return (0.0, 1.0);
     }
+    let angle = if angle.abs() > LARGE { f64::from(angle) % TAU } else { f64::from(angle) };
     // angle = quarter_turns·π/2 + x with |x| <= π/4
-    let angle = f64::from(angle);
     let quarter_turns = round(angle * (1.0 / FRAC_PI_2));
     let x = angle - quarter_turns * FRAC_PI_2;
     let x2 = x * x;
@@ -86,6 +90,10 @@ mod tests {
             assert!((f64::from(cos) - f64::from(angle).cos()).abs() < 1e-7, "cos {angle}");
         }
         assert_eq!(sin_cos(f32::NAN), (0.0, 1.0));
+        for angle in [1e9, 1e18, -3e38] {
+            let (sin, cos) = sin_cos(angle);
+            assert!((sin * sin + cos * cos - 1.0).abs() < 1e-6, "{angle}: ({sin}, {cos})");
+        }
     }
 
     #[test]

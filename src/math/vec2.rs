@@ -43,6 +43,7 @@ impl Vec2 {
 
     /// The vector turned by a quarter turn counter-clockwise: (-y, x). `w * r.perp()` is the velocity w × r.
     #[inline(always)]
+    #[must_use]
     pub fn perp(self) -> Self {
         Self::new(-self.y, self.x)
     }
@@ -72,18 +73,21 @@ impl Vec2 {
 
     /// Smaller of each component.
     #[inline(always)]
+    #[must_use]
     pub fn min(self, other: Self) -> Self {
         Self::new(self.x.min(other.x), self.y.min(other.y))
     }
 
     /// Larger of each component.
     #[inline(always)]
+    #[must_use]
     pub fn max(self, other: Self) -> Self {
         Self::new(self.x.max(other.x), self.y.max(other.y))
     }
 
     /// Absolute value of each component.
     #[inline(always)]
+    #[must_use]
     pub fn abs(self) -> Self {
         Self::new(self.x.abs(), self.y.abs())
     }

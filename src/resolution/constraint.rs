@@ -48,6 +48,16 @@ pub(crate) struct ConstraintPoint<L> {
     pub(crate) awaits_impact: L,
 }
 
+impl<L: Lane> ConstraintPoint<L> {
+    /// Velocity of b against a at the point, m/s.
+    #[inline(always)]
+    pub(crate) fn relative_velocity(&self, a: &BodyState<L>, b: &BodyState<L>) -> LaneVec2<L> {
+        let tip_a = a.velocity + self.anchor_a.perp() * a.angular_velocity;
+        let tip_b = b.velocity + self.anchor_b.perp() * b.angular_velocity;
+        tip_b - tip_a
+    }
+}
+
 /// What the sweeps see as the separation of a point that awaits its impact, m.
 pub(crate) const OUT_OF_REACH: f32 = 1e9;
 
@@ -133,19 +143,6 @@ impl<L: Lane> ContactConstraint<L> {
         point.separation + self.normal.dot(tip_b - tip_a)
     }
 
-    /// Velocity of b against a at a point, m/s.
-    #[inline(always)]
-    pub(crate) fn relative_velocity(
-        &self,
-        point: &ConstraintPoint<L>,
-        a: &BodyState<L>,
-        b: &BodyState<L>,
-    ) -> LaneVec2<L> {
-        let tip_a = a.velocity + point.anchor_a.perp() * a.angular_velocity;
-        let tip_b = b.velocity + point.anchor_b.perp() * b.angular_velocity;
-        tip_b - tip_a
-    }
-
     /// Applies `impulse`, N s, to b and its opposite to a, at a point.
     #[inline(always)]
     pub(crate) fn apply(
@@ -173,7 +170,7 @@ impl<L: Lane> ContactConstraint<L> {
         let (a, b) = (L::gather(states, self.row_a), L::gather(states, self.row_b));
         for (point, stored) in self.points.iter().zip(contact.manifold.points_mut()) {
             let separation = self.separation(point, &a, &b).get(place);
-            let approach = -self.normal.dot(self.relative_velocity(point, &a, &b)).get(place);
+            let approach = -self.normal.dot(point.relative_velocity(&a, &b)).get(place);
             stored.separation = separation;
             stored.normal_impulse = point.normal_impulse.get(place);
             stored.tangent_impulse = point.tangent_impulse.get(place);

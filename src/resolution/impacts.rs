@@ -267,7 +267,7 @@ impl BouncyContact {
         let [a, b] = self.states(scene);
         [0, 1].map(|index| {
             let point = &constraint.points[index];
-            let speed = constraint.normal.dot(constraint.relative_velocity(point, &a, &b));
+            let speed = constraint.normal.dot(point.relative_velocity(&a, &b));
             let bounces = speed < -self.threshold
                 && point.normal_k > 0.0
                 && point.normal_impulse == 0.0
@@ -307,7 +307,7 @@ impl BouncyContact {
         }
         let tangent: LaneVec2<f32> = constraint.normal.perp();
         for (point, impulse) in constraint.points.iter().zip(impulses) {
-            let slip = tangent.dot(constraint.relative_velocity(point, a, b));
+            let slip = tangent.dot(point.relative_velocity(a, b));
             let limit = constraint.friction * impulse;
             let friction = (-point.tangent_mass * slip).clamp(-limit, limit);
             constraint.apply(point, tangent * friction, a, b);

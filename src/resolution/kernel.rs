@@ -91,7 +91,7 @@ fn violation<L: Lane>(
 ) -> (L, L) {
     let point = &constraint.points[index];
     let separation = constraint.separation(point, a, b) + point.awaits_impact;
-    let vn = constraint.normal.dot(constraint.relative_velocity(point, a, b));
+    let vn = constraint.normal.dot(point.relative_velocity(a, b));
     if biased {
         let leak = leak(separation, point.normal_k, point.normal_impulse);
         (vn + bias(separation, L::splat(per_substep)), leak)
@@ -168,7 +168,7 @@ fn solve_friction<L: Lane>(
 ) {
     let point = &constraint.points[index];
     let tangent: LaneVec2<L> = constraint.normal.perp();
-    let slip = tangent.dot(constraint.relative_velocity(point, a, b));
+    let slip = tangent.dot(point.relative_velocity(a, b));
     let limit = constraint.friction * point.normal_impulse;
     let before = point.tangent_impulse;
     let after = (before - point.tangent_mass * slip).min(limit).max(-limit);

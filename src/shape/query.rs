@@ -1,7 +1,7 @@
 //! Questions to one shape: does it hold a point, where does a ray meet it.
 //!
-//! Not part of the step. Places are subtracted in `f64` before anything is rounded, and the products are
-//! taken in `f64`, where those of two `f32` are exact: answers at the border do not depend on rounding.
+//! Not part of the step. All of it is computed in `f64` and only the answer rounded, so that a hit is where
+//! the outline is, also for a ray from afar, and equal shapes in one place are hit at equal fractions.
 
 use crate::math::{Point, Pose, Rot, Vec2};
 use crate::shape::Shape;
@@ -38,7 +38,7 @@ impl Shape {
         let hit = if self.contains_local(start) {
             RayHit { fraction: 0.0, normal: Vec2::ZERO }
         } else {
-            let (start, along) = (widen(start), widen(rotation.unrotate(translation.into())));
+            let along = unrotate(rotation, widen(translation.into()));
             match self {
                 Self::Circle(circle) => ray_circle(f64::from(circle.radius()), start, along)?,
                 Self::Aabb(rectangle) | Self::Obb(rectangle) => ray_hull(&rectangle.hull, start, along)?,
@@ -54,13 +54,13 @@ impl Shape {
         if self.can_rotate() { rotation } else { Rot::IDENTITY }
     }
 
-    fn place_in_body(&self, pose: Pose, place: Point) -> Vec2 {
-        self.rotation_at(pose.rotation).unrotate(place - pose.center)
+    fn place_in_body(&self, pose: Pose, place: Point) -> (f64, f64) {
+        let offset = (place.x - pose.center.x, place.y - pose.center.y);
+        unrotate(self.rotation_at(pose.rotation), offset)
     }
 
-    fn contains_local(&self, place: Vec2) -> bool {
+    fn contains_local(&self, (x, y): (f64, f64)) -> bool {
         let hull_contains = |hull: &Hull| {
-            let (x, y) = widen(place);
             (0..hull.count as usize).all(|i| {
                 let (start_x, start_y) = widen(hull.vertices[i]);
                 let (end_x, end_y) = widen(hull.vertices[hull.next(i)]);
@@ -69,13 +69,12 @@ impl Shape {
         };
         match self {
             Self::Circle(circle) => {
-                let (x, y) = widen(place);
                 let radius = f64::from(circle.radius());
                 x * x + y * y <= radius * radius
             }
             Self::Aabb(rectangle) | Self::Obb(rectangle) => {
-                let half = rectangle.half_size();
-                place.x.abs() <= half.x && place.y.abs() <= half.y
+                let (half_x, half_y) = widen(rectangle.half_size());
+                x.abs() <= half_x && y.abs() <= half_y
             }
             Self::Polygon(polygon) => hull_contains(&polygon.hull),
         }
@@ -84,6 +83,14 @@ impl Shape {
 
 fn widen(v: Vec2) -> (f64, f64) {
     (f64::from(v.x), f64::from(v.y))
+}
+
+/// The vector that `rotation` turns into `v`: divided by c² + s², which is 1 only to rounding and would move
+/// what is seen from afar.
+fn unrotate(rotation: Rot, (x, y): (f64, f64)) -> (f64, f64) {
+    let (c, s) = (f64::from(rotation.c), f64::from(rotation.s));
+    let scale = 1.0 / (c * c + s * s);
+    ((c * x + s * y) * scale, (c * y - s * x) * scale)
 }
 
 /// |start + f·along|² = r²: the smaller root, where the ray comes in.

@@ -1,7 +1,5 @@
 //! Laws of shapes: closed formulas, and counting random points.
 
-use rand::RngExt;
-
 use crate::math::{Point, Pose, Rot, Vec2};
 use crate::shape::testing::{random_outline, random_polygon, random_shapes, rng};
 use crate::shape::{Shape, ShapeError};

@@ -106,7 +106,7 @@ impl Attractor {
             ("range (m, from 1e-3 to 1e12)", self.range.unwrap_or(DISTANCES[1])),
             ("minimum distance (m, from 1e-3 to 1e12)", self.min_distance),
         ] {
-            if !(distance >= DISTANCES[0] && distance <= DISTANCES[1]) {
+            if !(DISTANCES[0]..=DISTANCES[1]).contains(&distance) {
                 return refuse(quantity, f64::from(distance));
             }
         }

@@ -11,6 +11,7 @@ impl World {
     /// # Errors
     /// [`BodyError`], if a number of the description or its shape is NaN, infinite or out of range; the
     /// world is as it was.
+    #[expect(clippy::needless_pass_by_value, reason = "reads as giving the body to the world")]
     pub fn add(&mut self, body: Body) -> Result<BodyId, BodyError> {
         body.validate()?;
         let id = self.bodies.insert(&body);

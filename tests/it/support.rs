@@ -11,6 +11,7 @@ pub(crate) fn earth() -> World {
 }
 
 /// The same with other settings.
+#[expect(clippy::needless_pass_by_value, reason = "reads as giving the settings to the world")]
 pub(crate) fn earth_with(settings: Settings) -> World {
     let mut world = World::new(Settings { sleep: false, ..settings });
     world.add_force(Force::EARTH_GRAVITY);

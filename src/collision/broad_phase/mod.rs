@@ -31,7 +31,8 @@ use crate::store::PairSet;
 /// Smaller: the other way round. A tenth of a metre is a few steps of a body at walking pace.
 const MARGIN: f32 = 0.1;
 
-/// Largest margin as a part of the box's mean side, which keeps a heap of gravel from being all neighbours.
+/// Largest margin as a part of the box's mean side, which keeps a heap of gravel from being all neighbours. At a
+/// quarter a pile has twice as many pairs as contacts, at this one and a half times as many.
 const MARGIN_OF_SIDE: f32 = 0.0625;
 
 /// For how many steps of its motion a fat box is stretched ahead: a body at constant speed is put back into
@@ -236,11 +237,6 @@ impl BroadPhase {
     pub(crate) fn for_each_node(&self, mut visit: impl FnMut(Aabb, u32, bool)) {
         self.fixed.for_each_node(&mut visit);
         self.movable.for_each_node(&mut visit);
-    }
-
-    /// Height of the tree of what may move, for the profile.
-    pub(crate) fn height(&self) -> u32 {
-        self.movable.height()
     }
 
     /// Checks both trees and that every body is in its tree with its box. O(n).

@@ -1,19 +1,6 @@
-use super::{BroadPhase, Home, MARGIN, STEPS_AHEAD, TOO_BIG};
+use super::{BroadPhase, Home, MARGIN, MARGIN_OF_SIDE, STEPS_AHEAD, TOO_BIG};
 use crate::math::{Aabb, Point, Vec2};
-
-/// Random numbers (D. Knuth, "The Art of Computer Programming", vol. 2, 3.3.4: the multiplier of MMIX).
-pub(super) struct Random(pub(super) u64);
-
-impl Random {
-    pub(super) fn below(&mut self, end: u32) -> u32 {
-        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        (self.0 >> 33) as u32 % end
-    }
-
-    pub(super) fn between(&mut self, low: f32, high: f32) -> f32 {
-        low + (high - low) * (self.below(1 << 24) as f32 / 16_777_216.0)
-    }
-}
+use crate::testing::Random;
 
 #[derive(Clone, Copy)]
 struct Mover {
@@ -215,12 +202,12 @@ fn a_body_at_rest_or_within_its_margin_is_left_alone() {
     let mut broad_phase = BroadPhase::default();
     broad_phase.add(0, true, square(0.0, 0.0));
     broad_phase.find_pairs(|_, _| true, &mut vec![]);
-    for offset in [0.0, 0.9 * MARGIN, -0.9 * MARGIN] {
+    for offset in [0.0, 0.9 * MARGIN_OF_SIDE, -0.9 * MARGIN_OF_SIDE] {
         assert!(!broad_phase.update(0, square(offset, 0.0), Vec2::ZERO));
     }
     assert_eq!(broad_phase.moved_count(), 0);
-    assert!(broad_phase.update(0, square(1.1 * MARGIN, 0.0), Vec2::ZERO));
-    assert!(!broad_phase.update(0, square(1.1 * MARGIN, 0.0), Vec2::ZERO));
+    assert!(broad_phase.update(0, square(1.1 * MARGIN_OF_SIDE, 0.0), Vec2::ZERO));
+    assert!(!broad_phase.update(0, square(1.1 * MARGIN_OF_SIDE, 0.0), Vec2::ZERO));
     assert_eq!(broad_phase.moved_count(), 1);
 }
 
@@ -245,7 +232,7 @@ fn a_box_that_was_stretched_by_speed_shrinks_when_the_body_rests() {
     for i in 0..60 {
         updates += u32::from(broad_phase.update(0, square(0.0, 0.0), Vec2::new(10.0 * 0.8_f32.powi(i), 0.0)));
     }
-    let at_rest = 4.0 * (1.0 + 2.0 * MARGIN);
+    let at_rest = 4.0 * (1.0 + 2.0 * MARGIN_OF_SIDE);
     assert!(broad_phase.fat_aabb(0).perimeter() <= TOO_BIG * at_rest * 1.001);
     // From 80 m ahead to a few: each new box has half the outline of the one before.
     assert!((1..=5).contains(&updates), "{updates}");
@@ -255,12 +242,14 @@ fn a_box_that_was_stretched_by_speed_shrinks_when_the_body_rests() {
 fn the_margin_of_a_small_body_is_a_part_of_its_size() {
     let mut broad_phase = BroadPhase::default();
     let centimetre = Aabb::new(Vec2::ZERO, Vec2::splat(0.01));
+    let house = Aabb::new(Vec2::ZERO, Vec2::splat(10.0));
     broad_phase.add(0, true, centimetre);
-    broad_phase.add(1, true, square(0.0, 0.0));
+    broad_phase.add(1, true, house);
     broad_phase.add(2, false, centimetre);
-    // A quarter of 0.01 m on each side; rounding of f32 at 0.01 is below 1e-9.
-    assert!((broad_phase.fat_aabb(0).size().x - 0.015).abs() < 1e-8);
-    assert!((broad_phase.fat_aabb(1).size().x - 1.2).abs() < 1e-6);
+    // The margin is on both sides; rounding of f32 at 0.01 is below 1e-9, at 10 below 1e-6.
+    let with_margin = 0.01 * (1.0 + 2.0 * MARGIN_OF_SIDE);
+    assert!((broad_phase.fat_aabb(0).size().x - with_margin).abs() < 1e-8);
+    assert!((broad_phase.fat_aabb(1).size().x - (10.0 + 2.0 * MARGIN)).abs() < 2e-6);
     assert_eq!(broad_phase.fat_aabb(2), centimetre);
 }
 

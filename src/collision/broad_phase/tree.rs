@@ -108,6 +108,7 @@ impl Tree {
     }
 
     /// Longest way from the root to a leaf; 0 for a tree of one leaf or none.
+    #[cfg(test)]
     pub(crate) fn height(&self) -> u32 {
         self.nodes[ROOT as usize].height
     }

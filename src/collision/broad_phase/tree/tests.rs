@@ -1,6 +1,6 @@
 use super::{Tree, distance};
-use crate::collision::broad_phase::tests::Random;
 use crate::math::{Aabb, Point, Vec2};
+use crate::testing::Random;
 
 fn random_aabb(random: &mut Random, extent: f32, largest: f32) -> Aabb {
     let min = Vec2::new(random.between(-extent, extent), random.between(-extent, extent));

@@ -4,14 +4,12 @@ mod known;
 mod reference;
 mod sweep;
 
-use rand::RngExt;
-use rand::rngs::SmallRng;
-
 use crate::collision::detection::{aabb_aabb, box_box, detect_within, polygon_polygon};
 use crate::collision::{FeatureId, Manifold};
 use crate::math::{Rot, Vec2};
 use crate::shape::Shape;
 use crate::shape::testing::{random_shapes, rng};
+use crate::testing::Random;
 use reference::{Solid, gap_along, signed_distance, wide};
 
 /// Shapes are at most 4 m apart and 3 m large; a length comes from some ten roundings of half an epsilon each:
@@ -70,7 +68,7 @@ fn for_random_cases(seed: u64, rounds: usize, mut check: impl FnMut(&Case, &str)
     }
 }
 
-fn random_case(rng: &mut SmallRng, a: Shape, b: Shape) -> Case {
+fn random_case(rng: &mut Random, a: Shape, b: Shape) -> Case {
     // Now and then square to the axes or to each other, where ties are.
     let mut angle = || if rng.random_range(0..4) == 0 { 0.5 } else { rng.random_range(-3.2f32..3.2) };
     let (rotation_a, rotation_b) = (Rot::from_angle(angle()), Rot::from_angle(angle()));

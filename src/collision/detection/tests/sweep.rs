@@ -1,7 +1,5 @@
 //! Laws of the sweep, against stepping along the motion with the slow twin.
 
-use rand::RngExt;
-
 use super::reference::{Solid, signed_distance, wide};
 use crate::collision::detection::sweep;
 use crate::math::{Rot, Vec2};
