@@ -1,8 +1,8 @@
 //! What a body is: its description ([`Body`]), its material, and how the engine keeps many of them.
 //!
-//! Data is split by how often it is touched. Hot: [`BodyState`](crate::compute::BodyState), 32 bytes, one row
-//! per awake body, read and written several times per substep. Warm: [`Motion`], pose and mass, touched a few
-//! times per step. Cold: [`Record`], touched when somebody asks or a contact begins.
+//! Data is split by how often it is touched. Hot: `BodyState`, 32 bytes, one row
+//! per awake body, read and written several times per substep. Warm: `Motion`, pose and mass, touched a few
+//! times per step. Cold: `Record`, touched when somebody asks or a contact begins.
 
 mod bodies;
 pub(crate) mod description;
