@@ -25,6 +25,11 @@ const SPECULATIVE_MARGIN: f32 = 0.02;
 /// Small bodies take a quarter of the extent of the smaller of the two.
 const RECYCLE_DISTANCE: f32 = 0.05;
 
+/// The same for pairs with a circle, m, or a twentieth of the extent of the smaller of the two: its normal turns
+/// as it rolls over the other. A light polygon wedged between heavy circles, whose normals would swing with
+/// it, comes to rest only because they hold still.
+const ROUND_RECYCLE_DISTANCE: f32 = 0.01;
+
 /// Cosine of the angle that either body may turn before the manifold is found anew: 11 degrees.
 const RECYCLE_COSINE: f32 = 0.98;
 
@@ -121,34 +126,39 @@ impl<'a> Pair<'a> {
         self.offset.length_squared() > reach * reach
     }
 
-    fn is_round(&self) -> bool {
-        matches!(self.shape_a, Shape::Circle(_)) || matches!(self.shape_b, Shape::Circle(_))
+    /// How far the bodies may move against each other before their manifold is found anew, m.
+    fn recycle_distance(&self) -> f32 {
+        if is_circle(self.shape_a) || is_circle(self.shape_b) {
+            ROUND_RECYCLE_DISTANCE.min(0.05 * self.extent)
+        } else {
+            RECYCLE_DISTANCE.min(0.25 * self.extent)
+        }
     }
 
-    /// Whether the manifold may be kept: it carries load, is not a circle's (which is as cheap to find, and
-    /// whose normal turns as the circle rolls), and the bodies are nearly where they were.
+    /// Rotations of a and b since the manifold was found. The outline of a circle does not turn with it.
+    fn turned_since(&self, then: &Frozen) -> [Rot; 2] {
+        let since = |shape: &Shape, now: Rot, then: Rot| {
+            if is_circle(shape) { Rot::IDENTITY } else { now * then.inverse() }
+        };
+        [
+            since(self.shape_a, self.rotation_a, then.rotation_a),
+            since(self.shape_b, self.rotation_b, then.rotation_b),
+        ]
+    }
+
+    /// Whether the manifold may be kept: it carries load, and the bodies are nearly where they were.
     fn may_recycle(&self, contact: &Contact) -> bool {
-        if self.is_round() || !contact.is_loaded() {
-            return false;
-        }
-        let frozen = &contact.frozen;
-        let distance = RECYCLE_DISTANCE.min(0.25 * self.extent);
-        let turned = |now: Rot, then: Rot| now.c * then.c + now.s * then.s < RECYCLE_COSINE;
-        (self.offset - frozen.offset).length_squared() < distance * distance
-            && !turned(self.rotation_a, frozen.rotation_a)
-            && !turned(self.rotation_b, frozen.rotation_b)
+        let distance = self.recycle_distance();
+        contact.is_loaded()
+            && (self.offset - contact.frozen.offset).length_squared() < distance * distance
+            && self.turned_since(&contact.frozen).iter().all(|turned| turned.c > RECYCLE_COSINE)
     }
 
     /// Keeps normal and anchors; each separation follows the motion since they were found:
     /// s = s₀ + n·(Δoffset + (R_b - 1) r_b - (R_a - 1) r_a).
     fn recycle(&self, contact: &mut Contact) {
         let frozen = &contact.frozen;
-        let since = |now: Rot, then: Rot| {
-            let turn = now * then.inverse();
-            LaneRot { c: turn.c, s: turn.s }
-        };
-        let (turn_a, turn_b) =
-            (since(self.rotation_a, frozen.rotation_a), since(self.rotation_b, frozen.rotation_b));
+        let [turn_a, turn_b] = self.turned_since(frozen).map(|turned| LaneRot { c: turned.c, s: turned.s });
         let moved = self.offset - frozen.offset;
         let normal = contact.manifold.normal;
         for (point, then) in contact.manifold.points_mut().iter_mut().zip(frozen.separations) {
@@ -192,4 +202,8 @@ impl<'a> Pair<'a> {
     fn detect_at(&self, offset: Vec2, margin: f32) -> Option<Manifold> {
         detect_within(self.shape_a, self.rotation_a, self.shape_b, self.rotation_b, offset, margin)
     }
+}
+
+fn is_circle(shape: &Shape) -> bool {
+    matches!(shape, Shape::Circle(_))
 }
