@@ -53,6 +53,12 @@ impl<'a> ContactRef<'a> {
         self.points().iter().map(move |point| center + point.anchor_a)
     }
 
+    /// The colour of the constraint graph that the contact is solved in, `None` while it sleeps. Contacts of one
+    /// colour share no body that moves; the highest number holds what found no colour.
+    pub fn colour(&self) -> Option<u32> {
+        self.contact.graph_place.map(|(colour, _)| colour)
+    }
+
     /// Coefficient of friction of the contact.
     pub fn friction(&self) -> f32 {
         self.contact.friction

@@ -29,7 +29,7 @@ use crate::body::{Bodies, BodyId};
 use crate::collision::Contacts;
 use crate::collision::broad_phase::BroadPhase;
 use crate::math::{Aabb, Vec2};
-use crate::resolution::{ConstraintGraph, Solver, StepResidual};
+use crate::resolution::{ConstraintGraph, Islands, Solver, StepResidual};
 use crate::store::Slots;
 use crate::world::attractor::Field;
 use crate::world::sleep::{SleepTables, Sleepers};
@@ -209,6 +209,26 @@ impl World {
     /// How many bodies are awake: those that the next step moves.
     pub fn awake_count(&self) -> usize {
         self.bodies.awake_count()
+    }
+
+    /// The islands: dynamic bodies that are connected by contacts with points, by ascending place, the island of
+    /// the first place first. Found anew at each call.
+    pub fn islands(&self) -> Vec<Vec<BodyId>> {
+        let mut forest = Islands::default();
+        forest.reset(self.bodies.motions.len());
+        for (_, contact) in self.contacts.iter() {
+            let [a, b] = contact.slots;
+            let connects = self.bodies.is_dynamic(a) && self.bodies.is_dynamic(b);
+            if connects && !contact.manifold.points().is_empty() {
+                forest.union(a, b);
+            }
+        }
+        let dynamic = self.bodies.records.iter().filter(|(key, _)| self.bodies.is_dynamic(key.index()));
+        let mut members: Vec<(u32, BodyId)> =
+            dynamic.map(|(key, _)| (forest.root(key.index()), BodyId(key))).collect();
+        members.sort_unstable_by_key(|&(root, id)| (root, id.0.index()));
+        let island = |of: &[(u32, BodyId)]| of.iter().map(|&(_, id)| id).collect();
+        members.chunk_by(|one, next| one.0 == next.0).map(island).collect()
     }
 
     /// How many islands of bodies sleep.

@@ -300,3 +300,19 @@ fn sleep_and_waking_are_no_contact_events() {
     }
     assert!(ids.iter().all(|&id| is_asleep(&world, id)));
 }
+
+/// Two stacks on one floor are two islands, a lone body is a third; the floor belongs to none.
+#[test]
+fn islands_are_what_contacts_connect() {
+    let mut world = crate::support::earth();
+    crate::support::add_floor(&mut world, 0.6);
+    let mut expected = vec![Vec::new(), Vec::new(), Vec::new()];
+    for (island, x, height) in [(0, -3.0, 3), (1, 3.0, 2), (2, 9.0, 1)] {
+        for i in 0..height {
+            expected[island]
+                .push(crate::support::add(&mut world, crate::support::unit_box(x, 0.5 + f64::from(i))));
+        }
+    }
+    crate::support::run(&mut world, 0.5);
+    assert_eq!(world.islands(), expected);
+}
