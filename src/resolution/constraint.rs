@@ -18,7 +18,7 @@
 
 use crate::body::Bodies;
 use crate::collision::Contact;
-use crate::compute::{BodyState, Lane, LaneVec2};
+use crate::compute::{BodyState, GROUND_ROW, Lane, LaneVec2};
 use crate::math::Vec2;
 use crate::shape::Shape;
 
@@ -185,6 +185,14 @@ impl<L: Lane> ContactConstraint<L> {
 fn set_vector<L: Lane>(to: &mut LaneVec2<L>, place: usize, from: Vec2) {
     to.x.set(place, from.x);
     to.y.set(place, from.y);
+}
+
+impl ContactConstraint<f32> {
+    /// The rows of the two bodies, with the ground's in the place of a body that contacts do not move.
+    pub(crate) fn moved_rows(&self) -> [u32; 2] {
+        let row_if = |moves: bool, row: u32| if moves { row } else { GROUND_ROW };
+        [row_if(self.inverse_mass_a > 0.0, self.row_a), row_if(self.inverse_mass_b > 0.0, self.row_b)]
+    }
 }
 
 /// What the solver left wrong at the end of a step.

@@ -226,8 +226,8 @@ impl Impacts {
         bouncy.apply_impulses(scene.graph.constraint(bouncy.graph_place), upcoming.speeds, &mut after);
         bouncy.impacts += 1;
         self.count += 1;
-        let rows = bouncy.rows;
-        for ((row, mut state), before) in rows.into_iter().zip(after).zip(before) {
+        let moved = scene.graph.constraint(bouncy.graph_place).moved_rows();
+        for ((row, mut state), before) in moved.into_iter().zip(after).zip(before) {
             if row == GROUND_ROW {
                 continue;
             }
@@ -239,14 +239,16 @@ impl Impacts {
             self.last_impact[row as usize] = upcoming.time;
             self.hit_rows.push(row);
         }
-        self.look_again(rows, scene);
+        self.look_again(moved, scene);
     }
 
     /// Expects the impacts of all contacts of two bodies anew.
     fn look_again(&mut self, rows: [u32; 2], scene: &mut ImpactScene<'_>) {
         if !self.neighbours_are_built {
             self.neighbours_are_built = true;
-            self.neighbours.build(scene.states.len(), self.contacts.iter().map(|bouncy| bouncy.rows));
+            let graph = &*scene.graph;
+            let pairs = self.contacts.iter().map(|bouncy| graph.constraint(bouncy.graph_place).moved_rows());
+            self.neighbours.build(scene.states.len(), pairs);
         }
         for row in rows {
             for place in 0..self.neighbours.of(row).len() {

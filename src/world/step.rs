@@ -188,7 +188,6 @@ impl World {
     fn put_to_sleep(&mut self) {
         let (sleepers, mut tables) = self.sleep_tables();
         sleepers.put_to_sleep(&mut tables);
-        self.resting = 0;
         // Finalize counts anew; where nothing is awake any more it does not run.
         self.resting = 0;
     }
