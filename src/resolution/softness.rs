@@ -26,6 +26,10 @@ const LEAK_SHARE_BEYOND: f32 = 0.15;
 /// not come to rest; slower, and stacks sag more.
 const BIAS_RATE: f32 = 28.0;
 
+/// No more than this share of an overlap is driven out in one substep, no unit: at low tick rates `BIAS_RATE`
+/// would ask for so much that a stack overshoots and trembles.
+const LARGEST_SHARE: f32 = 0.3;
+
 /// Overlap beyond `SHALLOW` is driven out at this rate, 1/s. One rate for all depths makes bodies that are
 /// pressed together from all sides fight each other.
 const DEEP_BIAS_RATE: f32 = 9.0;
@@ -43,7 +47,8 @@ pub(crate) fn bias<L: Lane>(separation: L, per_substep: L) -> L {
     let zero = L::splat(0.0);
     let depth = zero - separation;
     let shallow = depth.min(L::splat(SHALLOW));
-    let push = L::splat(BIAS_RATE) * shallow + L::splat(DEEP_BIAS_RATE) * (depth - shallow);
+    let rate = L::splat(BIAS_RATE).min(L::splat(LARGEST_SHARE) * per_substep);
+    let push = rate * shallow + rate.min(L::splat(DEEP_BIAS_RATE)) * (depth - shallow);
     let apart = separation.greater(zero);
     L::select(apart, separation * per_substep, -(push.min(L::splat(PUSH_SPEED))))
 }

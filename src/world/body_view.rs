@@ -227,8 +227,7 @@ impl<'a> BodyMut<'a> {
     /// Lets box and neighbours know that the pose was changed.
     fn moved(&mut self) {
         let slot = self.slot();
-        let aabb = self.world.bodies.aabb(slot);
-        self.world.broad_phase.update(slot, aabb, Vec2::ZERO);
+        self.world.update_box(slot);
         self.wake();
         self.world.wake_neighbours(slot);
     }
@@ -244,6 +243,7 @@ impl<'a> BodyMut<'a> {
         if let Some(state) = self.state() {
             state.velocity = velocity.into();
         }
+        self.world.update_box(self.slot());
         Ok(())
     }
 
@@ -307,6 +307,7 @@ impl<'a> BodyMut<'a> {
         state.velocity.y = velocity.y.clamp(-limits.0, limits.0);
         let spin = state.angular_velocity + angular_impulse * inverse_inertia;
         state.angular_velocity = spin.clamp(-limits.1, limits.1);
+        self.world.update_box(self.slot());
     }
 
     /// Applies a force, N, at the centre of mass during the next step. Forces of several calls add up.

@@ -4,5 +4,6 @@ mod bounces;
 mod collisions;
 mod flight;
 mod friction;
+mod limits;
 mod orbits;
 mod stacks;
