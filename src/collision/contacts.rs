@@ -42,6 +42,8 @@ pub(crate) struct Contact {
     pub(crate) restitution: f32,
     /// Whether the bodies touched at the end of the last step.
     pub(crate) is_touching: bool,
+    /// Whether the manifold was kept from an earlier step rather than found anew.
+    pub(crate) is_kept: bool,
     /// Whether the bodies met and parted again within the last step.
     pub(crate) has_bounced: bool,
     /// How fast the bodies approached each other along the normal before the last step, or when they
@@ -111,6 +113,7 @@ impl Contacts {
             friction,
             restitution,
             is_touching: false,
+            is_kept: false,
             has_bounced: false,
             approach_speed: 0.0,
             graph_place: None,

@@ -94,6 +94,15 @@ impl Manifold {
         &self.points[..self.count as usize]
     }
 
+    /// The manifold with only the points whose features `other` has, in its order; `None` if one is missing.
+    pub(crate) fn restricted_to(&self, other: &Self) -> Option<Self> {
+        let mut restricted = Self { normal: self.normal, count: other.count, ..*other };
+        for wanted in restricted.points_mut() {
+            *wanted = *self.points().iter().find(|point| point.feature == wanted.feature)?;
+        }
+        Some(restricted)
+    }
+
     /// The points, to write impulses into.
     #[inline(always)]
     pub fn points_mut(&mut self) -> &mut [ManifoldPoint] {

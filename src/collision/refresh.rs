@@ -49,9 +49,11 @@ pub(crate) fn refresh(contact: &mut Contact, bodies: &Bodies, settings: Refresh)
     let pair = Pair::new(contact, bodies, settings.dt);
     if pair.is_out_of_reach() {
         contact.manifold = Manifold::default();
+        contact.is_kept = false;
         return;
     }
-    if settings.recycling && pair.may_recycle(contact) {
+    contact.is_kept = settings.recycling && pair.may_recycle(contact);
+    if contact.is_kept {
         pair.recycle(contact);
         return;
     }
@@ -126,9 +128,13 @@ impl<'a> Pair<'a> {
         self.offset.length_squared() > reach * reach
     }
 
+    fn has_circle(&self) -> bool {
+        is_circle(self.shape_a) || is_circle(self.shape_b)
+    }
+
     /// How far the bodies may move against each other before their manifold is found anew, m.
     fn recycle_distance(&self) -> f32 {
-        if is_circle(self.shape_a) || is_circle(self.shape_b) {
+        if self.has_circle() {
             ROUND_RECYCLE_DISTANCE.min(0.05 * self.extent)
         } else {
             RECYCLE_DISTANCE.min(0.25 * self.extent)
@@ -146,10 +152,13 @@ impl<'a> Pair<'a> {
         ]
     }
 
-    /// Whether the manifold may be kept: it carries load, and the bodies are nearly where they were.
+    /// Whether the manifold may be kept: it carries load, and the bodies are nearly where they were. Not that of
+    /// a single corner, over which a body topples: its arm is what decides whether and when.
     fn may_recycle(&self, contact: &Contact) -> bool {
         let distance = self.recycle_distance();
+        let pivots = contact.manifold.points().len() == 1 && !self.has_circle();
         contact.is_loaded()
+            && !pivots
             && (self.offset - contact.frozen.offset).length_squared() < distance * distance
             && self.turned_since(&contact.frozen).iter().all(|turned| turned.c > RECYCLE_COSINE)
     }

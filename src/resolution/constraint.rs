@@ -17,7 +17,7 @@
 //! `L` holds `L::WIDTH` contacts that share no movable body.
 
 use crate::body::Bodies;
-use crate::collision::Contact;
+use crate::collision::{Contact, Manifold};
 use crate::compute::{BodyState, GROUND_ROW, Lane, LaneVec2};
 use crate::math::Vec2;
 use crate::shape::Shape;
@@ -87,35 +87,43 @@ pub(crate) struct ContactConstraint<L: Lane> {
 const LARGEST_COUPLING: f32 = 0.9995;
 
 impl<L: Lane> ContactConstraint<L> {
-    /// Puts `contact` at `place` of the lane. Its impulses are multiplied by `scale`, the length of a substep
-    /// now over that of the substep they were found in.
+    /// Puts `contact` at `place` of the lane, as the step begins. Its impulses are multiplied by `scale`, the
+    /// length of a substep now over that of the substep they were found in.
     pub(crate) fn set(&mut self, place: usize, contact: &Contact, bodies: &Bodies, scale: f32) {
         let [a, b] = contact.slots.map(|slot| &bodies.motions[slot as usize]);
-        let normal = contact.manifold.normal;
-        let tangent = normal.perp();
-        let k = |first: [f32; 2], second: [f32; 2]| {
-            a.inverse_mass
-                + b.inverse_mass
-                + a.inverse_inertia * (first[0] * second[0])
-                + b.inverse_inertia * (first[1] * second[1])
-        };
+        let [turns_a, turns_b] = contact.slots.map(|slot| match bodies.shapes[slot as usize] {
+            Shape::Circle(_) => 0.0,
+            Shape::Aabb(_) | Shape::Obb(_) | Shape::Polygon(_) => 1.0,
+        });
         L::set_row(&mut self.row_a, place, a.row);
         L::set_row(&mut self.row_b, place, b.row);
         self.inverse_mass_a.set(place, a.inverse_mass);
         self.inverse_mass_b.set(place, b.inverse_mass);
         self.inverse_inertia_a.set(place, a.inverse_inertia);
         self.inverse_inertia_b.set(place, b.inverse_inertia);
-        let [turns_a, turns_b] = contact.slots.map(|slot| match bodies.shapes[slot as usize] {
-            Shape::Circle(_) => 0.0,
-            Shape::Aabb(_) | Shape::Obb(_) | Shape::Polygon(_) => 1.0,
-        });
         self.turns_a.set(place, turns_a);
         self.turns_b.set(place, turns_b);
-        set_vector(&mut self.normal, place, normal);
         self.friction.set(place, contact.friction);
+        for (slot, point) in self.points.iter_mut().zip(contact.manifold.points()) {
+            slot.normal_impulse.set(place, scale * point.normal_impulse);
+            slot.tangent_impulse.set(place, scale * point.tangent_impulse);
+        }
+        self.set_geometry(place, &contact.manifold);
+    }
+
+    /// Takes normal and points over from a manifold of the bodies as they were when the step began.
+    pub(crate) fn set_geometry(&mut self, place: usize, manifold: &Manifold) {
+        let [m_a, m_b] = [self.inverse_mass_a.get(place), self.inverse_mass_b.get(place)];
+        let [i_a, i_b] = [self.inverse_inertia_a.get(place), self.inverse_inertia_b.get(place)];
+        let k = |first: [f32; 2], second: [f32; 2]| {
+            m_a + m_b + i_a * (first[0] * second[0]) + i_b * (first[1] * second[1])
+        };
+        let normal = manifold.normal;
+        let tangent = normal.perp();
+        set_vector(&mut self.normal, place, normal);
         self.coupling.set(place, 0.0);
         let mut arms = [[0.0; 2]; 2];
-        for (index, point) in contact.manifold.points().iter().enumerate() {
+        for (index, point) in manifold.points().iter().enumerate() {
             let slot = &mut self.points[index];
             let arm = [point.anchor_a.cross(normal), point.anchor_b.cross(normal)];
             let tangent_arm = [point.anchor_a.cross(tangent), point.anchor_b.cross(tangent)];
@@ -125,13 +133,27 @@ impl<L: Lane> ContactConstraint<L> {
             slot.separation.set(place, point.separation);
             slot.normal_k.set(place, k(arm, arm));
             slot.tangent_mass.set(place, 1.0 / k(tangent_arm, tangent_arm));
-            slot.normal_impulse.set(place, scale * point.normal_impulse);
-            slot.tangent_impulse.set(place, scale * point.tangent_impulse);
-            slot.awaits_impact.set(place, 0.0);
         }
-        if contact.manifold.points().len() == 2 {
+        if manifold.points().len() == 2 {
             let limit = LARGEST_COUPLING * (k(arms[0], arms[0]) * k(arms[1], arms[1])).sqrt();
             self.coupling.set(place, k(arms[0], arms[1]).clamp(-limit, limit));
+        }
+    }
+
+    /// Takes normal and points over from a manifold of the bodies in the states `a` and `b`, within the step. It
+    /// must have as many points as before.
+    pub(crate) fn set_geometry_in(
+        &mut self,
+        place: usize,
+        manifold: &Manifold,
+        a: &BodyState<L>,
+        b: &BodyState<L>,
+    ) {
+        self.set_geometry(place, manifold);
+        for (index, point) in manifold.points().iter().enumerate() {
+            // Separations count from the start of the step.
+            let moved = self.separation(&self.points[index], a, b).get(place) - point.separation;
+            self.points[index].separation.set(place, point.separation - moved);
         }
     }
 
@@ -188,6 +210,11 @@ fn set_vector<L: Lane>(to: &mut LaneVec2<L>, place: usize, from: Vec2) {
 }
 
 impl ContactConstraint<f32> {
+    /// Whether one of the two bodies is a circle.
+    pub(crate) fn has_circle(&self) -> bool {
+        self.turns_a == 0.0 || self.turns_b == 0.0
+    }
+
     /// The rows of the two bodies, with the ground's in the place of a body that contacts do not move.
     pub(crate) fn moved_rows(&self) -> [u32; 2] {
         let row_if = |moves: bool, row: u32| if moves { row } else { GROUND_ROW };

@@ -17,24 +17,27 @@
 //! The drift will move each body by h v'. It really moves by v t + v' (h - t): the terms in a cancel. So the
 //! impact itself moves it by (v - v') t, and later impacts, the drift and the second kick need not know.
 //!
-//! Only a contact that carries no load bounces: what rests on something is pressed, not struck, and what
-//! still moves there is for the sweeps. Letting the contacts of a dense pile bounce would make each blow
-//! forget the weight that the contact carries.
+//! A contact that carries load bounces only where the approach exceeds what the load makes up for: what rests on
+//! something is pressed, not struck, and what still moves there is for the sweeps. A dense pile whose contacts
+//! all bounced would never bear its weight.
 //!
 //! Cost: one look at every bouncy contact per substep; a heap of the few that meet. Nothing where no contact
 //! has restitution.
 
-use crate::collision::Contact;
+use crate::body::Bodies;
+use crate::collision::{Contact, Contacts, Manifold};
 use crate::compute::{BodyState, GROUND_ROW, LaneVec2};
 use crate::math::Vec2;
 use crate::resolution::block::solve_pair;
 use crate::resolution::constraint::{ContactConstraint, OUT_OF_REACH};
 use crate::resolution::constraint_graph::ConstraintGraph;
+use crate::resolution::follow::manifold_in;
 use crate::resolution::impact_queue::{ImpactQueue, Neighbours};
-use crate::resolution::integrate::{Kick, turn};
+use crate::resolution::integrate::{Kick, drift, turn};
 
-/// An approach slower than this many substeps' gain of speed is no impact: a body that rests gains half a
-/// substep's before its support is applied, and a bounce that slow would be over within the substep.
+/// An approach slower than this many substeps' gain of speed, by forces or by the load of the contact, is no
+/// impact: a body that rests gains half a substep's before its support is applied, and a bounce that slow would
+/// be over within the substep.
 const RESTING_SUBSTEPS: f32 = 2.0;
 
 /// How often one contact may bounce within a substep. More happens only where bodies are wedged; the sweeps
@@ -59,6 +62,10 @@ struct BouncyContact {
     is_waiting: bool,
 }
 
+/// Two bodies have met, and two points meet together, within this share of the way that the approach makes in a
+/// substep, no unit: a box that lands flat is not to be tipped over by a rounding error.
+const MEETING_TOLERANCE: f32 = 1e-3;
+
 /// How a point approaches.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Approach {
@@ -68,13 +75,19 @@ struct Approach {
     speed: f32,
 }
 
-/// The next impact of a contact.
+/// Two bodies at the time they meet.
 #[derive(Clone, Copy, Debug)]
-struct Upcoming {
-    /// Time within the substep, s.
-    time: f32,
-    /// Per point, whether it takes part, and its approach speed v + a d (negative), m/s.
+struct Meeting {
+    /// Normal, anchors and masses of that time.
+    constraint: ContactConstraint<f32>,
+    /// Per point, its approach speed u (negative), m/s, if it takes part.
     speeds: [Option<f32>; 2],
+    /// Smallest gap of a point that approaches, m.
+    gap: f32,
+    /// Greatest speed of approach, m/s, positive.
+    speed: f32,
+    /// Gaps that differ by no more than this are closed together, m.
+    tolerance: f32,
 }
 
 /// The impacts stage and its buffers.
@@ -94,7 +107,8 @@ pub(crate) struct Impacts {
 /// What the stage works on.
 #[derive(Debug)]
 pub(crate) struct ImpactScene<'a> {
-    pub(crate) states: &'a mut [BodyState],
+    pub(crate) bodies: &'a mut Bodies,
+    pub(crate) contacts: &'a Contacts,
     pub(crate) kicks: &'a [Kick],
     pub(crate) graph: &'a mut ConstraintGraph,
     /// Length of the substep, s.
@@ -150,7 +164,7 @@ impl Impacts {
 
     /// Lets everything bounce that meets within this substep, in the order of time.
     pub(crate) fn run(&mut self, scene: &mut ImpactScene<'_>) {
-        self.last_impact.resize(scene.states.len(), 0.0);
+        self.last_impact.resize(scene.bodies.states.len(), 0.0);
         for number in 0..self.contacts.len() as u32 {
             self.contacts[number as usize].impacts = 0;
             self.expect(number, scene);
@@ -158,12 +172,12 @@ impl Impacts {
         while let Some((expected, number)) = self.queue.pop() {
             // Impacts since may have hastened, delayed or cancelled it.
             let approaching = self.contacts[number as usize].approaching(scene);
-            let Some(upcoming) = self.upcoming(number, approaching, scene) else { continue };
-            if upcoming.time > expected {
-                self.queue.push(upcoming.time, number);
-                continue;
+            let Some(time) = self.upcoming(number, approaching, scene) else { continue };
+            if time > expected {
+                self.queue.push(time, number);
+            } else {
+                self.meet(number, expected, scene);
             }
-            self.bounce(number, upcoming, scene);
         }
         for row in self.hit_rows.drain(..) {
             self.last_impact[row as usize] = 0.0;
@@ -183,63 +197,82 @@ impl Impacts {
                 point.awaits_impact = if waits { OUT_OF_REACH } else { 0.0 };
             }
         }
-        if let Some(upcoming) = self.upcoming(number, approaching, scene) {
-            self.queue.push(upcoming.time, number);
+        if let Some(time) = self.upcoming(number, approaching, scene) {
+            self.queue.push(time, number);
         }
     }
 
-    /// The next impact of a contact within this substep, of the points that approach.
+    /// When a contact whose points approach so will meet, s, if within this substep.
     fn upcoming(
         &self,
         number: u32,
         approaching: [Option<Approach>; 2],
         scene: &ImpactScene<'_>,
-    ) -> Option<Upcoming> {
+    ) -> Option<f32> {
         if approaching == [None; 2] {
             return None;
         }
         let bouncy = &self.contacts[number as usize];
-        let h = scene.h;
         let acceleration = bouncy.acceleration(scene);
-        let times = approaching.map(|point| {
-            point.and_then(|point| time_of_impact(point.separation, point.speed, acceleration, h))
-        });
-        let first = times[0].unwrap_or(f32::INFINITY).min(times[1].unwrap_or(f32::INFINITY));
+        let time_of = |point: Option<Approach>| {
+            point.and_then(|point| time_of_impact(point.separation, point.speed, acceleration, scene.h))
+        };
+        let first = approaching.into_iter().filter_map(time_of).fold(f32::INFINITY, f32::min);
         // Never before an earlier impact of either body: until then it moved otherwise.
         let time = bouncy.rows.iter().fold(first, |time, &row| time.max(self.last_impact[row as usize]));
-        // Points that meet within a ten-thousandth of the substep of each other meet together: a box that
-        // lands flat is not to be tipped over by a rounding error.
-        let together = time + 1e-4 * h;
-        let speed_at = |point: usize| {
-            let approach = approaching[point].filter(|_| times[point].is_some_and(|at| at <= together))?;
-            Some(approach.speed + acceleration * (time - 0.5 * h))
-        };
-        (time <= h).then(|| Upcoming { time, speeds: [speed_at(0), speed_at(1)] })
+        (time <= scene.h).then_some(time)
     }
 
-    /// Applies the impulses of an impact, moves the two bodies by what they would else miss, and looks at
-    /// their contacts again.
-    fn bounce(&mut self, number: u32, upcoming: Upcoming, scene: &mut ImpactScene<'_>) {
+    /// Looks at two bodies at the time they should meet, and lets them bounce if they do.
+    fn meet(&mut self, number: u32, time: f32, scene: &mut ImpactScene<'_>) {
         let bouncy = &mut self.contacts[number as usize];
+        bouncy.impacts += 1;
+        let there = bouncy.states_at(time, scene);
+        let contact = &scene.contacts[bouncy.contact];
+        let manifold = manifold_in(contact, scene.bodies, [&there[0], &there[1]]);
+        let Some(meeting) = bouncy.meeting(&manifold, time, &there, scene) else { return };
+        if meeting.gap > meeting.tolerance {
+            // The surfaces have turned away from each other since: they meet later.
+            let later = time + meeting.gap / meeting.speed;
+            if later <= scene.h {
+                self.queue.push(later, number);
+            }
+            return;
+        }
         let before = bouncy.states(scene);
         let mut after = before;
-        bouncy.apply_impulses(scene.graph.constraint(bouncy.graph_place), upcoming.speeds, &mut after);
-        bouncy.impacts += 1;
+        bouncy.apply_impulses(&meeting, &mut after);
+        if let Some(manifold) = manifold.restricted_to(&contact.manifold) {
+            let in_graph = scene.graph.constraint_mut(bouncy.graph_place);
+            in_graph.set_geometry_in(0, &manifold, &there[0], &there[1]);
+        }
         self.count += 1;
-        let moved = scene.graph.constraint(bouncy.graph_place).moved_rows();
-        for ((row, mut state), before) in moved.into_iter().zip(after).zip(before) {
+        let moved = meeting.constraint.moved_rows();
+        self.part(moved, before, after, time, scene);
+        self.look_again(moved, scene);
+    }
+
+    /// Gives two bodies their velocities after an impact, and moves them by what they would else miss.
+    fn part(
+        &mut self,
+        rows: [u32; 2],
+        before: [BodyState; 2],
+        after: [BodyState; 2],
+        time: f32,
+        scene: &mut ImpactScene<'_>,
+    ) {
+        for ((row, mut state), before) in rows.into_iter().zip(after).zip(before) {
             if row == GROUND_ROW {
                 continue;
             }
-            let missed = (before.velocity - state.velocity) * upcoming.time;
+            let missed = (before.velocity - state.velocity) * time;
             state.delta_position = state.delta_position + missed;
-            let missed_turn = (before.angular_velocity - state.angular_velocity) * upcoming.time;
+            let missed_turn = (before.angular_velocity - state.angular_velocity) * time;
             turn(&mut state, missed_turn);
-            scene.states[row as usize] = state;
-            self.last_impact[row as usize] = upcoming.time;
+            scene.bodies.states[row as usize] = state;
+            self.last_impact[row as usize] = time;
             self.hit_rows.push(row);
         }
-        self.look_again(moved, scene);
     }
 
     /// Expects the impacts of all contacts of two bodies anew.
@@ -248,7 +281,7 @@ impl Impacts {
             self.neighbours_are_built = true;
             let graph = &*scene.graph;
             let pairs = self.contacts.iter().map(|bouncy| graph.constraint(bouncy.graph_place).moved_rows());
-            self.neighbours.build(scene.states.len(), pairs);
+            self.neighbours.build(scene.bodies.states.len(), pairs);
         }
         for row in rows {
             for place in 0..self.neighbours.of(row).len() {
@@ -260,10 +293,10 @@ impl Impacts {
 
 impl BouncyContact {
     fn states(&self, scene: &ImpactScene<'_>) -> [BodyState; 2] {
-        self.rows.map(|row| scene.states[row as usize])
+        self.rows.map(|row| scene.bodies.states[row as usize])
     }
 
-    /// Per point: how it approaches, if fast enough to bounce and without load.
+    /// Per point: how it approaches, if fast enough to bounce.
     fn approaching(&self, scene: &ImpactScene<'_>) -> [Option<Approach>; 2] {
         let constraint = scene.graph.constraint(self.graph_place);
         let [a, b] = self.states(scene);
@@ -272,7 +305,7 @@ impl BouncyContact {
             let speed = constraint.normal.dot(point.relative_velocity(&a, &b));
             let bounces = speed < -self.threshold
                 && point.normal_k > 0.0
-                && point.normal_impulse == 0.0
+                && speed < -RESTING_SUBSTEPS * point.normal_k * point.normal_impulse
                 && self.impacts < IMPACTS_PER_SUBSTEP;
             bounces.then(|| Approach { separation: constraint.separation(point, &a, &b), speed })
         })
@@ -284,17 +317,52 @@ impl BouncyContact {
         Vec2::from(scene.graph.constraint(self.graph_place).normal).dot(b - a)
     }
 
+    /// The two bodies where they will be at a time within the substep: x + v t + a t (t - h)/2 for the velocity v
+    /// of the middle of the substep.
+    fn states_at(&self, time: f32, scene: &ImpactScene<'_>) -> [BodyState; 2] {
+        self.rows.map(|row| {
+            let mut state = scene.bodies.states[row as usize];
+            drift(&mut state, time);
+            let bend = scene.kicks[row as usize].acceleration * (0.5 * time * (time - scene.h));
+            state.delta_position = state.delta_position + bend.into();
+            state
+        })
+    }
+
+    /// What of a manifold at a time meets there; `None` if nothing approaches fast enough to bounce.
+    fn meeting(
+        &self,
+        manifold: &Manifold,
+        time: f32,
+        [a, b]: &[BodyState; 2],
+        scene: &ImpactScene<'_>,
+    ) -> Option<Meeting> {
+        let mut constraint = *scene.graph.constraint(self.graph_place);
+        constraint.points = Default::default();
+        constraint.set_geometry(0, manifold);
+        let [k_a, k_b] = self.rows.map(|row| scene.kicks[row as usize].acceleration);
+        let gained = manifold.normal.dot(k_b - k_a) * (time - 0.5 * scene.h);
+        let speeds = [0, 1].map(|index| {
+            let point = &constraint.points[index];
+            let speed = constraint.normal.dot(point.relative_velocity(a, b)) + gained;
+            (point.normal_k > 0.0 && speed < -self.threshold).then_some(speed)
+        });
+        let gap_of = |index: usize| speeds[index].map(|_| constraint.points[index].separation);
+        let gap = [0, 1].into_iter().filter_map(gap_of).fold(f32::INFINITY, f32::min);
+        let speed = -speeds.into_iter().flatten().fold(0.0, f32::min);
+        let tolerance = MEETING_TOLERANCE * speed * scene.h;
+        let speeds = [0, 1]
+            .map(|index| speeds[index].filter(|_| constraint.points[index].separation <= gap + tolerance));
+        (speed > 0.0).then_some(Meeting { constraint, speeds, gap, speed, tolerance })
+    }
+
     /// Turns the approach speed u of each point that takes part into -e u; then friction, at most µ times
-    /// as strong as the blow. `speeds` are those of [`Upcoming`].
-    fn apply_impulses(
-        &mut self,
-        constraint: &ContactConstraint<f32>,
-        speeds: [Option<f32>; 2],
-        [a, b]: &mut [BodyState; 2],
-    ) {
+    /// as strong as the blow.
+    fn apply_impulses(&mut self, meeting: &Meeting, [a, b]: &mut [BodyState; 2]) {
+        let constraint = &meeting.constraint;
         let [point_1, point_2] = &constraint.points;
         // The change asked for, u - (-e u), is q of the complementarity problem K x + q ≥ 0.
-        let change = speeds.map(|speed| speed.map(|u| (1.0 + self.restitution) * u));
+        let change = meeting.speeds.map(|speed| speed.map(|u| (1.0 + self.restitution) * u));
         let impulses = match change {
             [Some(q_1), Some(q_2)] => {
                 solve_pair(point_1.normal_k, constraint.coupling, point_2.normal_k, [q_1, q_2])
@@ -314,9 +382,7 @@ impl BouncyContact {
             let friction = (-point.tangent_mass * slip).clamp(-limit, limit);
             constraint.apply(point, tangent * friction, a, b);
         }
-        for speed in speeds.into_iter().flatten() {
-            self.greatest_speed = self.greatest_speed.max(-speed);
-        }
+        self.greatest_speed = self.greatest_speed.max(meeting.speed);
     }
 }
 

@@ -6,6 +6,7 @@
 mod block;
 mod constraint;
 mod constraint_graph;
+mod follow;
 mod impact_queue;
 mod impacts;
 mod integrate;

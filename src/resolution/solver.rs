@@ -6,6 +6,7 @@ use crate::compute::BodyState;
 use crate::math::Vec2;
 use crate::resolution::constraint::{ContactConstraint, StepResidual};
 use crate::resolution::constraint_graph::ConstraintGraph;
+use crate::resolution::follow::Followers;
 use crate::resolution::impacts::{ImpactScene, Impacts, bounce_threshold};
 use crate::resolution::integrate::{Damping, Kick, SpeedLimits, damping_loss, drift, kick};
 use crate::resolution::kernel::{Sweep, apply_share, sweep, warm_start};
@@ -52,6 +53,7 @@ pub(crate) struct Solver {
     /// Rows with damping.
     damped: Vec<Damping>,
     pub(crate) impacts: Impacts,
+    followers: Followers,
     /// Length of the last substep, s; impulses are stored per substep.
     last_h: f32,
 }
@@ -87,11 +89,14 @@ pub(crate) fn solve(
         block: scheme.block_solve,
     };
     let relax_sweep = Sweep { biased: false, friction: true, block: scheme.block_solve };
-    for _ in 0..scheme.substeps {
+    for substep in 0..scheme.substeps {
+        if substep > 0 {
+            solver.followers.follow(graph, contacts, bodies);
+        }
         solver.kick(&mut bodies.states, kick_time, scheme.limits);
         if solver.impacts.len() > 0 {
             let kicks = &solver.kicks;
-            solver.impacts.run(&mut ImpactScene { states: &mut bodies.states, kicks, graph, h });
+            solver.impacts.run(&mut ImpactScene { bodies, contacts, kicks, graph, h });
         }
         let states = &mut bodies.states;
         for_each(graph, |constraint| warm_start(constraint, states, share));
@@ -168,10 +173,11 @@ impl Solver {
         let scale = if self.last_h > 0.0 { h / self.last_h } else { 1.0 };
         self.last_h = h;
         graph.prepare(contacts, bodies, scale);
-        self.gather_bouncy(scheme, h, bodies, contacts, graph);
+        self.gather_special(scheme, h, bodies, contacts, graph);
     }
 
-    fn gather_bouncy(
+    /// Takes up the contacts that may bounce, and those that follow the surface within the step.
+    fn gather_special(
         &mut self,
         scheme: &Scheme,
         h: f32,
@@ -180,6 +186,7 @@ impl Solver {
         graph: &mut ConstraintGraph,
     ) {
         self.impacts.clear();
+        self.followers.clear();
         for colour in graph.in_order() {
             for (&index, constraint) in colour.contacts.iter().zip(&colour.constraints) {
                 let contact = &contacts[index];
@@ -189,6 +196,7 @@ impl Solver {
                     let threshold = bounce_threshold(scheme.restitution_threshold, contact, kicks, h);
                     self.impacts.add(index, contact, constraint, threshold);
                 }
+                self.followers.consider(index, contact, constraint);
             }
         }
     }

@@ -7,3 +7,4 @@ mod friction;
 mod limits;
 mod orbits;
 mod stacks;
+mod toppling;

@@ -1,0 +1,67 @@
+//! Manifolds within a step: where the bodies are now, and not where they were when the step began.
+//!
+//! A normal that stands still while a disc rolls on along a curve costs energy, as each step redirects the whole
+//! velocity at once; a body that topples over a corner falls too late if its arm lags behind; a corner that has
+//! swung on is not where a blow lands. So circles, and corners under load, follow the surface from substep to
+//! substep, unless their manifold is kept because the bodies hardly move, and an impact finds its manifold at its
+//! own time.
+
+use crate::body::Bodies;
+use crate::collision::{Contact, Contacts, Manifold, detect_within};
+use crate::compute::BodyState;
+use crate::math::{Rot, Vec2};
+use crate::resolution::constraint::ContactConstraint;
+use crate::resolution::constraint_graph::ConstraintGraph;
+
+/// Far enough that the nearest points of two bodies are found wherever they are, m.
+const ANY_DISTANCE: f32 = 1e9;
+
+/// The manifold of a contact with its bodies in the given states; empty where they cannot be told apart from
+/// bodies that do not touch.
+pub(crate) fn manifold_in(contact: &Contact, bodies: &Bodies, [a, b]: [&BodyState; 2]) -> Manifold {
+    let [slot_a, slot_b] = contact.slots.map(|slot| slot as usize);
+    let (pose_a, pose_b) = (bodies.motions[slot_a].pose, bodies.motions[slot_b].pose);
+    let turned = |state: &BodyState, rotation: Rot| {
+        Rot { c: state.delta_rotation.c, s: state.delta_rotation.s } * rotation
+    };
+    let offset = (pose_b.center - pose_a.center) + Vec2::from(b.delta_position - a.delta_position);
+    let rotations = [turned(a, pose_a.rotation), turned(b, pose_b.rotation)];
+    let shapes = [&bodies.shapes[slot_a], &bodies.shapes[slot_b]];
+    detect_within(shapes[0], rotations[0], shapes[1], rotations[1], offset, ANY_DISTANCE).unwrap_or_default()
+}
+
+/// Contacts that follow the surface within the step: index, and place in the constraint graph.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Followers {
+    contacts: Vec<(u32, (u32, u32))>,
+}
+
+impl Followers {
+    pub(crate) fn clear(&mut self) {
+        self.contacts.clear();
+    }
+
+    /// Takes up a contact with a circle, or of a single corner under load, if its manifold was found anew. A
+    /// corner that is still on its way has the manifold of the place where it will land.
+    pub(crate) fn consider(&mut self, index: u32, contact: &Contact, constraint: &ContactConstraint<f32>) {
+        let is_corner = contact.manifold.points().len() == 1 && contact.is_loaded();
+        if let (false, Some(place)) = (contact.is_kept, contact.graph_place) {
+            if constraint.has_circle() || is_corner {
+                self.contacts.push((index, place));
+            }
+        }
+    }
+
+    /// Brings the constraints up to where the bodies are now.
+    pub(crate) fn follow(&self, graph: &mut ConstraintGraph, contacts: &Contacts, bodies: &Bodies) {
+        for &(index, place) in &self.contacts {
+            let constraint = graph.constraint_mut(place);
+            let [a, b] = [constraint.row_a, constraint.row_b].map(|row| bodies.states[row as usize]);
+            let contact = &contacts[index];
+            let manifold = manifold_in(contact, bodies, [&a, &b]).restricted_to(&contact.manifold);
+            if let Some(manifold) = manifold {
+                constraint.set_geometry_in(0, &manifold, &a, &b);
+            }
+        }
+    }
+}
