@@ -20,6 +20,7 @@ use crate::body::Bodies;
 use crate::collision::{Contact, Manifold};
 use crate::compute::{BodyState, GROUND_ROW, Lane, LaneVec2};
 use crate::math::Vec2;
+use crate::resolution::softness::FULL_PUSH_DEPTH;
 use crate::shape::Shape;
 
 /// One of the (at most two) points of a contact.
@@ -197,6 +198,9 @@ impl<L: Lane> ContactConstraint<L> {
             stored.normal_impulse = point.normal_impulse.get(place);
             stored.tangent_impulse = point.tangent_impulse.get(place);
             residual.penetration = residual.penetration.max(-separation);
+            if stored.normal_impulse > 0.0 && -separation < FULL_PUSH_DEPTH {
+                residual.loaded_penetration = residual.loaded_penetration.max(-separation);
+            }
             if separation <= 0.0 && point.awaits_impact.get(place) == 0.0 {
                 residual.approach_speed = residual.approach_speed.max(approach);
             }
@@ -227,6 +231,8 @@ impl ContactConstraint<f32> {
 pub(crate) struct StepResidual {
     /// Deepest overlap, m.
     pub(crate) penetration: f32,
+    /// Deepest overlap of a contact under load, m, not counting bodies that were put into each other.
+    pub(crate) loaded_penetration: f32,
     /// Largest speed with which two touching points still approach each other, m/s.
     pub(crate) approach_speed: f32,
 }

@@ -3,6 +3,7 @@
 //! Sequential impulses in substeps over a coloured constraint graph, with soft contacts, a relax sweep and
 //! impacts as a stage of their own. [`solve`] is the substep loop; read it first.
 
+mod adaptive;
 mod block;
 mod constraint;
 mod constraint_graph;
@@ -16,6 +17,7 @@ mod projection;
 mod softness;
 mod solver;
 
+pub(crate) use adaptive::Adaptive;
 pub(crate) use constraint::StepResidual;
 pub(crate) use constraint_graph::ConstraintGraph;
 pub(crate) use integrate::SpeedLimits;

@@ -40,6 +40,10 @@ const SHALLOW: f32 = 0.02;
 /// No overlap is driven out faster than this, m/s, so that bodies created in one place part without a bang.
 const PUSH_SPEED: f32 = 3.0;
 
+/// Overlap from which `PUSH_SPEED` limits the push, m: bodies that were put into each other, which more substeps
+/// part no faster.
+pub(crate) const FULL_PUSH_DEPTH: f32 = SHALLOW + (PUSH_SPEED - BIAS_RATE * SHALLOW) / DEEP_BIAS_RATE;
+
 /// Speed with which the contact wants to close (positive, while apart: it may close the gap s within one
 /// substep of length 1/`per_substep`) or to open (negative, where bodies overlap), m/s.
 #[inline(always)]

@@ -29,7 +29,7 @@ use crate::body::{Bodies, BodyId};
 use crate::collision::Contacts;
 use crate::collision::broad_phase::BroadPhase;
 use crate::math::{Aabb, Vec2};
-use crate::resolution::{ConstraintGraph, Islands, Solver, StepResidual};
+use crate::resolution::{Adaptive, ConstraintGraph, Islands, Solver, StepResidual};
 use crate::store::Slots;
 use crate::world::attractor::Field;
 use crate::world::sleep::{SleepTables, Sleepers};
@@ -68,6 +68,9 @@ pub struct World {
     events: Events,
     profile: Profile,
     residual: StepResidual,
+    adaptive: Adaptive,
+    /// Substeps of the last step.
+    substeps: u32,
     /// Awake bodies that have been at rest for long enough to sleep.
     resting: usize,
     ticks: u64,
@@ -118,6 +121,8 @@ impl World {
             events: Events::default(),
             profile: Profile::default(),
             residual: StepResidual::default(),
+            adaptive: Adaptive::default(),
+            substeps: 0,
             resting: 0,
             ticks: 0,
             unused_time: 0.0,

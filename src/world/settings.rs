@@ -32,6 +32,9 @@ pub struct Settings {
     pub tick_rate: f32,
     /// Substeps per tick, 1 to 256. The error of contacts falls as their number grows. Default 4.
     pub substeps: u32,
+    /// Whether a step may take more substeps, up to 16, where contacts under load overlap by more than 8 mm: heavy
+    /// bodies on light ones, tall stacks. All bodies of the world share the number, and pay for it. Default false.
+    pub adaptive: bool,
     /// Sequential-impulse sweeps over all contacts before the bodies move, per substep, 1 to 1000. Default 1.
     pub iterations: u32,
     /// Sweeps after the bodies have moved, which take the push out of overlaps out of the velocities again,
@@ -72,6 +75,7 @@ impl Default for Settings {
         Self {
             tick_rate: 60.0,
             substeps: 4,
+            adaptive: false,
             iterations: 1,
             relax_iterations: 1,
             split_kick: true,
@@ -145,11 +149,11 @@ impl Settings {
         Ok(())
     }
 
-    /// What the solver needs to know.
-    pub(crate) fn scheme(&self) -> Scheme {
+    /// What the solver needs to know for a step of so many substeps.
+    pub(crate) fn scheme(&self, substeps: u32) -> Scheme {
         Scheme {
             dt: self.tick_seconds() as f32,
-            substeps: self.substeps,
+            substeps,
             iterations: self.iterations,
             relax_iterations: self.relax_iterations,
             split_kick: self.split_kick,

@@ -114,7 +114,8 @@ impl World {
 
     /// The substep loop.
     fn solve(&mut self) {
-        let scheme = self.settings.scheme();
+        self.substeps = self.adaptive.substeps(self.settings.adaptive, self.settings.substeps);
+        let scheme = self.settings.scheme(self.substeps);
         let field = Field {
             uniform: self.acceleration,
             attractors: &self.attractors,
@@ -122,6 +123,7 @@ impl World {
         };
         self.residual =
             solve(&mut self.solver, &scheme, &mut self.bodies, &mut self.contacts, &mut self.graph, &field);
+        self.adaptive.learn(&self.residual);
     }
 
     /// Adds the motion of the step to the poses, lets boxes follow, and counts the time at rest.
@@ -202,7 +204,7 @@ impl World {
             impacts: self.solver.impacts.count(),
             colours,
             overflow,
-            substeps: self.settings.substeps,
+            substeps: self.substeps,
         }
     }
 }

@@ -89,3 +89,23 @@ fn the_classic_scheme_carries_five_boxes() {
         assert_near(place(&world, id)[0], 0.0, 0.05, "sideways");
     }
 }
+
+/// A box of 1000 kg on one of 1 kg. The overlap of the light one goes with the load over its mass and the length of
+/// the substep: at four substeps it is crushed, at sixteen (a quarter of the compliance, and the stiffer contact of
+/// heavy loads) it stands with a few centimetres.
+#[test]
+fn adaptive_substeps_carry_a_thousand_to_one() {
+    let mut world = crate::support::earth_with(Settings { adaptive: true, ..Settings::default() });
+    add_floor(&mut world, 0.6);
+    let light = add(&mut world, unit_box(0.0, 0.5));
+    let heavy = add(&mut world, unit_box(0.0, 1.5).density(1000.0));
+    assert_eq!(world.profile().counters().substeps, 0);
+    run(&mut world, 10.0);
+    assert!(world.profile().counters().substeps > 4, "{:?}", world.profile().counters());
+    assert_near(place(&world, light)[1], 0.5, 0.05, "height of the light box");
+    assert_near(place(&world, heavy)[1], 1.5, 0.05, "height of the heavy box");
+    // Without its load the light box needs no more than it did before.
+    world.remove(heavy);
+    run(&mut world, 3.0);
+    assert_eq!(world.profile().counters().substeps, 4);
+}
