@@ -7,6 +7,8 @@ use macroquad::math::{Vec2 as ScreenPoint, Vec3, Vec4};
 use macroquad::models::{Mesh, Vertex, draw_mesh};
 use rustycs::{Rot, Vec2};
 
+use crate::theme;
+
 /// Corners of triangles in one draw call, at most; indices are 16 bits wide.
 pub(crate) const MOST_VERTICES: usize = 30_000;
 /// Indices of triangles in one draw call, at most.
@@ -77,6 +79,38 @@ impl Batch {
     pub(crate) fn rectangle_outline(&mut self, min: Vec2, max: Vec2, width: f32, color: Rgba) {
         let inset = Vec2::splat(width);
         self.band(&rectangle_corners(min, max), &rectangle_corners(min + inset, max - inset), color);
+    }
+
+    /// An arrow with a head of a few pixels, which takes its length from the shaft's.
+    pub(crate) fn arrow(&mut self, from: Vec2, way: Vec2, width: f32, color: Rgba) {
+        const HEAD: f32 = 7.0;
+        let Some(direction) = way.normalized() else { return };
+        let length = way.length();
+        let head = HEAD.min(length);
+        let (tip, side) = (from + way, Vec2::new(-direction.y, direction.x));
+        let neck = tip - direction * head;
+        self.line(from, neck, width, color);
+        self.polygon(&[tip, neck + side * (0.42 * head), neck - side * (0.42 * head)], color);
+    }
+
+    /// A circle as a line, px.
+    pub(crate) fn ring(&mut self, center: Vec2, radius: f32, width: f32, color: Rgba) {
+        const CORNERS: usize = 64;
+        let turn = Rot::from_angle(core::f32::consts::TAU / CORNERS as f32);
+        let mut arm = Vec2::new(1.0, 0.0);
+        let directions: [Vec2; CORNERS] = core::array::from_fn(|_| {
+            arm = turn.rotate(arm);
+            arm
+        });
+        let outer = directions.map(|direction| center + direction * (radius + 0.5 * width));
+        let inner = directions.map(|direction| center + direction * (radius - 0.5 * width));
+        self.band(&outer, &inner, color);
+    }
+
+    /// The ground of a card: text on it hides what is beneath.
+    pub(crate) fn card(&mut self, min: Vec2, max: Vec2) {
+        self.rectangle(min, max, theme::PANEL.rgba(248));
+        self.rectangle_outline(min, max, 1.0, theme::BORDER.rgba(255));
     }
 
     /// A dot of a few pixels.

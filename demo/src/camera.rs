@@ -1,7 +1,7 @@
 //! From metres of the world (y upward) to pixels of the window (y downward), and back.
 
 use macroquad::math::Rect;
-use rustycs::{Point, Vec2};
+use rustycs::{Aabb, Point, Vec2};
 use rustycs_scenes::View;
 
 /// Scales of the picture, px/m: a kilometre or a centimetre fills the window.
@@ -82,6 +82,31 @@ impl Camera {
     pub(crate) fn pan(&mut self, pixels: Vec2) {
         self.center += Vec2::new(-pixels.x, pixels.y) / self.scale;
         self.view = None;
+    }
+
+    /// Puts a place of the world in the middle of the picture.
+    pub(crate) fn look_at(&mut self, place: Point) {
+        self.center = place;
+        self.view = None;
+    }
+
+    /// The same camera for another part of the window: for a second world beside the first.
+    pub(crate) fn in_area(mut self, area: Rect) -> Self {
+        self.area = area;
+        self
+    }
+
+    /// The corners of a box, px: the upper left one and the lower right one.
+    pub(crate) fn corners(self, aabb: Aabb) -> (Vec2, Vec2) {
+        let (low, high) = (self.to_screen(aabb.min.into()), self.to_screen(aabb.max.into()));
+        (Vec2::new(low.x, high.y), Vec2::new(high.x, low.y))
+    }
+
+    /// Whether a part of a box is in the picture.
+    pub(crate) fn sees(self, aabb: Aabb) -> bool {
+        let (min, max) = self.corners(aabb);
+        let Rect { x, y, w, h } = self.area;
+        min.x <= x + w && max.x >= x && min.y <= y + h && max.y >= y
     }
 
     fn middle(self) -> Vec2 {

@@ -1,6 +1,10 @@
-//! What a frame is drawn on: triangles first, then text, so that nothing is drawn over text.
+//! What a frame is drawn on: sheets, one over the other; on each triangles first, then text, so that nothing is
+//! drawn over the text of its own sheet.
 
+use macroquad::camera::{Camera2D, set_camera, set_default_camera};
+use macroquad::math::Rect;
 use macroquad::text::{Font, TextParams, draw_text_ex, load_ttf_font_from_bytes, measure_text};
+use macroquad::window::{screen_dpi_scale, screen_height};
 use rustycs::Vec2;
 
 use crate::batch::Batch;
@@ -43,6 +47,11 @@ impl Style {
     pub(crate) const fn new(face: Face, size: u16, tone: Tone) -> Self {
         Self { face, size, tone }
     }
+
+    /// The same in another colour.
+    pub(crate) const fn toned(self, tone: Tone) -> Self {
+        Self { tone, ..self }
+    }
 }
 
 /// A text at its place: the left end of its base line, px.
@@ -52,10 +61,20 @@ struct Label {
     style: Style,
 }
 
+/// A layer of the picture.
+#[derive(Default)]
+struct Sheet {
+    batch: Batch,
+    labels: Vec<Label>,
+    /// The part of the window that the sheet is cut to, px; all of it where there is none.
+    clip: Option<Rect>,
+}
+
 /// What a frame is drawn on.
 pub(crate) struct Canvas {
-    pub(crate) batch: Batch,
-    labels: Vec<Label>,
+    sheets: Vec<Sheet>,
+    /// Sheets in use in this frame; those beyond keep their memory for later frames.
+    used: usize,
     fonts: [Font; 3],
 }
 
@@ -65,18 +84,37 @@ impl Canvas {
         let fonts = Face::ALL.map(|face| {
             load_ttf_font_from_bytes(face.bytes()).expect("the fonts that are built in are fonts")
         });
-        Self { batch: Batch::default(), labels: Vec::new(), fonts }
+        Self { sheets: vec![Sheet::default()], used: 1, fonts }
     }
 
-    /// Forgets what was drawn.
+    /// Forgets what was drawn and begins with one sheet.
     pub(crate) fn clear(&mut self) {
-        self.batch.clear();
-        self.labels.clear();
+        self.used = 0;
+        self.begin_sheet(None);
+    }
+
+    /// Begins another sheet, over all that is drawn already.
+    ///
+    /// A sheet that is cut to a part of the window costs a round of draw calls of its own.
+    pub(crate) fn begin_sheet(&mut self, clip: Option<Rect>) {
+        if self.used == self.sheets.len() {
+            self.sheets.push(Sheet::default());
+        }
+        let sheet = &mut self.sheets[self.used];
+        sheet.batch.clear();
+        sheet.labels.clear();
+        sheet.clip = clip;
+        self.used += 1;
+    }
+
+    /// The triangles of the uppermost sheet.
+    pub(crate) fn batch(&mut self) -> &mut Batch {
+        &mut self.sheets[self.used - 1].batch
     }
 
     /// A text from `place`, the left end of its base line, to the right.
     pub(crate) fn text(&mut self, text: impl Into<String>, place: Vec2, style: Style) {
-        self.labels.push(Label { text: text.into(), place, style });
+        self.sheets[self.used - 1].labels.push(Label { text: text.into(), place, style });
     }
 
     /// A text up to `place`, the right end of its base line.
@@ -86,21 +124,35 @@ impl Canvas {
         self.text(text, Vec2::new(left, place.y), style);
     }
 
-    /// A text in as many lines as a width (px) asks for, the first base line at `place`; returns their number.
-    pub(crate) fn paragraph(
-        &mut self,
-        text: &str,
-        place: Vec2,
-        width: f32,
-        leading: f32,
-        style: Style,
-    ) -> usize {
-        let lines = wrap(text, |line| self.width_of(line, style) <= width);
-        let count = lines.len();
-        for (index, line) in lines.into_iter().enumerate() {
-            self.text(line, place + Vec2::new(0.0, index as f32 * leading), style);
+    /// A text with `place` in the middle of its base line.
+    pub(crate) fn text_around(&mut self, text: impl Into<String>, place: Vec2, style: Style) {
+        let text = text.into();
+        let left = place.x - 0.5 * self.width_of(&text, style);
+        self.text(text, Vec2::new(left, place.y), style);
+    }
+
+    /// A text on a ground that keeps it readable over bodies; `place` is the left end of its base line.
+    pub(crate) fn tag(&mut self, text: impl Into<String>, place: Vec2, style: Style) {
+        let text = text.into();
+        let size = f32::from(style.size);
+        let max = place + Vec2::new(self.width_of(&text, style) + 4.0, 0.32 * size);
+        self.batch().rectangle(place - Vec2::new(4.0, size), max, crate::theme::BACKGROUND.rgba(190));
+        self.text(text, place, style);
+    }
+
+    /// As much of a text as fits into a width, px, with an ellipsis where that is not all.
+    pub(crate) fn fitting(&self, text: &str, width: f32, style: Style) -> String {
+        if self.width_of(text, style) <= width {
+            return text.to_owned();
         }
-        count
+        let ends = text.char_indices().map(|(at, _)| at).rev();
+        let shorter = ends.map(|end| format!("{}…", text[..end].trim_end()));
+        shorter.into_iter().find(|text| self.width_of(text, style) <= width).unwrap_or_default()
+    }
+
+    /// A text in as many lines as a width (px) asks for.
+    pub(crate) fn lines(&self, text: &str, width: f32, style: Style) -> Vec<String> {
+        wrap(text, |line| self.width_of(line, style) <= width)
     }
 
     /// Width of a text, px.
@@ -108,12 +160,29 @@ impl Canvas {
         measure_text(text, Some(&self.fonts[style.face as usize]), style.size, 1.0).width
     }
 
-    /// Draws everything: triangles, then the text of one typeface after the other, each of which is one draw
-    /// call. Text begins at whole pixels, where it is sharpest.
+    /// Draws every sheet.
     pub(crate) fn draw(&self) {
-        self.batch.draw();
+        let mut is_cut = false;
+        for sheet in &self.sheets[..self.used] {
+            match sheet.clip {
+                Some(part) => set_camera(&camera_of(part)),
+                None if is_cut => set_default_camera(),
+                None => {}
+            }
+            is_cut = sheet.clip.is_some();
+            self.draw_sheet(sheet);
+        }
+        if is_cut {
+            set_default_camera();
+        }
+    }
+
+    /// Triangles, then the text of one typeface after the other, each of which is one draw call. Text begins at
+    /// whole pixels, where it is sharpest.
+    fn draw_sheet(&self, sheet: &Sheet) {
+        sheet.batch.draw();
         for face in Face::ALL {
-            for Label { text, place, style } in self.labels.iter().filter(|label| label.style.face == face) {
+            for Label { text, place, style } in sheet.labels.iter().filter(|label| label.style.face == face) {
                 let [r, g, b, a] = style.tone.rgba(255);
                 let params = TextParams {
                     font: Some(&self.fonts[face as usize]),
@@ -124,6 +193,20 @@ impl Canvas {
                 draw_text_ex(text, place.x.round(), place.y.round(), params);
             }
         }
+    }
+}
+
+/// A camera that shows what lies in a part of the window where it lies, and nothing beyond.
+fn camera_of(part: Rect) -> Camera2D {
+    let dpi = screen_dpi_scale();
+    let pixels = |length: f32| (length * dpi).round() as i32;
+    // The graphics card counts rows from the bottom.
+    let bottom = screen_height() - part.y - part.h;
+    Camera2D {
+        target: part.center(),
+        zoom: macroquad::math::vec2(2.0 / part.w, 2.0 / part.h),
+        viewport: Some((pixels(part.x), pixels(bottom), pixels(part.w), pixels(part.h))),
+        ..Camera2D::default()
     }
 }
 

@@ -6,10 +6,13 @@ use clap::Parser;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use rustycs_scenes::Scene;
 
+use crate::overlay::Overlay;
+use crate::panel::Tab;
+
 /// Shows scenes of the rustycs physics engine in a window, or steps them without one.
 ///
-/// Keys in the window: Space pauses, S steps once, R restarts, N and P change the scene, C and B show contacts
-/// and boxes, H shows all keys.
+/// Keys in the window: Space pauses, S takes a single tick, R restarts, N and P change the scene, H shows all
+/// keys.
 #[derive(Debug, Parser)]
 #[command(name = "rustycs-demo", version)]
 pub(crate) struct Cli {
@@ -41,6 +44,30 @@ pub(crate) struct Cli {
     #[arg(long, value_name = "N", default_value_t = 4, value_parser = clap::value_parser!(u8).range(1..=16))]
     pub(crate) samples: u8,
 
+    /// What to draw over the scene, names with commas between them; `all` for everything.
+    #[arg(long, value_name = "NAMES", value_delimiter = ',', value_parser = overlay_parser())]
+    pub(crate) overlays: Vec<OverlayChoice>,
+
+    /// Shows two copies side by side, the second with the classic solver.
+    #[arg(long)]
+    pub(crate) compare: bool,
+
+    /// Begins paused.
+    #[arg(long)]
+    pub(crate) paused: bool,
+
+    /// Adds so many small bodies to the scene.
+    #[arg(long, value_name = "N", default_value_t = 0, value_parser = clap::value_parser!(u32).range(..=100_000))]
+    pub(crate) crowd: u32,
+
+    /// The page of the panel to begin with.
+    #[arg(long, value_name = "NAME", default_value = "run", value_parser = tab_parser())]
+    pub(crate) page: Tab,
+
+    /// Writes a line about the state of the window when it changes, and every second.
+    #[arg(long)]
+    pub(crate) report: bool,
+
     /// Steps the scene without a window, prints a summary and saves an SVG picture.
     #[arg(long, conflicts_with = "frames")]
     pub(crate) headless: bool,
@@ -52,6 +79,60 @@ pub(crate) struct Cli {
     /// Where to save the SVG picture [default: the scene's name with .svg].
     #[arg(long, value_name = "FILE", requires = "headless")]
     pub(crate) svg: Option<PathBuf>,
+}
+
+/// What the window begins with.
+#[derive(Clone, Debug)]
+pub(crate) struct Start {
+    pub(crate) scene: &'static Scene,
+    pub(crate) seed: u64,
+    pub(crate) overlays: Vec<Overlay>,
+    pub(crate) compares: bool,
+    pub(crate) is_paused: bool,
+    pub(crate) crowd: u32,
+    pub(crate) tab: Tab,
+}
+
+impl Cli {
+    pub(crate) fn start(&self) -> Start {
+        let all = self.overlays.contains(&OverlayChoice::All);
+        let one = |choice: &OverlayChoice| match choice {
+            OverlayChoice::One(overlay) => Some(*overlay),
+            OverlayChoice::All => None,
+        };
+        let overlays: Vec<Overlay> = self.overlays.iter().filter_map(one).collect();
+        Start {
+            scene: self.scene,
+            seed: self.seed,
+            overlays: if all { Overlay::ALL.to_vec() } else { overlays },
+            compares: self.compare,
+            is_paused: self.paused,
+            crowd: self.crowd,
+            tab: self.page,
+        }
+    }
+}
+
+/// An overlay as asked for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum OverlayChoice {
+    All,
+    One(Overlay),
+}
+
+fn overlay_parser() -> impl TypedValueParser<Value = OverlayChoice> {
+    let names = Overlay::ALL.map(Overlay::name);
+    PossibleValuesParser::new(["all"].into_iter().chain(names)).map(|name| {
+        let overlay = Overlay::ALL.into_iter().find(|overlay| overlay.name() == name);
+        overlay.map_or(OverlayChoice::All, OverlayChoice::One)
+    })
+}
+
+fn tab_parser() -> impl TypedValueParser<Value = Tab> {
+    PossibleValuesParser::new(["run", "scenes", "tools", "view", "solver"]).map(|name| {
+        let tab = Tab::ALL.into_iter().find(|tab| tab.name().eq_ignore_ascii_case(&name));
+        tab.expect("only names of pages are possible")
+    })
 }
 
 /// One of the scenes by its name; clap lists the right names when it is none of them.
@@ -90,6 +171,15 @@ mod tests {
     fn a_wrong_scene_is_refused_with_the_right_names() {
         let error = Cli::try_parse_from(["rustycs-demo", "--scene", "pyramide"]).unwrap_err().to_string();
         assert!(error.contains("pyramid") && error.contains("card_house"), "{error}");
+    }
+
+    #[test]
+    fn overlays_are_asked_for_by_name() {
+        let parse = |names| Cli::try_parse_from(["rustycs-demo", "--overlays", names]);
+        assert_eq!(parse("boxes,trails").unwrap().start().overlays, [Overlay::Boxes, Overlay::Trails]);
+        assert_eq!(parse("all").unwrap().start().overlays, Overlay::ALL);
+        let error = parse("boxs").unwrap_err().to_string();
+        assert!(error.contains("penetration"), "{error}");
     }
 
     #[test]

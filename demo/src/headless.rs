@@ -8,6 +8,7 @@ use std::time::{Duration, Instant};
 
 use indicatif::{ProgressBar, ProgressStyle};
 use rustycs::{Settings, World};
+use rustycs_scenes::Scene;
 
 use crate::cli::Cli;
 use crate::{quantity, svg};
@@ -23,7 +24,7 @@ pub(crate) fn run(cli: &Cli) -> ExitCode {
     if let Err(error) = ctrlc::set_handler(move || flag.store(true, Ordering::Relaxed)) {
         eprintln!("Ctrl-C will end the program at once: {error}");
     }
-    let times = step(&mut world, cli.ticks, &interrupted);
+    let times = step(cli.scene, &mut world, cli.ticks, &interrupted);
 
     println!("scene         {}, seed {}", cli.scene.name, cli.seed);
     print_summary(&world, &times);
@@ -46,7 +47,7 @@ struct StepTimes {
 }
 
 /// Takes `ticks` steps, or fewer if interrupted, and shows how far it is.
-fn step(world: &mut World, ticks: u64, interrupted: &AtomicBool) -> StepTimes {
+fn step(scene: &Scene, world: &mut World, ticks: u64, interrupted: &AtomicBool) -> StepTimes {
     let style = ProgressStyle::with_template("{bar:40} {pos}/{len} ticks, {eta} to go")
         .expect("the template is a correct one");
     let bar = ProgressBar::new(ticks).with_style(style.progress_chars("━╸─"));
@@ -58,6 +59,7 @@ fn step(world: &mut World, ticks: u64, interrupted: &AtomicBool) -> StepTimes {
             break;
         }
         let start = Instant::now();
+        scene.before_tick(world);
         world.step();
         let took = start.elapsed();
         times.total += took;

@@ -6,11 +6,16 @@
 //! | `headless` | stepping without a window: progress, summary |
 //! | `svg` | a world as a picture |
 //! | `window` | opening the window, frames, screenshots |
-//! | `app` | what is shown and how keys and mouse change it |
+//! | `app` | what is shown and how it changes |
+//! | `command` | everything that can be done, and the keys that do it |
+//! | `run`, `history`, `gauges`, `trails`, `poses` | a world that runs, and what is kept about it |
+//! | `tool`, `spring`, `knob` | what the mouse does and makes; what can be turned about a world |
+//! | `overlay` | what can be drawn over a scene |
+//! | `panel`, `ui`, `icon` | the panel beside the scene |
+//! | `compare`, `hover`, `help` | cards above the scene |
+//! | `report` | the state as lines of text |
 //! | `camera` | from metres to pixels and back |
-//! | `poses` | bodies between two ticks |
-//! | `scenery` | the world as triangles: bodies, contacts, boxes |
-//! | `panel`, `help` | figures beside the scene, keys above it |
+//! | `scenery` | the world as triangles |
 //! | `canvas`, `batch` | text and triangles, collected and drawn at once |
 //! | `theme`, `quantity` | colours; figures with units |
 
@@ -19,16 +24,30 @@ mod batch;
 mod camera;
 mod canvas;
 mod cli;
+mod command;
+mod compare;
+mod gauges;
 #[cfg(not(target_family = "wasm"))]
 mod headless;
 mod help;
+mod history;
+mod hover;
+mod icon;
+mod knob;
+mod overlay;
 mod panel;
 mod poses;
 mod quantity;
+mod report;
+mod run;
 mod scenery;
+mod spring;
 #[cfg(not(target_family = "wasm"))]
 mod svg;
 mod theme;
+mod tool;
+mod trails;
+mod ui;
 mod window;
 
 use std::process::ExitCode;
@@ -44,7 +63,7 @@ fn main() -> ExitCode {
     let cli = Cli::parse();
     if cli.list {
         for scene in rustycs_scenes::all() {
-            println!("{:<12} {}", scene.name, scene.summary);
+            println!("{:<16} {}", scene.name, scene.summary);
         }
         return ExitCode::SUCCESS;
     }

@@ -6,26 +6,13 @@ use rustycs::{BodyId, BodyRef, Pose, Rot, World};
 #[derive(Debug, Default)]
 pub(crate) struct Poses {
     before: Vec<(BodyId, Pose)>,
-    scratch: Vec<(BodyId, Pose)>,
 }
 
 impl Poses {
-    /// Takes as many ticks as fit into `seconds`, and keeps the poses before the last of them.
-    ///
-    /// Time is handed over in pieces of at most a tick, so that each makes at most one.
-    pub(crate) fn advance(&mut self, world: &mut World, seconds: f64, mut after_tick: impl FnMut(&World)) {
-        let tick = world.settings().tick_seconds();
-        // More would only be dropped by the world, which does not try to catch up after a slow frame.
-        let mut left = seconds.min(8.0 * tick);
-        while left > 0.0 {
-            self.scratch.clear();
-            self.scratch.extend(world.bodies().map(|(id, body)| (id, body.pose())));
-            if world.advance(left.min(tick)) > 0 {
-                core::mem::swap(&mut self.before, &mut self.scratch);
-                after_tick(world);
-            }
-            left -= tick;
-        }
+    /// Keeps where the bodies are: to be called before a tick.
+    pub(crate) fn keep(&mut self, world: &World) {
+        self.before.clear();
+        self.before.extend(world.bodies().map(|(id, body)| (id, body.pose())));
     }
 
     /// Forgets them: bodies are shown where they are.
@@ -33,19 +20,23 @@ impl Poses {
         self.before.clear();
     }
 
-    /// Every body of the world with the pose to show it in: between the last two ticks where both are known.
-    pub(crate) fn bodies<'w>(&self, world: &'w World) -> impl Iterator<Item = (BodyRef<'w>, Pose)> {
-        let alpha = world.alpha();
+    /// Every body of the world with the pose to show it in: where both are known, a share of the way from the
+    /// pose before the last tick (0) to that after it (1).
+    pub(crate) fn bodies<'w>(
+        &self,
+        world: &'w World,
+        share: f32,
+    ) -> impl Iterator<Item = (BodyId, BodyRef<'w>, Pose)> {
         let mut before = self.before.iter().peekable();
         world.bodies().map(move |(id, body)| {
             while before.peek().is_some_and(|(earlier, _)| *earlier < id) {
                 before.next();
             }
             let pose = match before.next_if(|(earlier, _)| *earlier == id) {
-                Some(&(_, earlier)) => between(earlier, body.pose(), alpha),
+                Some(&(_, earlier)) => between(earlier, body.pose(), share),
                 None => body.pose(),
             };
-            (body, pose)
+            (id, body, pose)
         })
     }
 }
@@ -68,11 +59,12 @@ mod tests {
         let mut world = World::new(Settings::default());
         world.add(Body::dynamic(Shape::circle(1.0)).velocity([60.0, 0.0])).unwrap();
         let mut poses = Poses::default();
-        let mut ticks = 0;
-        // A tick and a half: one is taken, half of the next has passed.
-        poses.advance(&mut world, 1.5 / 60.0, |_| ticks += 1);
-        assert_eq!(ticks, 1);
-        let (_, pose) = poses.bodies(&world).next().unwrap();
+        poses.keep(&world);
+        world.step();
+        let (_, _, pose) = poses.bodies(&world, 0.5).next().unwrap();
         assert!((pose.center.x - 0.5).abs() < 1e-5, "{}", pose.center.x);
+        poses.forget();
+        let (_, _, pose) = poses.bodies(&world, 0.5).next().unwrap();
+        assert!((pose.center.x - 1.0).abs() < 1e-5, "{}", pose.center.x);
     }
 }

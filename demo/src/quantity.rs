@@ -15,6 +15,19 @@ pub(crate) fn with_unit(value: f64, unit: &str) -> String {
     format!("{} {prefix}{unit}", with_four_digits(value / scale))
 }
 
+/// A quantity with four significant digits and no prefix, for units that have one already: `0.06691 kg m²`.
+pub(crate) fn without_prefix(value: f64, unit: &str) -> String {
+    let size = value.abs();
+    if size == 0.0 {
+        format!("0 {unit}")
+    } else if (1e-4..1e6).contains(&size) {
+        let decimals = (3 - size.log10().floor() as i32).max(0) as usize;
+        format!("{value:.decimals$} {unit}")
+    } else {
+        format!("{value:.3e} {unit}")
+    }
+}
+
 /// A number below 1000 with four significant digits.
 fn with_four_digits(value: f64) -> String {
     let decimals = match value.abs() {
@@ -41,6 +54,9 @@ mod tests {
         assert_eq!(with_unit(0.0, "J"), "0 J");
         assert_eq!(with_unit(999.96, "J"), "1.000 kJ");
         assert_eq!(with_unit(3e12, "J"), "3000.0 GJ");
+        assert_eq!(without_prefix(0.066_912, "kg m²"), "0.06691 kg m²");
+        assert_eq!(without_prefix(-1234.56, "kg"), "-1235 kg");
+        assert_eq!(without_prefix(2.5e9, "kg"), "2.500e9 kg");
         assert_eq!(milliseconds(0.000_412), "0.412 ms");
     }
 }

@@ -1,16 +1,17 @@
-//! The world as triangles: grid, bodies, contacts, boxes.
+//! The world as triangles: grid and bodies.
 
 use macroquad::math::Rect;
-use rustycs::{Aabb, ContactRef, Pose, Rot, Shape, Vec2, World};
+use rustycs::{Attractor, Pose, Rot, Shape, Vec2, World};
 
 use crate::batch::Batch;
 use crate::camera::Camera;
-use crate::poses::Poses;
+use crate::overlay::Paint;
+use crate::run::Run;
 use crate::theme::{self, BodyStyle};
 
 /// Width of outlines, px.
 const OUTLINE: f32 = 1.5;
-/// Width of lines of the grid and of boxes, px.
+/// Width of lines of the grid, px.
 const HAIRLINE: f32 = 1.0;
 
 /// Draws worlds; keeps the memory for outlines from body to body.
@@ -23,46 +24,61 @@ pub(crate) struct Scenery {
 impl Scenery {
     /// Every body that is in sight, with an outline that lies inside its border: bodies that touch do not hide
     /// each other's.
-    pub(crate) fn draw_bodies(&mut self, batch: &mut Batch, world: &World, poses: &Poses, camera: Camera) {
-        for (body, pose) in poses.bodies(world) {
+    pub(crate) fn draw_bodies(&mut self, batch: &mut Batch, run: &Run, paint: &Paint, camera: Camera) {
+        for (id, body, pose) in run.bodies() {
             let shape = body.shape();
-            if !is_in_sight(camera, shape.bounding_box(pose)) {
+            if !camera.sees(shape.bounding_box(pose)) {
                 continue;
             }
-            let BodyStyle { fill, outline } = theme::style_of(&body);
-            let across = shape.thickness() * camera.scale();
-            self.trace(shape, pose, camera);
-            if across < 3.0 * OUTLINE {
-                batch.polygon(&self.outer, outline.rgba(255));
-                continue;
-            }
-            inset(&self.outer, OUTLINE, &mut self.inner);
-            batch.polygon(&self.inner, fill.rgba(255));
-            batch.band(&self.outer, &self.inner, outline.rgba(255));
-            if let Some(radius) = shape.radius() {
-                let rim = pose.to_world(Vec2::new(radius, 0.0));
-                batch.line(camera.to_screen(pose.center), camera.to_screen(rim), OUTLINE, outline.rgba(255));
-            }
+            let style = theme::style_of(&body, paint.get(id));
+            self.draw_shape(batch, shape, pose, style, camera);
         }
     }
 
-    /// Puts the outline of a shape into `outer`, px: circles with as many corners as it takes to look round.
+    /// A shape. Its outline is what shows of its border where a smaller copy, in the colour of the filling, lies
+    /// on it: two polygons, which is less than a polygon and a band around it.
+    pub(crate) fn draw_shape(
+        &mut self,
+        batch: &mut Batch,
+        shape: &Shape,
+        pose: Pose,
+        style: BodyStyle,
+        camera: Camera,
+    ) {
+        let BodyStyle { fill, outline } = style;
+        self.trace(shape, pose, camera);
+        batch.polygon(&self.outer, outline.rgba(255));
+        if shape.thickness() * camera.scale() < 3.0 * OUTLINE {
+            return;
+        }
+        batch.polygon(&self.inner, fill.rgba(255));
+        if let Some(radius) = shape.radius() {
+            let rim = pose.to_world(Vec2::new(radius, 0.0));
+            batch.line(camera.to_screen(pose.center), camera.to_screen(rim), OUTLINE, outline.rgba(255));
+        }
+    }
+
+    /// Puts the outline of a shape into `outer`, px, and what lies within it into `inner`.
     fn trace(&mut self, shape: &Shape, pose: Pose, camera: Camera) {
         self.outer.clear();
         let Some(radius) = shape.radius() else {
             self.outer.extend(shape.vertices().iter().map(|&at| camera.to_screen(pose.to_world(at))));
+            inset(&self.outer, OUTLINE, &mut self.inner);
             return;
         };
+        self.inner.clear();
         let radius = radius * camera.scale();
-        // The middle of a side is r (1 - cos(π / n)) ≈ 5 r / n² inside the circle: a tenth of a pixel here.
-        let corners = (50.0 * radius).sqrt().clamp(12.0, 128.0) as usize;
+        let share = (1.0 - OUTLINE / radius).max(0.0);
+        // The middle of a side is r (1 - cos(π / n)) ≈ 5 r / n² inside the circle: an eighth of a pixel here.
+        let corners = (40.0 * radius).sqrt().clamp(8.0, 128.0) as usize;
         let turn = Rot::from_angle(core::f32::consts::TAU / corners as f32);
         let center = camera.to_screen(pose.center);
         let mut arm = Vec2::new(radius, 0.0);
-        self.outer.extend((0..corners).map(|_| {
+        for _ in 0..corners {
             arm = turn.rotate(arm);
-            center + arm
-        }));
+            self.outer.push(center + arm);
+            self.inner.push(center + arm * share);
+        }
     }
 }
 
@@ -83,6 +99,25 @@ fn inset(outline: &[Vec2], width: f32, inner: &mut Vec<Vec2>) {
         let (one, other) = (inward(before, here), inward(here, next));
         here + (one + other) * (width / (1.0 + one.dot(other)).max(0.125))
     }));
+}
+
+/// Every attractor as a small star, and the ring within which a local one pulls.
+pub(crate) fn draw_attractors(batch: &mut Batch, world: &World, camera: Camera) {
+    for (_, attractor) in world.attractors() {
+        draw_attractor(batch, attractor, camera);
+    }
+}
+
+pub(crate) fn draw_attractor(batch: &mut Batch, attractor: &Attractor, camera: Camera) {
+    let at = camera.to_screen(attractor.position());
+    let color = theme::ATTRACTOR.rgba(230);
+    if let Some(range) = attractor.range() {
+        batch.ring(at, range * camera.scale(), HAIRLINE, theme::ATTRACTOR.rgba(110));
+    }
+    for arm in [[1.0, 0.0], [0.0, 1.0], [0.7, 0.7], [0.7, -0.7]].map(Vec2::from) {
+        batch.line(at - arm * 8.0, at + arm * 8.0, 1.5, color);
+    }
+    batch.dot(at, 3.5, color);
 }
 
 /// A line at every metre, a stronger one at every tenth; further apart where they would be dense.
@@ -112,56 +147,6 @@ pub(crate) fn grid_pitch(scale: f32) -> f64 {
         pitch *= 10.0;
     }
     pitch
-}
-
-/// Length of the normal at a contact with an impulse of 1 N s, px, and its limit.
-const NORMAL_LENGTH: [f32; 2] = [100.0, 80.0];
-
-/// Every touching point with its normal. The line grows with the square root of the impulse, so that the
-/// lightest contact and the one that carries the pile are both seen.
-pub(crate) fn draw_contacts(batch: &mut Batch, world: &World, camera: Camera) {
-    let color = theme::CONTACT.rgba(255);
-    for contact in world.contacts().filter(ContactRef::is_touching) {
-        let normal = Vec2::new(contact.normal().x, -contact.normal().y);
-        for (place, point) in contact.positions().zip(contact.points()) {
-            let at = camera.to_screen(place);
-            if !camera.area().contains([at.x, at.y].into()) {
-                continue;
-            }
-            let length = NORMAL_LENGTH[0] * point.normal_impulse.max(0.0).sqrt();
-            batch.line(at, at + normal * length.min(NORMAL_LENGTH[1]), OUTLINE, theme::CONTACT.rgba(200));
-            batch.dot(at, 2.5, color);
-        }
-    }
-}
-
-/// The box of every body, and the fat box that the broad phase keeps around it.
-pub(crate) fn draw_boxes(batch: &mut Batch, world: &World, camera: Camera) {
-    for (aabb, _, _) in world.tree_boxes().into_iter().filter(|&(_, _, is_leaf)| is_leaf) {
-        draw_box(batch, aabb, camera, theme::FAT_BOX.rgba(170));
-    }
-    for (_, body) in world.bodies() {
-        draw_box(batch, body.aabb(), camera, theme::BODY_BOX.rgba(170));
-    }
-}
-
-fn draw_box(batch: &mut Batch, aabb: Aabb, camera: Camera, color: [u8; 4]) {
-    if is_in_sight(camera, aabb) {
-        let (min, max) = corners_on_screen(camera, aabb);
-        batch.rectangle_outline(min, max, HAIRLINE, color);
-    }
-}
-
-/// The corners of a box, px: the upper left one and the lower right one.
-fn corners_on_screen(camera: Camera, aabb: Aabb) -> (Vec2, Vec2) {
-    let (low, high) = (camera.to_screen(aabb.min.into()), camera.to_screen(aabb.max.into()));
-    (Vec2::new(low.x, high.y), Vec2::new(high.x, low.y))
-}
-
-fn is_in_sight(camera: Camera, aabb: Aabb) -> bool {
-    let (min, max) = corners_on_screen(camera, aabb);
-    let Rect { x, y, w, h } = camera.area();
-    min.x <= x + w && max.x >= x && min.y <= y + h && max.y >= y
 }
 
 #[cfg(test)]

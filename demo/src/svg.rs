@@ -40,7 +40,7 @@ fn write_picture(out: &mut String, world: &World, view: View, caption: &str) -> 
     write_grid(out, view, pixel)?;
     writeln!(out, r#"<g stroke-width="{:.4}" stroke-linejoin="round">"#, 1.4 * pixel)?;
     let mut bodies: Vec<(BodyStyle, BodyRef<'_>)> =
-        world.bodies().map(|(_, body)| (theme::style_of(&body), body)).collect();
+        world.bodies().map(|(_, body)| (theme::style_of(&body, None), body)).collect();
     // Bodies of one style share their attributes.
     bodies.sort_by_key(|(style, _)| style.fill.rgba(255));
     for group in bodies.chunk_by(|(one, _), (other, _)| one == other) {

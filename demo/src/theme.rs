@@ -18,6 +18,11 @@ impl Tone {
         Self { r: (rgb >> 16) as u8, g: (rgb >> 8) as u8, b: rgb as u8 }
     }
 
+    /// The colour of these parts.
+    pub(crate) const fn rgb(r: u8, g: u8, b: u8) -> Self {
+        Self { r, g, b }
+    }
+
     /// This colour with a share of another in it, 0 to 1.
     pub(crate) fn mixed(self, other: Self, share: f32) -> Self {
         let channel = |from: u8, to: u8| {
@@ -54,6 +59,38 @@ pub(crate) const CONTACT: Tone = Tone::hex(0xff_d28a);
 pub(crate) const BODY_BOX: Tone = Tone::hex(0x7f_d1b9);
 pub(crate) const FAT_BOX: Tone = Tone::hex(0x5b_6f96);
 
+pub(crate) const ATTRACTOR: Tone = Tone::hex(0xf2_c14e);
+pub(crate) const TREE: Tone = Tone::hex(0xd7_7fc0);
+pub(crate) const TANGENT: Tone = Tone::hex(0x8f_c9ff);
+pub(crate) const DEEP: Tone = Tone::hex(0xff_5c5c);
+pub(crate) const VELOCITY: Tone = Tone::hex(0x9a_e08a);
+pub(crate) const SPIN: Tone = Tone::hex(0xe0_9ae0);
+pub(crate) const TRAIL: Tone = Tone::hex(0x8f_b7e8);
+pub(crate) const SLEEP: Tone = Tone::hex(0xb3_a1ff);
+pub(crate) const AXIS: Tone = Tone::hex(0x46_5062);
+/// A thing that can be pressed; while the mouse is over it; that is chosen.
+pub(crate) const BUTTON: Tone = Tone::hex(0x20_2632);
+pub(crate) const HOVERED: Tone = Tone::hex(0x2b_3342);
+pub(crate) const CHOSEN: Tone = Tone::hex(0x2a_4468);
+/// A body that is connected to none.
+pub(crate) const ALONE: Tone = Tone::hex(0x56_5f6e);
+
+/// Colours for things that are told apart by number only.
+pub(crate) const PALETTE: [Tone; 12] = [
+    Tone::hex(0x5a_9bd8),
+    Tone::hex(0xd9_7a5b),
+    Tone::hex(0x63_b878),
+    Tone::hex(0xb9_79c9),
+    Tone::hex(0xd6_b44c),
+    Tone::hex(0x4f_b3b5),
+    Tone::hex(0xd2_6488),
+    Tone::hex(0x8c_a24f),
+    Tone::hex(0x8a_82d8),
+    Tone::hex(0xb3_8a63),
+    Tone::hex(0x6f_c7a4),
+    Tone::hex(0xc9_c1b1),
+];
+
 /// What does not move.
 const FIXED: Tone = Tone::hex(0x2c_3340);
 /// What moves as it is told.
@@ -77,17 +114,19 @@ pub(crate) struct BodyStyle {
     pub(crate) outline: Tone,
 }
 
-/// The colours of a body: by its material, dimmer while it sleeps. What a body is made of shows in its density;
+/// The colours of a body: those it was painted with, or by its material; dimmer while it sleeps. What a body is made of shows in its density;
 /// friction and restitution are often changed.
-pub(crate) fn style_of(body: &BodyRef<'_>) -> BodyStyle {
+pub(crate) fn style_of(body: &BodyRef<'_>, painted: Option<Tone>) -> BodyStyle {
     let density = body.material().density;
-    let tone = match body.body_type() {
-        BodyType::Fixed => return BodyStyle { fill: FIXED, outline: FIXED.mixed(TEXT, 0.18) },
-        BodyType::Kinematic => KINEMATIC,
-        BodyType::Dynamic => MATERIALS
-            .iter()
-            .find(|(material, ..)| material.density == density)
-            .map_or(OTHER, |&(_, _, tone)| tone),
+    let of_material = || {
+        let named = MATERIALS.iter().find(|(material, ..)| material.density == density);
+        named.map_or(OTHER, |&(_, _, tone)| tone)
+    };
+    let tone = match (body.body_type(), painted) {
+        (_, Some(tone)) => tone,
+        (BodyType::Fixed, None) => return BodyStyle { fill: FIXED, outline: FIXED.mixed(TEXT, 0.18) },
+        (BodyType::Kinematic, None) => KINEMATIC,
+        (BodyType::Dynamic, None) => of_material(),
     };
     let awake = BodyStyle { fill: tone.mixed(BACKGROUND, 0.22), outline: tone.mixed(TEXT, 0.45) };
     if body.is_sleeping() {

@@ -6,12 +6,13 @@ use std::process::ExitCode;
 use macroquad::conf::Conf;
 use macroquad::miniquad;
 use macroquad::texture::get_screen_data;
-use macroquad::time::get_frame_time;
+use macroquad::time::{get_frame_time, get_time};
 use macroquad::window::next_frame;
 
 use crate::app::{App, FrameTime};
 use crate::batch::{MOST_INDICES, MOST_VERTICES};
 use crate::cli::Cli;
+use crate::report::{self, Reporter};
 
 /// Whether there is something to open a window on. Only Unix desktops may be without; elsewhere there is.
 pub(crate) fn has_display() -> bool {
@@ -51,7 +52,8 @@ pub(crate) fn run(cli: Cli) -> ExitCode {
 }
 
 async fn show_frames(cli: Cli) {
-    let mut app = App::new(cli.scene, cli.seed);
+    let mut app = App::new(&cli.start());
+    let mut reporter = Reporter::default();
     let mut frames = 0_u32;
     loop {
         let time = match cli.frames {
@@ -60,7 +62,14 @@ async fn show_frames(cli: Cli) {
         };
         app.frame(time);
         frames += 1;
+        // A page has no command line: it always reports.
+        if cli.report || cfg!(target_family = "wasm") {
+            reporter.observe(app.state(), get_time());
+        }
         if cli.frames == Some(frames) {
+            if cli.report {
+                report::say(&app.state());
+            }
             if let Some(path) = &cli.screenshot {
                 save_screen(path);
             }

@@ -8,9 +8,11 @@ use crate::{Scene, View};
 /// A house of cards, five levels high.
 pub const SCENE: Scene = Scene {
     name: "card_house",
+    group: "stacks",
     summary: "Forty thin cards hold each other up: whatever slides or trembles brings the house down.",
     view: View::above(-0.6, 0.0, 7.0, 6.0),
     build,
+    ..Scene::PLAIN
 };
 
 /// Tents in the lowest level.

@@ -8,9 +8,12 @@ use crate::{Scene, View};
 /// Newton's cradle, laid on its side.
 pub const SCENE: Scene = Scene {
     name: "cradle",
+    group: "collisions",
     summary: "One disc comes in, one leaves: the four between pass the impulse on and stay where they are.",
     view: View::above(-3.0, 0.0, 15.0, 6.0),
     build,
+    readout: Some(readout),
+    ..Scene::PLAIN
 };
 
 /// Discs that lie in a row and touch.
@@ -41,4 +44,27 @@ fn build(_seed: u64, settings: Settings) -> World {
 
 fn elastic(body: Body) -> Body {
     body.material(Material { friction: 0.0, restitution: 1.0, ..Material::METAL })
+}
+
+fn readout(world: &World) -> String {
+    format!("kinetic energy {:.4} J, momentum {:+.3} kg m/s", world.kinetic_energy(), world.momentum().x)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The first disc meets the row after 2 m at 3 m/s; a second later only the last one moves, as fast.
+    #[test]
+    fn one_disc_comes_in_and_one_leaves() {
+        let mut world = SCENE.build(1, Settings::default());
+        for _ in 0..70 {
+            world.step();
+        }
+        let speeds: Vec<f32> = world.bodies().skip(2).map(|(_, body)| body.velocity().x).collect();
+        for (place, speed) in speeds.iter().enumerate() {
+            let expected = if place + 1 == usize::from(DISCS) { SPEED } else { 0.0 };
+            assert!((speed - expected).abs() < 1e-3 * SPEED, "disc {place} moves at {speed} m/s");
+        }
+    }
 }

@@ -1,16 +1,19 @@
 //! A planet on an elliptic orbit.
 
-use rustycs::{Attractor, Body, Material, Settings, Shape, World};
+use rustycs::{Body, Material, Settings, Shape, World};
 
-use crate::parts::put;
+use crate::parts::{put, put_attractor};
 use crate::{Scene, View};
 
 /// A planet on an elliptic orbit.
 pub const SCENE: Scene = Scene {
     name: "orbit",
+    group: "attraction",
     summary: "An ellipse of eccentricity 0.5 once in 10 s: fast near the sun, slow far from it, and it closes.",
     view: View::above(-5.0, -2.0, 14.0, 10.0),
     build,
+    readout: Some(readout),
+    ..Scene::PLAIN
 };
 
 /// Half of the long axis, m.
@@ -28,11 +31,14 @@ fn build(_seed: u64, settings: Settings) -> World {
     let nearest = SEMI_MAJOR_AXIS * (1.0 - ECCENTRICITY);
     let speed = (gm * (1.0 + ECCENTRICITY) / nearest).sqrt();
 
-    let gravitational_constant = settings.gravitational_constant;
     let mut world = World::new(settings);
-    world.add_attractor(Attractor::global([0.0, 0.0], gm / gravitational_constant));
+    put_attractor(&mut world, gm, None);
     put(&mut world, Body::fixed(Shape::circle(0.5)));
     let planet = Body::dynamic(Shape::circle(0.2)).at([nearest, 0.0]).velocity([0.0, speed]);
     put(&mut world, planet.material(Material::STONE).angular_velocity(turn_rate));
     world
+}
+
+fn readout(world: &World) -> String {
+    format!("energy {:.4} J, angular momentum {:.4} kg m²/s", world.energy(), world.angular_momentum())
 }

@@ -8,9 +8,11 @@ use crate::{Scene, View};
 /// A pyramid of boxes, twenty at the base.
 pub const SCENE: Scene = Scene {
     name: "pyramid",
+    group: "stacks",
     summary: "210 boxes lean on nothing but friction: the lowest carry twenty layers and must not be squeezed out.",
     view: View::above(-1.2, 0.0, 23.0, 18.4),
     build,
+    ..Scene::PLAIN
 };
 
 /// Boxes in the lowest layer.

@@ -2,16 +2,28 @@
 
 use rustycs::{Body, Material, Rot, Settings, Shape, Vec2, World};
 
+use crate::mark::{Label, Mark};
 use crate::parts::{put, put_floor, world_with_gravity};
 use crate::{Scene, View};
 
 /// A box of each material on a ramp.
 pub const SCENE: Scene = Scene {
     name: "slope",
+    group: "classic",
     summary: "25° is too steep for metal and stone, which slide, and not for the others, which stick.",
     view: View::above(-5.0, 1.5, 26.0, 17.0),
     build,
+    labels: &LABELS,
+    ..Scene::PLAIN
 };
+
+const LABELS: [Label; 5] = [
+    Label::text("rubber"),
+    Label::text("plastic"),
+    Label::text("default"),
+    Label::text("stone"),
+    Label::text("metal"),
+];
 
 /// Angle of the ramp, rad: 25°. tan 25° = 0.466 parts the frictions below.
 pub const ANGLE: f32 = 25.0 * core::f32::consts::PI / 180.0;
@@ -42,7 +54,8 @@ fn build(_seed: u64, settings: Settings) -> World {
     for (place, material) in BOXES.into_iter().enumerate() {
         let along = RAMP - 1.5 - 2.0 * place as f32;
         let center = FOOT + uphill * along + outward * (0.5 * side);
-        put(&mut world, Body::dynamic(Shape::obb(1.2, side)).at(center).angle(-ANGLE).material(material));
+        let body = Body::dynamic(Shape::obb(1.2, side)).at(center).angle(-ANGLE).material(material);
+        put(&mut world, Mark::label(place).on(body));
     }
     world
 }

@@ -1,0 +1,278 @@
+//! What the window shows, and how it changes from frame to frame.
+//!
+//! | file | what it holds |
+//! |---|---|
+//! | `act` | what each command does |
+//! | `mouse` | what the mouse does in the scene |
+//! | `picture` | a frame, drawn |
+
+mod act;
+mod mouse;
+mod picture;
+
+use macroquad::math::Rect;
+use macroquad::time::get_time;
+use macroquad::window::{screen_height, screen_width};
+use rustycs::{BodyId, Vec2, World};
+use rustycs_scenes::Scene;
+
+use crate::camera::Camera;
+use crate::canvas::Canvas;
+use crate::cli::Start;
+use crate::command::Keys;
+use crate::history::Moment;
+use crate::knob;
+use crate::overlay::{Drawer, Overlays};
+use crate::panel::Panel;
+use crate::report::State;
+use crate::run::{Run, Tick};
+use crate::scenery::Scenery;
+use crate::tool::Mould;
+
+use mouse::Grip;
+
+/// Simulated seconds per second that the keys go through.
+const SPEEDS: [f64; 9] = [0.05, 0.1, 0.25, 0.5, 1.0, 2.0, 4.0, 8.0, 16.0];
+const NORMAL_SPEED: usize = 4;
+/// Time of a frame that the world follows, s. Where frames take longer it falls behind, instead of making the next
+/// frame slower still.
+const LONGEST_FRAME: f64 = 1.0 / 15.0;
+/// Edits that can be taken back.
+const MOST_EDITS: usize = 24;
+/// Share of a new measurement in the time shown.
+const SMOOTHING: f64 = 0.06;
+
+/// Time that a frame gives to the world.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum FrameTime {
+    /// One tick, whatever the clock says: the same in every run.
+    OneTick,
+    /// What has passed since the last frame, s.
+    Seconds(f64),
+}
+
+/// What the window shows.
+pub(crate) struct App {
+    scene: &'static Scene,
+    seed: u64,
+    /// The world, or two copies of it with settings of their own.
+    runs: Vec<Run>,
+    /// The copy whose settings are turned.
+    copy: usize,
+    is_paused: bool,
+    speed: usize,
+    overlays: Overlays,
+    camera: Camera,
+    follows: Option<BodyId>,
+    /// What is under the mouse.
+    hovered: Option<BodyId>,
+    /// What was last taken hold of.
+    selected: Option<BodyId>,
+    mould: Mould,
+    grip: Option<Grip>,
+    /// Where the mouse was when the window opened, px, until it has moved: somewhere by accident.
+    resting_mouse: Option<Vec2>,
+    /// Worlds before each of the last edits.
+    edits: Vec<Vec<Moment>>,
+    shows_help: bool,
+    panel: Panel,
+    keys: Keys,
+    drawer: Drawer,
+    scenery: Scenery,
+    canvas: Canvas,
+    /// CPU time to draw a frame, s, smoothed.
+    draw_time: f64,
+}
+
+impl App {
+    /// A scene at time 0. Needs an open window.
+    pub(crate) fn new(start: &Start) -> Self {
+        let mut app = Self {
+            scene: start.scene,
+            seed: start.seed,
+            runs: vec![Run::new(start.scene, start.seed)],
+            copy: 0,
+            is_paused: start.is_paused,
+            speed: NORMAL_SPEED,
+            overlays: Overlays::of(start.overlays.iter().copied()),
+            camera: Camera::new(start.scene.view, scene_area()),
+            follows: None,
+            hovered: None,
+            selected: None,
+            mould: Mould::default(),
+            grip: None,
+            resting_mouse: Some(mouse::mouse()),
+            edits: Vec::new(),
+            shows_help: false,
+            panel: Panel::new(start.tab),
+            keys: Keys::default(),
+            drawer: Drawer::default(),
+            scenery: Scenery::default(),
+            canvas: Canvas::new(),
+            draw_time: 0.0,
+        };
+        if start.compares {
+            app.compare();
+        }
+        if start.crowd > 0 {
+            crowd(&mut app.runs, start);
+        }
+        app
+    }
+
+    /// A frame: input, time, picture.
+    pub(crate) fn frame(&mut self, time: FrameTime) {
+        self.camera.set_area(self.halves()[0]);
+        for command in self.keys.read() {
+            self.act(command);
+        }
+        let pointer = self.read_mouse();
+        self.pass(time);
+        let start = get_time();
+        let commands = self.draw(pointer);
+        let took = get_time() - start;
+        let share = if self.draw_time == 0.0 { 1.0 } else { SMOOTHING };
+        self.draw_time += (took - self.draw_time) * share;
+        for command in commands {
+            self.act(command);
+        }
+    }
+
+    /// Lets the world run, unless it is paused.
+    fn pass(&mut self, time: FrameTime) {
+        if self.is_paused {
+            return;
+        }
+        let tick = self.runs[0].world.settings().tick_seconds();
+        self.advance(match time {
+            FrameTime::OneTick => tick,
+            FrameTime::Seconds(seconds) => seconds.min(LONGEST_FRAME) * SPEEDS[self.speed],
+        });
+    }
+
+    /// Gives all copies the same simulated time, s.
+    fn advance(&mut self, seconds: f64) {
+        let spring = match &self.grip {
+            Some(Grip::Spring(spring)) => Some(spring),
+            _ => None,
+        };
+        let keeps_trails = self.overlays.has(crate::overlay::Overlay::Trails);
+        let tick = Tick { scene: self.scene, spring, keeps_trails };
+        for run in &mut self.runs {
+            run.advance(seconds, tick);
+        }
+        if let Some(body) = self.follows.and_then(|id| self.runs[0].world.body(id)) {
+            self.camera.look_at(body.pose().center);
+        }
+    }
+
+    /// Changes all copies in the same way, so that it can be taken back.
+    fn edit(&mut self, change: impl Fn(&mut World)) {
+        if self.edits.len() == MOST_EDITS {
+            self.edits.remove(0);
+        }
+        self.edits.push(self.runs.iter().map(Run::moment).collect());
+        for run in &mut self.runs {
+            change(&mut run.world);
+        }
+    }
+
+    /// Two copies side by side from now on, or one again.
+    fn compare(&mut self) {
+        self.edits.clear();
+        self.copy = 0;
+        self.grip = None;
+        if self.runs.len() > 1 {
+            self.runs.truncate(1);
+        } else {
+            let moment = self.runs[0].moment();
+            self.runs[0].gauges = crate::gauges::Gauges::default();
+            let mut other = Run::at(moment);
+            let mut settings = other.world.settings().clone();
+            knob::turn_scheme(&mut settings);
+            other.world.set_settings(settings).expect("both schemes are in range");
+            self.runs.push(other);
+        }
+        let areas = self.halves();
+        self.camera.set_area(areas[0]);
+    }
+
+    /// The parts of the window that show the copies, px.
+    fn halves(&self) -> Vec<Rect> {
+        let Rect { x, y, w, h } = scene_area();
+        let count = self.runs.len() as f32;
+        (0..self.runs.len()).map(|copy| Rect::new(x + w * copy as f32 / count, y, w / count, h)).collect()
+    }
+
+    /// The camera of the copy at a place in the window.
+    fn camera_at(&self, pixel: Vec2) -> Camera {
+        let areas = self.halves();
+        let area = areas.into_iter().rev().find(|area| pixel.x >= area.x);
+        self.camera.in_area(area.unwrap_or_else(scene_area))
+    }
+
+    /// The copy at a place in the window.
+    fn run_at(&self, pixel: Vec2) -> &Run {
+        let copy = self.halves().iter().rposition(|area| pixel.x >= area.x).unwrap_or(0);
+        &self.runs[copy]
+    }
+
+    /// What there is to say about the app from outside.
+    pub(crate) fn state(&self) -> State {
+        let run = &self.runs[0];
+        let held = match &self.grip {
+            Some(Grip::Spring(spring)) => Some(spring.body),
+            _ => None,
+        };
+        State {
+            scene: self.scene.name,
+            seed: self.seed,
+            tick: run.world.ticks(),
+            is_paused: self.is_paused,
+            speed: SPEEDS[self.speed],
+            copies: self.runs.len(),
+            scheme: knob::scheme_name(self.runs[self.copy].world.settings()),
+            substeps: self.runs[self.copy].world.settings().substeps,
+            bodies: run.world.body_count(),
+            attractors: run.world.attractors().count(),
+            held,
+            follows: self.follows,
+            hovered: self.hovered,
+            selected: self.selected,
+            at: held.or(self.hovered).and_then(|id| run.world.body(id)).map(|body| body.position()),
+            tool: self.mould.tool.name(),
+            tab: self.panel.tab.name(),
+            shows_help: self.shows_help,
+            edits: self.edits.len(),
+            overlays: self.overlays.names(),
+            zoom: self.camera.scale(),
+            size: [screen_width(), screen_height()],
+            draw_time: self.draw_time,
+        }
+    }
+}
+
+/// Small bodies in rows over what the scene shows, as many as asked for.
+fn crowd(runs: &mut [Run], start: &Start) {
+    let view = start.scene.view;
+    let columns = (start.crowd as f32 * view.width / view.height).sqrt().ceil().max(1.0) as u32;
+    let pitch = view.width / columns as f32;
+    let low = view.center - Vec2::new(0.5 * view.width, 0.5 * view.height);
+    for run in runs {
+        for index in 0..start.crowd {
+            let place = Vec2::new((index % columns) as f32 + 0.5, (index / columns) as f32 + 0.5) * pitch;
+            Mould::add_small(&mut run.world, (low + place).into(), 0.3 * pitch, index);
+        }
+    }
+}
+
+/// The part of the window that shows the world, px.
+fn scene_area() -> Rect {
+    Rect::new(0.0, 0.0, screen_width() - Panel::width(screen_width()), screen_height())
+}
+
+/// The part of the window that shows the figures, px.
+fn panel_area() -> Rect {
+    let width = Panel::width(screen_width());
+    Rect::new(screen_width() - width, 0.0, width, screen_height())
+}

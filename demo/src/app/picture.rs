@@ -1,0 +1,166 @@
+//! A frame, drawn.
+
+use macroquad::window::clear_background;
+use rustycs::{Pose, Vec2};
+
+use crate::app::mouse::{Grip, mouse};
+use crate::app::{App, SPEEDS, panel_area, scene_area};
+use crate::camera::Camera;
+use crate::canvas::{Canvas, Face, Style};
+use crate::command::Command;
+use crate::overlay::{Drawer, Overlay, Paint, draw_names, draw_sums};
+use crate::panel::{Shown, TALL};
+use crate::scenery;
+use crate::theme::{self, BodyStyle};
+use crate::ui::Pointer;
+use crate::{compare, help, hover};
+
+const SCALE_LABEL: Style = Style::new(Face::Mono, 12, theme::MUTED);
+
+impl App {
+    /// Draws the frame, and tells what was pressed in the panel.
+    pub(super) fn draw(&mut self, pointer: Pointer) -> Vec<Command> {
+        let [r, g, b, a] = theme::BACKGROUND.rgba(255);
+        clear_background(macroquad::color::Color::from_rgba(r, g, b, a));
+        self.canvas.clear();
+        let areas = self.halves();
+        let is_split = areas.len() > 1;
+        for (copy, &area) in areas.iter().enumerate() {
+            if is_split {
+                self.canvas.begin_sheet(Some(area));
+            }
+            self.draw_copy(copy, self.camera.in_area(area));
+        }
+        self.canvas.begin_sheet(None);
+        if is_split {
+            compare::draw_captions(&mut self.canvas, &self.runs, &areas, self.copy);
+        }
+        if self.overlays.has(Overlay::Sums) {
+            for (run, area) in self.runs.iter().zip(&areas) {
+                let upper = Vec2::new(area.right() - 14.0, area.y + 14.0);
+                let below = Vec2::new(area.center().x + 112.0, area.y + 192.0);
+                draw_sums(&mut self.canvas, &run.world, if is_split { below } else { upper });
+            }
+        }
+        self.draw_mouse(pointer.at);
+        let shown = Shown {
+            scene: self.scene,
+            seed: self.seed,
+            runs: &self.runs,
+            copy: self.copy,
+            is_paused: self.is_paused,
+            speed: SPEEDS[self.speed],
+            overlays: self.overlays,
+            mould: self.mould,
+            is_following: self.follows.is_some(),
+            edits: self.edits.len(),
+            draw_time: self.draw_time,
+            is_tall: scene_area().h >= TALL,
+        };
+        let commands = self.panel.draw(&mut self.canvas, panel_area(), pointer, shown);
+        self.draw_cards();
+        self.canvas.draw();
+        commands
+    }
+
+    /// One copy of the world in its part of the window.
+    fn draw_copy(&mut self, copy: usize, camera: Camera) {
+        let (canvas, run) = (&mut self.canvas, &self.runs[copy]);
+        let shown = self.overlays;
+        scenery::draw_grid(canvas.batch(), camera);
+        Drawer::draw_below(canvas, run, shown, camera);
+        let paint = Paint::of(&run.world, &self.scene.colours(&run.world), shown);
+        self.scenery.draw_bodies(canvas.batch(), run, &paint, camera);
+        scenery::draw_attractors(canvas.batch(), &run.world, camera);
+        let legend = self.drawer.draw_above(canvas, run, shown, camera);
+        if let Some(body) = self.selected.and_then(|id| run.world.body(id)) {
+            let reach = body.shape().extent() * camera.scale() + 5.0;
+            let at = camera.to_screen(body.pose().center);
+            canvas.batch().ring(at, reach, 1.0, theme::ACCENT.rgba(200));
+        }
+        let labels = self.scene.labels(&run.world);
+        if shown.has(Overlay::Names) {
+            draw_names(canvas, run, &labels, camera, legend);
+        }
+        if copy == 0 {
+            draw_scale_bar(canvas, camera);
+        }
+    }
+
+    /// What the mouse holds or is about to make.
+    fn draw_mouse(&mut self, at: Vec2) {
+        let camera = self.camera_at(at);
+        match self.grip {
+            Some(Grip::Spring(spring)) => {
+                if let Some(body) = self.run_at(at).world.body(spring.body) {
+                    let held = camera.to_screen(spring.held(body.pose()));
+                    let batch = self.canvas.batch();
+                    batch.line(held, at, 1.5, theme::ACCENT.rgba(220));
+                    batch.dot(held, 3.0, theme::ACCENT.rgba(255));
+                }
+            }
+            Some(Grip::Throw(from)) => {
+                self.draw_mould(from, camera);
+                let way = at - from;
+                if way.length() >= 4.0 {
+                    self.canvas.batch().arrow(from, way, 2.0, theme::VELOCITY.rgba(255));
+                }
+            }
+            None if scene_area().contains([at.x, at.y].into()) => self.draw_mould(at, camera),
+            Some(Grip::Picture(_)) | None => {}
+        }
+    }
+
+    /// The outline of what a click would make.
+    fn draw_mould(&mut self, at: Vec2, camera: Camera) {
+        let place = camera.to_world(at);
+        let constant = self.runs[0].world.settings().gravitational_constant;
+        if let Some(attractor) = self.mould.attractor(place, constant) {
+            scenery::draw_attractor(self.canvas.batch(), &attractor, camera);
+        }
+        if let Some(shape) = self.mould.shape() {
+            let tone = theme::ACCENT.mixed(theme::BACKGROUND, 0.5);
+            let style = BodyStyle { fill: tone.mixed(theme::BACKGROUND, 0.5), outline: tone };
+            self.scenery.draw_shape(self.canvas.batch(), &shape, Pose::at(place), style, camera);
+        }
+    }
+
+    /// Cards over everything: the body under the mouse, the keys.
+    fn draw_cards(&mut self) {
+        let at = mouse();
+        if let Some(id) = self.hovered.filter(|_| !self.shows_help) {
+            let run = self.run_at(at);
+            let world = &run.world;
+            let labels = self.scene.labels(world);
+            let name = labels.iter().find(|(named, _)| *named == id).map(|&(_, name)| name);
+            if let Some(rows) = hover::rows(world, id, name) {
+                self.canvas.begin_sheet(None);
+                hover::draw(&mut self.canvas, scene_area(), at, &rows);
+            }
+        }
+        if self.shows_help {
+            self.canvas.begin_sheet(None);
+            help::draw(&mut self.canvas, scene_area());
+        }
+    }
+}
+
+/// A bar as long as the distance between two lines of the grid, with that distance.
+fn draw_scale_bar(canvas: &mut Canvas, camera: Camera) {
+    let pitch = scenery::grid_pitch(camera.scale());
+    let length = (pitch as f32 * camera.scale()).round();
+    let from = Vec2::new(camera.area().x + 20.0, camera.area().y + 24.0);
+    let to = from + Vec2::new(length, 0.0);
+    let color = theme::MUTED.rgba(255);
+    canvas.batch().rectangle(from + Vec2::new(0.0, -1.0), to + Vec2::new(0.0, 1.0), color);
+    for end in [from, to] {
+        canvas.batch().rectangle(end + Vec2::new(-1.0, -5.0), end + Vec2::new(1.0, 5.0), color);
+    }
+    let text = match pitch {
+        pitch if pitch >= 1000.0 => format!("{:.0} km", pitch / 1000.0),
+        pitch if pitch >= 1.0 => format!("{pitch:.0} m"),
+        pitch if pitch >= 0.01 => format!("{:.0} cm", pitch * 100.0),
+        pitch => format!("{:.0} mm", pitch * 1000.0),
+    };
+    canvas.text(text, to + Vec2::new(10.0, 4.0), SCALE_LABEL);
+}
