@@ -19,9 +19,14 @@ fn step_of_each_scene(criterion: &mut Criterion) {
     for scene in rustycs_scenes::all() {
         let mut world = scene.build(1, settings());
         for _ in 0..120 {
+            scene.before_tick(&mut world);
             world.step();
         }
-        group.bench_function(scene.name, |bencher| bencher.iter(|| world.step()));
+        let mut tick = || {
+            scene.before_tick(&mut world);
+            world.step();
+        };
+        group.bench_function(scene.name, |bencher| bencher.iter(&mut tick));
     }
     group.finish();
 }

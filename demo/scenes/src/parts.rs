@@ -42,9 +42,12 @@ pub(crate) fn put_floor(world: &mut World, width: f32, depth: f32) -> BodyId {
     put(world, Body::fixed(Shape::aabb(width, depth)).at([0.0, -0.5 * depth]).material(Material::STONE))
 }
 
+/// Floor on either side of a pool, m: for what bounces over its walls.
+const SPILL: f32 = 40.0;
+
 /// Adds a floor with its upper side at height 0, and walls of stone `height` m high and `width` m apart.
 pub(crate) fn put_pool(world: &mut World, width: f32, height: f32) {
-    put_floor(world, width + 2.0 * WALL, WALL);
+    put_floor(world, width + 2.0 * (WALL + SPILL), WALL);
     for side in [-1.0, 1.0] {
         let wall = Body::fixed(Shape::aabb(WALL, height)).at([side * 0.5 * (width + WALL), 0.5 * height]);
         put(world, wall.material(Material::STONE));
