@@ -129,15 +129,15 @@ pub(crate) fn settings() -> impl Strategy<Value = Settings> {
     let thresholds = (factor(), factor(), magnitude(-6.0, 12.0), magnitude(-3.0, 6.0));
     let mixes =
         prop::sample::select(vec![Mix::Average, Mix::GeometricMean, Mix::Min, Mix::Max, Mix::Multiply]);
-    (any::<bool>(), any::<[bool; 6]>(), numbers, thresholds, mixes).prop_map(
+    (any::<bool>(), any::<[bool; 7]>(), numbers, thresholds, mixes).prop_map(
         |(classic, flags, numbers, thresholds, mix)| {
-            let [sleep, warm_starting, block_solve, recycling, projection, split_kick] = flags;
+            let [sleep, warm_starting, block_solve, recycling, projection, split_kick, adaptive] = flags;
             let (tick_rate, substeps, iterations, relax_iterations) = numbers;
             let (restitution_threshold, hit_threshold, gravitational_constant, limit) = thresholds;
             let base = if classic { Settings::classic() } else { Settings::default() };
             let base = Settings { tick_rate, sleep, restitution_threshold, hit_threshold, ..base };
             let base = Settings { friction_mix: mix, restitution_mix: mix, gravitational_constant, ..base };
-            let base = Settings { max_speed: limit, max_spin: limit, ..base };
+            let base = Settings { max_speed: limit, max_spin: limit, adaptive, ..base };
             if classic {
                 return base;
             }
