@@ -1,5 +1,6 @@
 //! One test binary: the laws of physics, twins of fast paths, determinism, bad input, and the house itself.
 
+mod allocation;
 mod bad_input;
 mod determinism;
 mod golden;

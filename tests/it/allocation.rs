@@ -1,0 +1,29 @@
+//! A settled step allocates nothing: buffers live in their owners and are used again.
+
+use rustycs::Settings;
+
+/// Steps a scene until it has settled, then counts the allocations of some more steps.
+fn allocations(name: &str, settings: Settings) -> u64 {
+    let scene = rustycs_scenes::find(name).unwrap();
+    let mut world = scene.build(1, settings);
+    for _ in 0..600 {
+        scene.before_tick(&mut world);
+        world.step();
+    }
+    allocation_counter::measure(|| {
+        for _ in 0..60 {
+            world.step();
+        }
+    })
+    .count_total
+}
+
+#[test]
+fn a_settled_step_allocates_nothing() {
+    for name in ["tower", "pyramid", "card_house", "cradle", "orbit", "pile", "tumbler"] {
+        for sleep in [true, false] {
+            let settings = Settings { sleep, ..Settings::default() };
+            assert_eq!(allocations(name, settings), 0, "{name}, sleep {sleep}");
+        }
+    }
+}
