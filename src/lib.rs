@@ -50,6 +50,7 @@
 //! | 3 | [`collision`] | broad phase, detection, manifolds, contacts |
 //! | 4 | `resolution` | the solver: integration, constraint graph, contact kernel, impacts, islands |
 //! | 5 | [`world`] | the world, its step, and everything that can be asked of it |
+//! | 6 | `report` | error against run time, for any scene; with the feature of that name |
 //!
 //! # Determinism
 //!
@@ -58,13 +59,15 @@
 //!
 //! # Features
 //!
-//! `mint`, `glam-027`, `glam-029`, `glam-030`: conversions of vectors. None is on by default, and the default
-//! build has no dependency.
+//! `report`: error against run time, without a dependency. `mint`, `glam-027`, `glam-029`, `glam-030`: conversions
+//! of vectors. None is on by default, and the default build has no dependency.
 
 pub mod body;
 pub mod collision;
 pub(crate) mod compute;
 pub mod math;
+#[cfg(feature = "report")]
+pub mod report;
 pub(crate) mod resolution;
 pub mod shape;
 pub(crate) mod store;

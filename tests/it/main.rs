@@ -9,6 +9,8 @@ mod interface;
 mod laws;
 mod queries;
 mod random_use;
+#[cfg(feature = "report")]
+mod report;
 mod sleep;
 mod support;
 mod twins;

@@ -1,0 +1,227 @@
+//! What a study found.
+
+use crate::report::measure::Invariants;
+use crate::report::{order, plot, text};
+use crate::world::Settings;
+
+/// A row whose error is within this many times the reference's own is as good as the reference.
+const AS_GOOD: f64 = 2.0;
+/// A row is on the front if its error is at most this part of that of every cheaper row: what is better by less
+/// than the clock's own noise is no better.
+const WORTH_IT: f64 = 0.98;
+
+/// How long a row takes, s per simulated second.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct RunTime {
+    /// Of the fastest run: what it takes when nothing disturbs.
+    pub least: f64,
+    /// Of the run in the middle.
+    pub median: f64,
+    /// Of the slowest run.
+    pub most: f64,
+    /// How many runs were timed.
+    pub runs: usize,
+}
+
+/// Some settings, how wrong they are and what they cost.
+#[derive(Clone, Debug)]
+pub struct Row {
+    /// The name the settings came with; `None` for those of the sweep.
+    pub name: Option<String>,
+    /// The line in the plot that it belongs to: the number of substeps, or the name the settings came with.
+    pub series: String,
+    /// Ticks per second and substeps, after the name if the settings came with one.
+    pub label: String,
+    /// The settings.
+    pub settings: Settings,
+    /// The error, in the report's unit.
+    pub error: f64,
+    /// How wrong the reference is that the error was found with, in the same unit; 0 without a reference.
+    pub reference_error: f64,
+    /// How long it takes, if there was a clock.
+    pub run_time: Option<RunTime>,
+    /// How often all contacts are visited, 1 per simulated second.
+    pub sweeps: f64,
+    /// What should stay as it is, or be 0.
+    pub invariants: Invariants,
+}
+
+impl Row {
+    /// Whether it cannot be told from the reference: what its error really is, only a better one would show.
+    pub fn is_as_good_as_reference(&self) -> bool {
+        self.reference_error > 0.0 && self.error <= AS_GOOD * self.reference_error
+    }
+
+    /// The error, with the doubt about the reference added: the true error is no larger than this, as far as
+    /// can be estimated.
+    pub fn bound(&self) -> f64 {
+        self.error + self.reference_error
+    }
+
+    /// The error to rank by: that of rows as good as the reference is the same for all.
+    pub(super) fn ranked_error(&self) -> f64 {
+        self.error.max(AS_GOOD * self.reference_error)
+    }
+
+    /// What it costs: s per simulated second with a clock, visits to all contacts per simulated second
+    /// without.
+    pub fn cost(&self) -> f64 {
+        self.run_time.map_or(self.sweeps, |run_time| run_time.least)
+    }
+}
+
+/// What rows were measured against.
+#[derive(Clone, Debug)]
+#[non_exhaustive]
+pub enum Reference {
+    /// Nothing: what was measured should be 0.
+    NotNeeded,
+    /// A closed form.
+    ClosedForm,
+    /// The scene itself at these settings.
+    Finer(Box<Settings>),
+}
+
+/// What a [`Study`](crate::report::Study) found: error and run time for each of its settings.
+#[derive(Clone, Debug)]
+pub struct Report {
+    pub(super) name: String,
+    pub(super) duration: f64,
+    pub(super) seeds: usize,
+    pub(super) measure: String,
+    pub(super) unit: String,
+    pub(super) reference: Reference,
+    pub(super) growth: Option<f64>,
+    pub(super) is_chaotic: bool,
+    pub(super) is_timed: bool,
+    pub(super) is_complete: bool,
+    pub(super) rows: Vec<Row>,
+}
+
+impl Report {
+    /// What the scene is called.
+    pub fn name(&self) -> &str {
+        &self.name
+    }
+
+    /// How long the scene ran, s.
+    pub fn duration(&self) -> f64 {
+        self.duration
+    }
+
+    /// What the errors are. In a chaotic scene, not what the study asked for.
+    pub fn measure(&self) -> &str {
+        &self.measure
+    }
+
+    /// Unit of the errors; empty for mere numbers.
+    pub fn unit(&self) -> &str {
+        &self.unit
+    }
+
+    /// What the errors were measured against.
+    pub fn reference(&self) -> &Reference {
+        &self.reference
+    }
+
+    /// How wrong the reference is, in the unit of the errors: the largest over all rows and seeds.
+    pub fn reference_error(&self) -> f64 {
+        self.rows.iter().map(|row| row.reference_error).fold(0.0, f64::max)
+    }
+
+    /// How many times farther apart two runs end that begin a micrometre apart; `None` where trajectories
+    /// were not measured against finer settings.
+    pub fn growth(&self) -> Option<f64> {
+        self.growth
+    }
+
+    /// Whether a tiny change of the start comes to another outcome, so that the trajectories were not
+    /// compared.
+    pub fn is_chaotic(&self) -> bool {
+        self.is_chaotic
+    }
+
+    /// Whether all rows were run; false if the progress function stopped the study.
+    pub fn is_complete(&self) -> bool {
+        self.is_complete
+    }
+
+    /// All rows, in the order in which they were run.
+    pub fn rows(&self) -> &[Row] {
+        &self.rows
+    }
+
+    /// The Pareto front: rows that are better than every cheaper one, by 2 % at least, cheapest first. Of those
+    /// as good as the reference it holds the cheapest.
+    pub fn front(&self) -> Vec<&Row> {
+        let mut rows: Vec<&Row> = self.rows.iter().filter(|row| row.error.is_finite()).collect();
+        rows.sort_by(|one, other| {
+            let by_cost = one.cost().total_cmp(&other.cost());
+            by_cost.then(one.ranked_error().total_cmp(&other.ranked_error()))
+        });
+        let mut best = f64::INFINITY;
+        rows.retain(|row| {
+            let is_better = row.ranked_error() < WORTH_IT * best;
+            if is_better {
+                best = row.ranked_error();
+            }
+            is_better
+        });
+        rows
+    }
+
+    /// Whether a row is on the [front](Self::front).
+    pub(super) fn is_on_front(&self, row: &Row) -> bool {
+        self.front().iter().any(|other| core::ptr::eq(*other, row))
+    }
+
+    /// The cheapest settings whose error is at most `tolerance`, in the report's unit, even if the reference
+    /// is as wrong as it is thought to be; `None` if there are none.
+    pub fn recommend(&self, tolerance: f64) -> Option<&Row> {
+        let good = self.rows.iter().filter(|row| row.bound() <= tolerance);
+        good.min_by(|one, other| {
+            one.cost().total_cmp(&other.cost()).then(one.bound().total_cmp(&other.bound()))
+        })
+    }
+
+    /// The observed order of convergence p of the sweep, error ~ (length of a substep)^p: the slope that fits
+    /// all series best, each with its own factor, over the rows whose error is well above the reference's.
+    /// `None` if there are not two of them.
+    pub fn order(&self) -> Option<f64> {
+        order::observed(self.rows.iter().filter(|row| row.name.is_none()))
+    }
+
+    /// The same for the settings that came with a name.
+    pub fn order_of(&self, name: &str) -> Option<f64> {
+        order::observed(self.rows.iter().filter(|row| row.name.as_deref() == Some(name)))
+    }
+
+    /// The observed orders in words: those of the sweep and of the settings with a name.
+    pub(super) fn orders_text(&self) -> Option<String> {
+        let mut names: Vec<&str> = self.rows.iter().filter_map(|row| row.name.as_deref()).collect();
+        names.dedup();
+        let mut orders: Vec<String> = self.order().map(|order| format!("{order:.2}")).into_iter().collect();
+        orders.extend(names.iter().filter_map(|name| Some(format!("{name} {:.2}", self.order_of(name)?))));
+        if orders.is_empty() {
+            None
+        } else {
+            Some(format!("Observed order of convergence: {}.", orders.join(", ")))
+        }
+    }
+
+    /// A table for programs: a row per settings, quantities in SI units, the names of the columns first.
+    pub fn to_csv(&self) -> String {
+        text::csv(self)
+    }
+
+    /// A table for people: what was run, how far to trust it, the rows, and what to choose.
+    pub fn to_markdown(&self) -> String {
+        text::markdown(self)
+    }
+
+    /// A picture: error against cost, both in powers of ten, with the front and the slopes of first and second
+    /// order. It needs no font and follows the reader's choice of light or dark.
+    pub fn to_svg(&self) -> String {
+        plot::svg(self)
+    }
+}
