@@ -139,18 +139,38 @@ const BINDINGS: &[Binding] = &[
     on(&[K::Escape], Command::Close),
 ];
 
-/// Frames until a held key repeats, and between two repeats.
-const REPEAT: [u32; 2] = [18, 4];
+/// Time until what is held repeats, and between two repeats, s.
+const REPEAT: [f64; 2] = [0.45, 0.07];
 
-/// Reads the keys; knows how long one is held.
+/// When something that is held does its work again.
+#[derive(Debug, Default)]
+pub(crate) struct Repeat {
+    /// When it does so next, s.
+    next: Option<f64>,
+}
+
+impl Repeat {
+    /// Whether it does so at this time (s).
+    pub(crate) fn is_due(&mut self, is_held: bool, now: f64) -> bool {
+        let is_due = is_held && self.next.is_some_and(|next| now >= next);
+        self.next = match self.next.filter(|_| is_held) {
+            _ if is_due => Some(now + REPEAT[1]),
+            None if is_held => Some(now + REPEAT[0]),
+            waiting => waiting,
+        };
+        is_due
+    }
+}
+
+/// Reads the keys.
 #[derive(Debug, Default)]
 pub(crate) struct Keys {
-    held_frames: u32,
+    repeat: Repeat,
 }
 
 impl Keys {
-    /// What the keys of this frame ask for.
-    pub(crate) fn read(&mut self) -> Vec<Command> {
+    /// What the keys of this frame, at a time (s), ask for.
+    pub(crate) fn read(&mut self, now: f64) -> Vec<Command> {
         let is_held = |keys: &[KeyCode]| keys.iter().any(|&key| is_key_down(key));
         let control = is_held(&[K::LeftControl, K::RightControl]);
         let shift = is_held(&[K::LeftShift, K::RightShift]);
@@ -160,12 +180,8 @@ impl Keys {
             (false, false) => Held::None,
         };
         let bindings = || BINDINGS.iter().filter(|binding| binding.held == held);
-        self.held_frames = if bindings().any(|binding| binding.repeats && is_held(binding.keys)) {
-            self.held_frames + 1
-        } else {
-            0
-        };
-        let is_due = self.held_frames >= REPEAT[0] && self.held_frames.is_multiple_of(REPEAT[1]);
+        let is_held_on = bindings().any(|binding| binding.repeats && is_held(binding.keys));
+        let is_due = self.repeat.is_due(is_held_on, now);
         let mut commands: Vec<Command> = bindings()
             .filter(|binding| {
                 binding.keys.iter().any(|&key| is_key_pressed(key))
@@ -184,6 +200,14 @@ impl Keys {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn what_is_held_repeats_after_a_while() {
+        let mut repeat = Repeat::default();
+        let times = [0.0, 0.4, 0.5, 0.51, 0.6].map(|now| repeat.is_due(true, now));
+        assert_eq!(times, [false, false, true, false, true]);
+        assert!(!repeat.is_due(false, 0.9) && !repeat.is_due(true, 1.0));
+    }
 
     #[test]
     fn no_key_does_two_things() {

@@ -8,6 +8,7 @@ pub(crate) enum Knob {
     Scheme,
     TickRate,
     Substeps,
+    Adaptive,
     Iterations,
     Relax,
     SplitKick,
@@ -39,10 +40,11 @@ const MIXES: [(Mix, &str); 5] = [
 ];
 
 impl Knob {
-    pub(crate) const ALL: [Self; 17] = [
+    pub(crate) const ALL: [Self; 18] = [
         Self::Scheme,
         Self::TickRate,
         Self::Substeps,
+        Self::Adaptive,
         Self::Iterations,
         Self::Relax,
         Self::SplitKick,
@@ -64,6 +66,7 @@ impl Knob {
             Self::Scheme => "scheme",
             Self::TickRate => "ticks",
             Self::Substeps => "substeps",
+            Self::Adaptive => "adaptive",
             Self::Iterations => "iterations",
             Self::Relax => "relax sweeps",
             Self::SplitKick => "split kick",
@@ -83,7 +86,14 @@ impl Knob {
 
     /// Whether it is either on or off.
     pub(crate) fn is_switch(self) -> bool {
-        let switches = [Self::SplitKick, Self::WarmStarting, Self::BlockSolve, Self::Recycling, Self::Sleep];
+        let switches = [
+            Self::Adaptive,
+            Self::SplitKick,
+            Self::WarmStarting,
+            Self::BlockSolve,
+            Self::Recycling,
+            Self::Sleep,
+        ];
         switches.contains(&self)
     }
 
@@ -91,6 +101,7 @@ impl Knob {
     pub(crate) fn is_on(self, world: &World) -> bool {
         let settings = world.settings();
         match self {
+            Self::Adaptive => settings.adaptive,
             Self::SplitKick => settings.split_kick,
             Self::WarmStarting => settings.warm_starting,
             Self::BlockSolve => settings.block_solve,
@@ -118,8 +129,8 @@ impl Knob {
             Self::FrictionMix => mix_name(settings.friction_mix).to_owned(),
             Self::RestitutionMix => mix_name(settings.restitution_mix).to_owned(),
             Self::Gravity => format!("{}", settings.gravitational_constant),
-            Self::ForceX => format!("{:.2} m/s²", world.acceleration().x),
-            Self::ForceY => format!("{:.2} m/s²", world.acceleration().y),
+            Self::ForceX => format!("{:.1} m/s²", world.acceleration().x),
+            Self::ForceY => format!("{:.1} m/s²", world.acceleration().y),
             switch => if switch.is_on(world) { "on" } else { "off" }.to_owned(),
         }
     }
@@ -148,6 +159,7 @@ impl Knob {
             Self::Substeps => settings.substeps = neighbour(&COUNTS, settings.substeps, by).max(1),
             Self::Iterations => settings.iterations = neighbour(&COUNTS, settings.iterations, by).max(1),
             Self::Relax => settings.relax_iterations = neighbour(&COUNTS, settings.relax_iterations, by),
+            Self::Adaptive => settings.adaptive ^= true,
             Self::SplitKick => settings.split_kick ^= true,
             Self::WarmStarting => settings.warm_starting ^= true,
             Self::BlockSolve => settings.block_solve ^= true,
@@ -192,6 +204,7 @@ pub(crate) fn scheme_name(settings: &Settings) -> &'static str {
 fn solver_of(settings: &Settings, scheme: &Settings) -> Settings {
     Settings {
         substeps: scheme.substeps,
+        adaptive: scheme.adaptive,
         iterations: scheme.iterations,
         relax_iterations: scheme.relax_iterations,
         split_kick: scheme.split_kick,

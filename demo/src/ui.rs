@@ -27,6 +27,8 @@ pub(crate) struct Pointer {
     pub(crate) at: Vec2,
     /// Whether its left button has just gone down.
     pub(crate) pressed: bool,
+    /// Whether it has been down for so long that what it presses is pressed again.
+    pub(crate) repeats: bool,
     /// Notches of the wheel, up positive.
     pub(crate) wheel: f32,
 }
@@ -269,8 +271,8 @@ impl Ui<'_> {
         // One thing for the keys, two for the mouse.
         let press = self.ask(less, self.y);
         let is_over_more = more.is_some_and(|more| more.contains(self.pointer.at));
-        let by_mouse = i32::from(is_over_more && self.pointer.pressed)
-            - i32::from(press.is_hovered && self.pointer.pressed);
+        let is_turned = self.pointer.pressed || self.pointer.repeats;
+        let by_mouse = i32::from(is_over_more && is_turned) - i32::from(press.is_hovered && is_turned);
         let by_keys = if press.is_pressed && by_mouse == 0 { 1 } else { press.turned };
         let (Some(place), Some(less), Some(more)) = (place, less, more) else { return by_keys };
         self.canvas.text(word, place.min + Vec2::new(0.0, 16.0), WORDS);

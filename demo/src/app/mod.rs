@@ -19,7 +19,7 @@ use rustycs_scenes::Scene;
 use crate::camera::Camera;
 use crate::canvas::Canvas;
 use crate::cli::Start;
-use crate::command::Keys;
+use crate::command::{Keys, Repeat};
 use crate::history::Moment;
 use crate::knob;
 use crate::overlay::{Drawer, Overlays};
@@ -77,6 +77,7 @@ pub(crate) struct App {
     shows_help: bool,
     panel: Panel,
     keys: Keys,
+    mouse_repeat: Repeat,
     drawer: Drawer,
     scenery: Scenery,
     canvas: Canvas,
@@ -106,6 +107,7 @@ impl App {
             shows_help: false,
             panel: Panel::new(start.tab),
             keys: Keys::default(),
+            mouse_repeat: Repeat::default(),
             drawer: Drawer::default(),
             scenery: Scenery::default(),
             canvas: Canvas::new(),
@@ -123,7 +125,7 @@ impl App {
     /// A frame: input, time, picture.
     pub(crate) fn frame(&mut self, time: FrameTime) {
         self.camera.set_area(self.halves()[0]);
-        for command in self.keys.read() {
+        for command in self.keys.read(get_time()) {
             self.act(command);
         }
         let pointer = self.read_mouse();

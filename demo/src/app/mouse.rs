@@ -3,6 +3,7 @@
 use macroquad::input::{
     MouseButton, is_mouse_button_down, is_mouse_button_pressed, mouse_position, mouse_wheel,
 };
+use macroquad::time::get_time;
 use rustycs::{AttractorId, Point, Vec2, World};
 
 use crate::app::{App, panel_area, scene_area};
@@ -70,7 +71,10 @@ impl App {
         };
         // A mouse that nobody has moved is over nothing.
         let at = if self.resting_mouse.is_some() { Vec2::splat(-1.0) } else { at };
-        Pointer { at, pressed: pressed && is_over_panel, wheel: if is_over_panel { wheel } else { 0.0 } }
+        let is_held = is_over_panel && self.grip.is_none() && is_mouse_button_down(MouseButton::Left);
+        let repeats = self.mouse_repeat.is_due(is_held, get_time());
+        let wheel = if is_over_panel { wheel } else { 0.0 };
+        Pointer { at, pressed: pressed && is_over_panel, repeats, wheel }
     }
 
     /// Takes hold of what is at the mouse, if a button has gone down.

@@ -15,6 +15,7 @@ use crate::theme::{self, BodyStyle};
 use crate::ui::Pointer;
 use crate::{compare, help, hover};
 
+const READOUT: Style = Style::new(Face::Regular, 14, theme::ACCENT);
 const SCALE_LABEL: Style = Style::new(Face::Mono, 12, theme::MUTED);
 
 impl App {
@@ -85,6 +86,9 @@ impl App {
         if copy == 0 {
             draw_scale_bar(canvas, camera);
         }
+        if self.runs.len() == 1 {
+            draw_readout(canvas, self.scene.readout(&run.world), camera);
+        }
     }
 
     /// What the mouse holds or is about to make.
@@ -142,6 +146,16 @@ impl App {
             self.canvas.begin_sheet(None);
             help::draw(&mut self.canvas, scene_area());
         }
+    }
+}
+
+/// What the scene measures, below the bar, in the left half of the picture.
+fn draw_readout(canvas: &mut Canvas, readout: Option<String>, camera: Camera) {
+    let Some(readout) = readout else { return };
+    let area = camera.area();
+    for (index, line) in canvas.lines(&readout, 0.5 * area.w - 30.0, READOUT).into_iter().enumerate() {
+        let place = Vec2::new(area.x + 20.0, area.y + 54.0 + 20.0 * index as f32);
+        canvas.tag(line, place, READOUT);
     }
 }
 

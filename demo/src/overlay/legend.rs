@@ -11,7 +11,7 @@ use crate::theme::{self, Tone};
 pub(super) const WORDS: Style = Style::new(Face::Mono, 12, theme::MUTED);
 
 /// Length of the line in the legend, px: quantities of 1 to 2.5 times its value are drawn 48 to 120 px long.
-const LENGTH: f32 = 48.0;
+pub(super) const LENGTH: f32 = 48.0;
 /// From one line of the legend to the next, px.
 const LINE: f32 = 20.0;
 
@@ -31,6 +31,11 @@ pub(super) struct Scales {
 }
 
 impl Scale {
+    /// A scale that follows nothing.
+    pub(super) fn fixed(unit: f32) -> Self {
+        Self { unit }
+    }
+
     /// Takes the largest quantity of this frame into account.
     pub(super) fn follow(&mut self, largest: f32) {
         if largest > 0.0 && largest.is_finite() {

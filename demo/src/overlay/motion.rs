@@ -6,19 +6,21 @@ use rustycs::{BodyType, Vec2};
 use crate::batch::Batch;
 use crate::camera::Camera;
 use crate::canvas::Canvas;
-use crate::overlay::legend::{Legend, Scale};
+use crate::overlay::legend::{LENGTH, Legend, Scale};
 use crate::run::Run;
 use crate::theme;
 
 /// Radius of the arc that shows a spin, px.
 const ARC: f32 = 11.0;
+/// Spin whose arc is as long as the line in the legend, rad/s.
+const ARC_SPIN: f32 = 20.0;
 /// Time whose turn the arc shows, s.
-const ARC_TIME: f32 = 0.25;
+const ARC_TIME: f32 = LENGTH / (ARC * ARC_SPIN);
 /// Slower than this is not drawn, m/s and rad/s.
 const STILL: f32 = 1e-3;
 
-/// The velocity of every body as an arrow, to scale, and its spin as the arc that it turns by in a quarter of a
-/// second.
+/// The velocity of every body as an arrow, to scale, and its spin as the arc that it turns by in about a fifth
+/// of a second.
 pub(super) fn draw_velocities(
     canvas: &mut Canvas,
     run: &Run,
@@ -45,15 +47,7 @@ pub(super) fn draw_velocities(
         }
     }
     legend.scale(canvas, theme::VELOCITY, *scale, "m/s");
-    legend.scale(canvas, theme::SPIN, spin_scale(), "rad/s");
-}
-
-/// What a line as long as an arc means.
-fn spin_scale() -> Scale {
-    let mut scale = Scale::default();
-    // 48 px of arc at its radius, turned in the time that it shows; rounded to 20 rad/s.
-    scale.follow(48.0 / ARC / ARC_TIME + 3.0);
-    scale
+    legend.scale(canvas, theme::SPIN, Scale::fixed(ARC_SPIN), "rad/s");
 }
 
 /// An arc from the right of a place, counter-clockwise for a positive spin, with a head.

@@ -10,7 +10,9 @@ pub(super) fn draw(ui: &mut Ui<'_>, shown: Shown<'_>) {
     let world = &run.world;
     let counters = world.profile().counters();
     let touching = world.contacts().filter(rustycs::ContactRef::is_touching).count();
-    if let Some(readout) = shown.scene.readout(world) {
+    // One world says it in the picture.
+    let readout = shown.scene.readout(world).filter(|_| shown.runs.len() > 1);
+    if let Some(readout) = readout {
         ui.paragraph(&readout, FIGURE.toned(theme::ACCENT));
         ui.gap(4.0);
     }
@@ -21,6 +23,7 @@ pub(super) fn draw(ui: &mut Ui<'_>, shown: Shown<'_>) {
     ui.figure("awake", &awake.to_string(), style);
     ui.figure("contacts", &touching.to_string(), FIGURE);
     ui.figure("impacts", &counters.impacts.to_string(), FIGURE);
+    ui.figure("substeps", &counters.substeps.to_string(), FIGURE);
     ui.heading("STEP");
     let gauges = &run.gauges;
     ui.plot("total", &milliseconds(gauges.step), &gauges.steps, theme::ACCENT, true);
