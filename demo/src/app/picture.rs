@@ -33,6 +33,7 @@ impl App {
             self.draw_copy(copy, self.camera.in_area(area));
         }
         self.canvas.begin_sheet(None);
+        self.draw_mouse(pointer.at);
         if is_split {
             compare::draw_captions(&mut self.canvas, &self.runs, &areas, self.copy);
         }
@@ -43,7 +44,6 @@ impl App {
                 draw_sums(&mut self.canvas, &run.world, if is_split { below } else { upper });
             }
         }
-        self.draw_mouse(pointer.at);
         let shown = Shown {
             scene: self.scene,
             seed: self.seed,
@@ -73,7 +73,7 @@ impl App {
         let paint = Paint::of(&run.world, &self.scene.colours(&run.world), shown);
         self.scenery.draw_bodies(canvas.batch(), run, &paint, camera);
         scenery::draw_attractors(canvas.batch(), &run.world, camera);
-        let legend = self.drawer.draw_above(canvas, run, shown, camera);
+        let words = self.drawer.draw_above(canvas, run, shown, camera);
         if let Some(body) = self.selected.and_then(|id| run.world.body(id)) {
             let reach = body.shape().extent() * camera.scale() + 5.0;
             let at = camera.to_screen(body.pose().center);
@@ -81,7 +81,7 @@ impl App {
         }
         let labels = self.scene.labels(&run.world);
         if shown.has(Overlay::Names) {
-            draw_names(canvas, run, &labels, camera, legend);
+            draw_names(canvas, run, &labels, camera, words);
         }
         if copy == 0 {
             draw_scale_bar(canvas, camera);

@@ -1,5 +1,6 @@
 //! Contacts: points with normals and impulses, penetration, colours of the constraint graph.
 
+use macroquad::math::Rect;
 use rustycs::{ContactRef, Point, Vec2, World};
 
 use crate::camera::Camera;
@@ -90,6 +91,7 @@ pub(super) fn draw_penetration(
         let text = with_unit(f64::from(depth), "m");
         let width = canvas.width_of(&text, WORDS) + 18.0;
         let left = if at.x + width > area.x + area.w { at.x - width } else { at.x + 18.0 };
+        legend.reserve(Rect::new(left - 5.0, at.y - 9.0, width, 18.0));
         canvas.tag(text, Vec2::new(left, at.y + 4.0), WORDS.toned(theme::TEXT));
     }
     legend.scale(canvas, theme::DEEP, *scale, "m deep");

@@ -71,6 +71,8 @@ pub(super) struct Legend {
     y: f32,
     /// Width of the widest line, px.
     width: f32,
+    /// Other places that have words on them, px.
+    words: Vec<Rect>,
 }
 
 impl Legend {
@@ -79,12 +81,18 @@ impl Legend {
         let area = camera.area();
         let room = if is_raised { 46.0 } else { 18.0 };
         let (left, bottom) = (area.x + if is_raised { 62.0 } else { 20.0 }, area.y + area.h - room);
-        Self { left, bottom, y: bottom, width: 0.0 }
+        Self { left, bottom, y: bottom, width: 0.0, words: Vec::new() }
     }
 
-    /// Where it is, px.
-    pub(super) fn place(&self) -> Rect {
-        Rect::new(self.left, self.y + 4.0, self.width, self.bottom - self.y)
+    /// Keeps other words away from a place.
+    pub(super) fn reserve(&mut self, place: Rect) {
+        self.words.push(place);
+    }
+
+    /// All places that have words on them, px.
+    pub(super) fn places(mut self) -> Vec<Rect> {
+        self.words.push(Rect::new(self.left, self.y + 4.0, self.width, self.bottom - self.y));
+        self.words
     }
 
     /// A line that is as long as the quantity beside it is drawn.

@@ -143,14 +143,14 @@ impl Drawer {
         }
     }
 
-    /// What lies over the bodies; returns where the legend is.
+    /// What lies over the bodies; returns where there are words.
     pub(crate) fn draw_above(
         &mut self,
         canvas: &mut Canvas,
         run: &Run,
         shown: Overlays,
         camera: Camera,
-    ) -> Rect {
+    ) -> Vec<Rect> {
         let mut legend = Legend::new(camera, shown.has(Overlay::Grid));
         if shown.has(Overlay::Tree) {
             boxes::draw_tree(canvas.batch(), &run.world, camera);
@@ -181,7 +181,7 @@ impl Drawer {
         if shown.has(Overlay::Sleeping) {
             groups::draw_sleeping(canvas, run, camera, &mut legend);
         }
-        legend.place()
+        legend.places()
     }
 }
 

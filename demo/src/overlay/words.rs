@@ -18,16 +18,15 @@ const WORDS: Style = Style::new(Face::Regular, 12, theme::MUTED);
 const MOST_NAMES: usize = 160;
 
 /// The name of every body that the scene names, or of every body where it names none. A name that would lie on
-/// another is left out.
+/// another, or on other words that have `taken` a place, is left out.
 pub(crate) fn draw_names(
     canvas: &mut Canvas,
     run: &Run,
     labels: &[(BodyId, &'static str)],
     camera: Camera,
-    legend: Rect,
+    mut taken: Vec<Rect>,
 ) {
     let area = camera.area();
-    let mut taken = vec![legend];
     for (id, body, pose) in run.bodies() {
         let name = match labels.iter().find(|(named, _)| *named == id) {
             Some(&(_, name)) => name.to_owned(),
@@ -42,7 +41,7 @@ pub(crate) fn draw_names(
         let width = canvas.width_of(&name, NAME);
         let space = Rect::new(place.x - 0.5 * width - 5.0, place.y - 12.0, width + 10.0, 17.0);
         let is_free = taken.iter().all(|other| !other.overlaps(&space));
-        let is_inside = space.x >= area.x && space.right() <= area.right() && space.y >= area.y + 34.0;
+        let is_inside = space.x >= area.x && space.right() <= area.right() && space.y >= area.y + 64.0;
         if is_free && is_inside && space.bottom() <= area.bottom() {
             canvas.tag(name, Vec2::new(place.x - 0.5 * width, place.y), NAME);
             taken.push(space);
