@@ -34,6 +34,18 @@ pub(crate) struct Scheme {
     pub(crate) limits: SpeedLimits,
 }
 
+impl Scheme {
+    /// Length of a substep, s.
+    fn substep_time(&self) -> f32 {
+        self.dt / self.substeps as f32
+    }
+
+    /// How long the forces of one kick act, s.
+    fn kick_time(&self) -> f32 {
+        if self.split_kick { 0.5 * self.substep_time() } else { self.substep_time() }
+    }
+}
+
 /// What accelerates bodies, beside contacts.
 pub(crate) trait Acceleration {
     /// The same everywhere, m/s²; bodies scale it by their gravity scale.
@@ -45,6 +57,11 @@ pub(crate) trait Acceleration {
     fn at(&self, bodies: &Bodies, slot: u32, delta: Vec2) -> Vec2;
 }
 
+/// A contact of two points that begins to bear load is relaxed so many times more: without impulses to start from,
+/// one sweep lets friction turn the body instead of stopping it, and a box set on a slope keeps 7 mm/s too much for
+/// as long as it slides. Two leave a tenth of that, four nothing.
+const NEWCOMER_SWEEPS: u32 = 4;
+
 /// Buffers of the solver, kept from step to step.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Solver {
@@ -54,6 +71,8 @@ pub(crate) struct Solver {
     damped: Vec<Damping>,
     pub(crate) impacts: Impacts,
     followers: Followers,
+    /// Places in the constraint graph of contacts of two points that begin to bear load in this step.
+    newcomers: Vec<(u32, u32)>,
     /// Length of the last substep, s; impulses are stored per substep.
     last_h: f32,
 }
@@ -62,6 +81,7 @@ pub(crate) struct Solver {
 ///
 /// ```text
 /// repeat substeps:
+///     contacts of circles and loaded corners follow the surface
 ///     v += h/2 a(x);  impacts
 ///     warm start with half of λ;  sweep (bias pushes overlaps apart)
 ///     x += h v
@@ -75,14 +95,14 @@ pub(crate) fn solve(
     graph: &mut ConstraintGraph,
     acceleration: &impl Acceleration,
 ) -> StepResidual {
-    let h = scheme.dt / scheme.substeps as f32;
+    let h = scheme.substep_time();
     solver.prepare(scheme, h, bodies, contacts, graph, acceleration);
     let share = match (scheme.warm_starting, scheme.split_kick) {
         (false, _) => 0.0,
         (true, false) => 1.0,
         (true, true) => 0.5,
     };
-    let kick_time = if scheme.split_kick { 0.5 * h } else { h };
+    let kick_time = scheme.kick_time();
     let main_sweep = Sweep {
         biased: scheme.projections.is_none(),
         friction: scheme.relax_iterations == 0,
@@ -117,6 +137,9 @@ pub(crate) fn solve(
         for _ in 0..scheme.relax_iterations {
             for_each(graph, |constraint| sweep(constraint, states, relax_sweep, 1.0 / h));
         }
+        if scheme.relax_iterations > 0 {
+            solver.relax_newcomers(graph, states, relax_sweep, 1.0 / h);
+        }
     }
     for _ in 0..scheme.projections.unwrap_or(0) {
         for_each(graph, |constraint| project(constraint, &mut bodies.states));
@@ -144,7 +167,7 @@ impl Solver {
         graph: &mut ConstraintGraph,
         acceleration: &impl Acceleration,
     ) {
-        let kick_time = if scheme.split_kick { 0.5 * h } else { h };
+        let kick_time = scheme.kick_time();
         self.kicks.clear();
         self.damped.clear();
         self.kicks.push(Kick::NONE);
@@ -187,6 +210,7 @@ impl Solver {
     ) {
         self.impacts.clear();
         self.followers.clear();
+        self.newcomers.clear();
         for colour in graph.in_order() {
             for (&index, constraint) in colour.contacts.iter().zip(&colour.constraints) {
                 let contact = &contacts[index];
@@ -196,7 +220,28 @@ impl Solver {
                     let threshold = bounce_threshold(scheme.restitution_threshold, contact, kicks, h);
                     self.impacts.add(index, contact, constraint, threshold);
                 }
+                if !contact.is_loaded() && contact.manifold.points().len() == 2 {
+                    self.newcomers.extend(contact.graph_place);
+                }
                 self.followers.consider(index, contact, constraint);
+            }
+        }
+    }
+
+    /// Sweeps over the contacts that begin to bear load a few more times.
+    fn relax_newcomers(
+        &self,
+        graph: &mut ConstraintGraph,
+        states: &mut [BodyState],
+        relax_sweep: Sweep,
+        per_substep: f32,
+    ) {
+        for _ in 0..NEWCOMER_SWEEPS {
+            for &place in &self.newcomers {
+                let constraint = graph.constraint_mut(place);
+                if constraint.points.iter().any(|point| point.normal_impulse > 0.0) {
+                    sweep(constraint, states, relax_sweep, per_substep);
+                }
             }
         }
     }
