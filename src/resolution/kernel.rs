@@ -1,6 +1,6 @@
 //! The contact kernel: warm start, solve, relax. One text for every lane width.
 //!
-//! This is where a step spends its time: per substep each contact is warm started twice and swept twice.
+//! This is where a step spends its time: per substep each contact is warm started once and swept twice.
 
 use crate::compute::{BodyState, Lane, LaneVec2};
 use crate::resolution::block::solve_pair;
@@ -16,43 +16,35 @@ pub(crate) struct Sweep {
     pub(crate) friction: bool,
     /// Solves the two points of a contact together.
     pub(crate) block: bool,
+    /// Counts the second share of the warm start, which the bodies have just got, as impulse of the contact.
+    pub(crate) counts_share: bool,
 }
 
-/// Begins a substep: what of the last impulse to apply now, and, where the kick is split, again after the
-/// move.
-#[inline(always)]
-pub(crate) fn warm_start<L: Lane>(
-    constraint: &mut ContactConstraint<L>,
-    states: &mut [BodyState],
-    share: f32,
-) {
-    for point in &mut constraint.points {
-        point.normal_share = point.normal_impulse * L::splat(share);
-        point.tangent_share = point.tangent_impulse * L::splat(share);
-        point.normal_impulse = L::splat(0.0);
-        point.tangent_impulse = L::splat(0.0);
-    }
-    apply_share(constraint, states);
-}
-
-/// Applies the share of the warm start and adds it to the impulse of the substep.
+/// Begins a substep: finds what of the last impulse to apply now and, where the kick is split, again after the
+/// move, and adds what it does to each body to that body's row of `shares`.
 ///
 /// There is one accumulator for the whole substep. With one per half, or with the biased impulse applied
 /// again, the push out of an overlap would be counted as load and pump energy into the scene.
 #[inline(always)]
-pub(crate) fn apply_share<L: Lane>(constraint: &mut ContactConstraint<L>, states: &mut [BodyState]) {
-    let (mut a, mut b) = gather(constraint, states);
+pub(crate) fn warm_start<L: Lane>(
+    constraint: &mut ContactConstraint<L>,
+    shares: &mut [BodyState],
+    part: f32,
+) {
+    let (mut a, mut b) = gather(constraint, shares);
     let normal = constraint.normal;
     let tangent = normal.perp();
     for index in 0..2 {
         let point = &mut constraint.points[index];
-        point.normal_impulse = point.normal_impulse + point.normal_share;
-        point.tangent_impulse = point.tangent_impulse + point.tangent_share;
+        point.normal_share = point.normal_impulse * L::splat(part);
+        point.tangent_share = point.tangent_impulse * L::splat(part);
+        point.normal_impulse = point.normal_share;
+        point.tangent_impulse = point.tangent_share;
         let point = &constraint.points[index];
         let impulse = normal * point.normal_share + tangent * point.tangent_share;
         constraint.apply(point, impulse, &mut a, &mut b);
     }
-    scatter(constraint, states, &a, &b);
+    scatter(constraint, shares, &a, &b);
 }
 
 /// One sweep over the contacts of a lane: normals, then friction.
@@ -63,6 +55,12 @@ pub(crate) fn sweep<L: Lane>(
     kind: Sweep,
     per_substep: f32,
 ) {
+    if kind.counts_share {
+        for point in &mut constraint.points {
+            point.normal_impulse = point.normal_impulse + point.normal_share;
+            point.tangent_impulse = point.tangent_impulse + point.tangent_share;
+        }
+    }
     let (mut a, mut b) = gather(constraint, states);
     if kind.block {
         solve_normals_together(constraint, &mut a, &mut b, kind.biased, per_substep);

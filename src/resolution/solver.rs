@@ -9,7 +9,7 @@ use crate::resolution::constraint_graph::ConstraintGraph;
 use crate::resolution::follow::Followers;
 use crate::resolution::impacts::{ImpactScene, Impacts, bounce_threshold};
 use crate::resolution::integrate::{Damping, Kick, SpeedLimits, damping_loss, drift, kick};
-use crate::resolution::kernel::{Sweep, apply_share, sweep, warm_start};
+use crate::resolution::kernel::{Sweep, sweep, warm_start};
 use crate::resolution::projection::project;
 
 /// How a step is solved. One text covers the default and the classic scheme: the classic one has a single
@@ -69,6 +69,8 @@ pub(crate) struct Solver {
     kicks: Vec<Kick>,
     /// Rows with damping.
     damped: Vec<Damping>,
+    /// By row: the velocities that one share of the warm start gives.
+    shares: Vec<BodyState>,
     pub(crate) impacts: Impacts,
     followers: Followers,
     /// Places in the constraint graph of contacts of two points that begin to bear load in this step.
@@ -97,7 +99,7 @@ pub(crate) fn solve(
 ) -> StepResidual {
     let h = scheme.substep_time();
     solver.prepare(scheme, h, bodies, contacts, graph, acceleration);
-    let share = match (scheme.warm_starting, scheme.split_kick) {
+    let part = match (scheme.warm_starting, scheme.split_kick) {
         (false, _) => 0.0,
         (true, false) => 1.0,
         (true, true) => 0.5,
@@ -107,8 +109,9 @@ pub(crate) fn solve(
         biased: scheme.projections.is_none(),
         friction: scheme.relax_iterations == 0,
         block: scheme.block_solve,
+        counts_share: false,
     };
-    let relax_sweep = Sweep { biased: false, friction: true, block: scheme.block_solve };
+    let relax_sweep = Sweep { biased: false, friction: true, ..main_sweep };
     for substep in 0..scheme.substeps {
         if substep > 0 {
             solver.followers.follow(graph, contacts, bodies);
@@ -119,7 +122,7 @@ pub(crate) fn solve(
             solver.impacts.run(&mut ImpactScene { bodies, contacts, kicks, graph, h });
         }
         let states = &mut bodies.states;
-        for_each(graph, |constraint| warm_start(constraint, states, share));
+        solver.warm_start(graph, states, part);
         for _ in 0..scheme.iterations {
             for_each(graph, |constraint| sweep(constraint, states, main_sweep, 1.0 / h));
         }
@@ -132,10 +135,11 @@ pub(crate) fn solve(
         let states = &mut bodies.states;
         if scheme.split_kick {
             solver.kick(states, kick_time, scheme.limits);
-            for_each(graph, |constraint| apply_share(constraint, states));
+            solver.add_shares(states);
         }
-        for _ in 0..scheme.relax_iterations {
-            for_each(graph, |constraint| sweep(constraint, states, relax_sweep, 1.0 / h));
+        for iteration in 0..scheme.relax_iterations {
+            let kind = Sweep { counts_share: scheme.split_kick && iteration == 0, ..relax_sweep };
+            for_each(graph, |constraint| sweep(constraint, states, kind, 1.0 / h));
         }
         if scheme.relax_iterations > 0 {
             solver.relax_newcomers(graph, states, relax_sweep, 1.0 / h);
@@ -225,6 +229,25 @@ impl Solver {
                 }
                 self.followers.consider(index, contact, constraint);
             }
+        }
+    }
+
+    /// Gives the bodies the part of the last impulses that they get before they move.
+    ///
+    /// The contacts hold still in between, so the share after the move is the same: it is kept by row, which saves
+    /// a pass over the contacts.
+    fn warm_start(&mut self, graph: &mut ConstraintGraph, states: &mut [BodyState], part: f32) {
+        self.shares.clear();
+        self.shares.resize(states.len(), BodyState::REST);
+        let shares = &mut self.shares;
+        for_each(graph, |constraint| warm_start(constraint, shares, part));
+        self.add_shares(states);
+    }
+
+    fn add_shares(&self, states: &mut [BodyState]) {
+        for (state, share) in states.iter_mut().zip(&self.shares) {
+            state.velocity = state.velocity + share.velocity;
+            state.angular_velocity += share.angular_velocity;
         }
     }
 
