@@ -62,8 +62,10 @@ fn spinning_polygons_that_collide_keep_momentum_and_angular_momentum() {
     let change = world.momentum() - momentum;
     let scale = f64::from(world.body(a).unwrap().mass()) * 3.0;
     assert_near(f64::from(change.length()) / scale, 0.0, 1e-6, "momentum");
-    // The two anchors of a contact name the same place to within the gap it closes in a substep.
-    assert_near(world.angular_momentum() / angular.abs(), angular / angular.abs(), 5e-3, "angular momentum");
+    // An impact acts at one place, found at its own time. What follows it too slowly to bounce is for the sweeps,
+    // whose arms hold still during a tick: at 0.1 m/s they miss by 0.1 m/s / 60 = 2e-3 m of an arm of 0.5 m, for an
+    // impulse of a tenth of the blow.
+    assert_near(world.angular_momentum() / angular.abs(), angular / angular.abs(), 1e-3, "angular momentum");
     assert!(world.energy() <= energy, "energy {} from {energy}", world.energy());
 }
 
@@ -85,7 +87,7 @@ fn elastic_discs_in_a_box_keep_their_energy() {
     }
     let energy = world.energy();
     run(&mut world, 30.0);
-    // Each impact keeps the energy to rounding (1e-7); a few thousand of them to 1e-4. What a contact that
-    // was not foreseen costs is a plastic sweep, which happens where three bodies meet within one substep.
-    assert_relative(world.energy(), energy, 1e-2, "energy");
+    // Each impact keeps the energy to rounding (1e-7), a few thousand of them to 1e-4. An approach below 0.1 m/s is
+    // plastic and costs 0.1² of the 3² that a disc has on average, seldom.
+    assert_relative(world.energy(), energy, 1e-3, "energy");
 }
