@@ -8,6 +8,7 @@ mod block;
 mod constraint;
 mod constraint_graph;
 mod follow;
+mod handover;
 mod impact_queue;
 mod impacts;
 mod integrate;

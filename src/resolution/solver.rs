@@ -7,6 +7,7 @@ use crate::math::Vec2;
 use crate::resolution::constraint::{ContactConstraint, StepResidual};
 use crate::resolution::constraint_graph::ConstraintGraph;
 use crate::resolution::follow::Followers;
+use crate::resolution::handover::{HandoverScene, Handovers};
 use crate::resolution::impacts::{ImpactScene, Impacts, bounce_threshold};
 use crate::resolution::integrate::{Damping, Kick, SpeedLimits, damping_loss, drift, kick};
 use crate::resolution::kernel::{Sweep, sweep, warm_start};
@@ -73,6 +74,7 @@ pub(crate) struct Solver {
     shares: Vec<BodyState>,
     pub(crate) impacts: Impacts,
     followers: Followers,
+    handovers: Handovers,
     /// Places in the constraint graph of contacts of two points that begin to bear load in this step.
     newcomers: Vec<(u32, u32)>,
     /// Length of the last substep, s; impulses are stored per substep.
@@ -86,7 +88,7 @@ pub(crate) struct Solver {
 ///     contacts of circles and loaded corners follow the surface
 ///     v += h/2 a(x);  impacts
 ///     warm start with half of λ;  sweep (bias pushes overlaps apart)
-///     x += h v
+///     circles meet the next piece of the ground they roll on;  x += h v
 ///     v += h/2 a(x);  the other half of λ;  sweep (relax: no bias), friction
 /// ```
 pub(crate) fn solve(
@@ -115,6 +117,7 @@ pub(crate) fn solve(
     for substep in 0..scheme.substeps {
         if substep > 0 {
             solver.followers.follow(graph, contacts, bodies);
+            solver.handovers.release(graph);
         }
         solver.kick(&mut bodies.states, kick_time, scheme.limits);
         if solver.impacts.len() > 0 {
@@ -122,11 +125,16 @@ pub(crate) fn solve(
             solver.impacts.run(&mut ImpactScene { bodies, contacts, kicks, graph, h });
         }
         let states = &mut bodies.states;
+        solver.handovers.hold_back(graph, states);
         solver.warm_start(graph, states, part);
         for _ in 0..scheme.iterations {
             for_each(graph, |constraint| sweep(constraint, states, main_sweep, 1.0 / h));
         }
-        for state in &mut states[1..] {
+        if !solver.handovers.is_empty() {
+            let shares = &mut solver.shares;
+            solver.handovers.run(&mut HandoverScene { bodies, contacts, graph, shares, h });
+        }
+        for state in &mut bodies.states[1..] {
             drift(state, h);
         }
         if acceleration.varies() {
@@ -214,6 +222,7 @@ impl Solver {
     ) {
         self.impacts.clear();
         self.followers.clear();
+        self.handovers.clear();
         self.newcomers.clear();
         for colour in graph.in_order() {
             for (&index, constraint) in colour.contacts.iter().zip(&colour.constraints) {
@@ -228,8 +237,10 @@ impl Solver {
                     self.newcomers.extend(contact.graph_place);
                 }
                 self.followers.consider(index, contact, constraint);
+                self.handovers.consider(index, contact, constraint);
             }
         }
+        self.handovers.group();
     }
 
     /// Gives the bodies the part of the last impulses that they get before they move.

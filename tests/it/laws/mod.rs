@@ -8,3 +8,4 @@ mod limits;
 mod orbits;
 mod stacks;
 mod toppling;
+mod track;
