@@ -44,7 +44,7 @@
 //! |---|---|---|
 //! | 0 | [`math`] | vectors, places, rotations, poses, boxes, our own sine and cosine |
 //! | 0 | `store` | generational ids, slots, bit set, pair set |
-//! | 0 | `compute` | numbers in lanes, the hot rows of bodies |
+//! | 0 | `compute` | numbers in lanes (scalar, SSE2, AVX2, NEON), the width chosen at run time, the hot rows of bodies |
 //! | 1 | [`shape`] | circle, boxes, convex polygon; mass, rays, points |
 //! | 2 | [`body`] | description, material, and how many bodies are kept |
 //! | 3 | [`collision`] | broad phase, detection, manifolds, contacts |
@@ -54,7 +54,7 @@
 //!
 //! # Determinism
 //!
-//! Same calls, same bits: on every machine and build profile, in every clone. The library reads no clock, draws
+//! Same calls, same bits: on every machine and build profile, at every width of lanes, in every clone. The library reads no clock, draws
 //! no random number and uses no trigonometry but its own.
 //!
 //! # Features
@@ -64,6 +64,7 @@
 
 pub mod body;
 pub mod collision;
+#[allow(unsafe_code)]
 pub(crate) mod compute;
 pub mod math;
 #[cfg(feature = "report")]
@@ -81,7 +82,7 @@ pub use math::{Aabb, Point, Pose, Rot, Vec2};
 pub use shape::{Shape, ShapeError};
 pub use world::{
     Attractor, AttractorError, AttractorId, BodyMut, BodyRef, Clock, ContactEvent, ContactRef, Counters,
-    Events, Force, ForceError, ForceId, HitEvent, PositionCorrection, Profile, RayHit, Settings,
+    Events, Force, ForceError, ForceId, HitEvent, Lanes, PositionCorrection, Profile, RayHit, Settings,
     SettingsError, Stage, StageReport, StepError, World,
 };
 
@@ -90,7 +91,7 @@ pub mod prelude {
     pub use crate::{
         Aabb, Attractor, AttractorError, AttractorId, Body, BodyError, BodyId, BodyMut, BodyRef, BodyType,
         Clock, ContactEvent, ContactRef, Counters, Events, FeatureId, Force, ForceError, ForceId, HitEvent,
-        Manifold, ManifoldPoint, Material, Mix, Point, Pose, PositionCorrection, Profile, RayHit, Rot,
+        Lanes, Manifold, ManifoldPoint, Material, Mix, Point, Pose, PositionCorrection, Profile, RayHit, Rot,
         Settings, SettingsError, Shape, ShapeError, Stage, StageReport, StepError, Vec2, World, collision,
     };
 }

@@ -3,38 +3,34 @@
 use core::fmt::Debug;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
-use crate::compute::BodyState;
+use crate::compute::{BodyState, Column};
 
 /// `WIDTH` numbers that are computed with at once. Every operation rounds as IEEE 754 says for each number
 /// on its own, so results do not depend on the width.
 pub(crate) trait Lane:
     Copy
     + Debug
-    + Default
     + Add<Output = Self>
     + Sub<Output = Self>
     + Mul<Output = Self>
     + Div<Output = Self>
     + Neg<Output = Self>
 {
-    /// How many numbers a lane holds; always `MAX_WIDTH` or less.
+    /// How many numbers a lane holds: a divisor of [`COLUMN`](crate::compute::COLUMN).
     const WIDTH: usize;
     /// One truth value per number.
     type Mask: Copy;
-    /// One row number per number: which [`BodyState`] each belongs to.
-    type Rows: Copy + Debug + Default;
 
     /// The same number in every place.
     fn splat(value: f32) -> Self;
-    /// The number at `place`, which is below `WIDTH`.
-    fn get(&self, place: usize) -> f32;
-    /// Puts a number at `place`, which is below `WIDTH`.
-    fn set(&mut self, place: usize, value: f32);
-    /// Puts a row number at `place`, which is below `WIDTH`.
-    fn set_row(rows: &mut Self::Rows, place: usize, row: u32);
-    /// Smaller of the two, number by number.
+    /// The numbers of a column from `place` on, a multiple of `WIDTH`.
+    fn load(column: &Column, place: usize) -> Self;
+    /// Writes the numbers to a column from `place` on, a multiple of `WIDTH`.
+    fn store(self, column: &mut Column, place: usize);
+
+    /// `self` where it is smaller, else `other`: also where one of them is NaN or both are zeros.
     fn min(self, other: Self) -> Self;
-    /// Larger of the two, number by number.
+    /// `self` where it is larger, else `other`: also where one of them is NaN or both are zeros.
     fn max(self, other: Self) -> Self;
     /// Where `self > other`.
     fn greater(self, other: Self) -> Self::Mask;
@@ -42,16 +38,34 @@ pub(crate) trait Lane:
     fn both(a: Self::Mask, b: Self::Mask) -> Self::Mask;
     /// `yes` where the mask holds, `no` elsewhere.
     fn select(mask: Self::Mask, yes: Self, no: Self) -> Self;
-    /// Reads the states in `rows`.
-    fn gather(states: &[BodyState], rows: Self::Rows) -> BodyState<Self>;
-    /// Writes the velocities of the states in `rows` back.
-    fn scatter_velocities(states: &mut [BodyState], rows: Self::Rows, state: &BodyState<Self>);
+
+    /// Reads the states in the rows of a column from `place` on, a multiple of `WIDTH`.
+    ///
+    /// # Panics
+    /// If there is no such row.
+    fn gather(states: &[BodyState], rows: &Column<u32>, place: usize) -> BodyState<Self>;
+    /// The same where only velocities are needed: the rest is at rest.
+    ///
+    /// # Panics
+    /// If there is no such row.
+    fn gather_velocities(states: &[BodyState], rows: &Column<u32>, place: usize) -> BodyState<Self>;
+    /// Writes the velocities back to the rows of a column from `place` on, a multiple of `WIDTH`, where `moves`
+    /// holds. There, rows differ from each other.
+    ///
+    /// # Panics
+    /// If there is no such row.
+    fn scatter_velocities(
+        states: &mut [BodyState],
+        rows: &Column<u32>,
+        place: usize,
+        state: &BodyState<Self>,
+        moves: Self::Mask,
+    );
 }
 
 impl Lane for f32 {
     const WIDTH: usize = 1;
     type Mask = bool;
-    type Rows = u32;
 
     #[inline(always)]
     fn splat(value: f32) -> Self {
@@ -59,23 +73,17 @@ impl Lane for f32 {
     }
 
     #[inline(always)]
-    fn get(&self, _place: usize) -> f32 {
-        *self
+    fn load(column: &Column, place: usize) -> Self {
+        column.get(place)
     }
 
     #[inline(always)]
-    fn set(&mut self, _place: usize, value: f32) {
-        *self = value;
-    }
-
-    #[inline(always)]
-    fn set_row(rows: &mut u32, _place: usize, row: u32) {
-        *rows = row;
+    fn store(self, column: &mut Column, place: usize) {
+        column.set(place, self);
     }
 
     #[inline(always)]
     fn min(self, other: Self) -> Self {
-        // As SSE and AVX do it; `f32::min` treats NaN differently and takes more instructions.
         if self < other { self } else { other }
     }
 
@@ -100,14 +108,28 @@ impl Lane for f32 {
     }
 
     #[inline(always)]
-    fn gather(states: &[BodyState], row: u32) -> BodyState {
-        states[row as usize]
+    fn gather(states: &[BodyState], rows: &Column<u32>, place: usize) -> BodyState {
+        states[rows.get(place) as usize]
     }
 
     #[inline(always)]
-    fn scatter_velocities(states: &mut [BodyState], row: u32, state: &BodyState) {
-        let to = &mut states[row as usize];
-        to.velocity = state.velocity;
-        to.angular_velocity = state.angular_velocity;
+    fn gather_velocities(states: &[BodyState], rows: &Column<u32>, place: usize) -> BodyState {
+        let from = &states[rows.get(place) as usize];
+        BodyState { velocity: from.velocity, angular_velocity: from.angular_velocity, ..BodyState::REST }
+    }
+
+    #[inline(always)]
+    fn scatter_velocities(
+        states: &mut [BodyState],
+        rows: &Column<u32>,
+        place: usize,
+        state: &BodyState,
+        moves: bool,
+    ) {
+        if moves {
+            let to = &mut states[rows.get(place) as usize];
+            to.velocity = state.velocity;
+            to.angular_velocity = state.angular_velocity;
+        }
     }
 }

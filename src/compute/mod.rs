@@ -1,12 +1,39 @@
 //! Numbers in lanes: the contact kernel is one text, generic over how many contacts it solves at a time.
 //!
 //! [`Lane`] is what the kernel computes with. `f32` is the lane of width 1: the reference that every wider
-//! lane must agree with bit for bit, which it can because no operation here is fused or estimated.
+//! lane must agree with bit for bit, which it can because no operation here is fused or estimated. Four numbers
+//! are computed with by SSE2 or NEON, eight by AVX2. Numbers are stored in [`Column`]s of eight, whatever the
+//! width.
+//!
+//! [`run`] is where a width is chosen: a [`Job`] is compiled once per width, all of it inlined into one function
+//! that may use the instructions of that width. This is the only module with `unsafe` in it.
 
+#[cfg(target_arch = "x86_64")]
+mod avx2;
+mod column;
+mod dispatch;
 mod lane;
+#[cfg(target_arch = "aarch64")]
+mod neon;
+#[cfg(any(test, not(any(target_arch = "x86_64", target_arch = "aarch64"))))]
+mod portable;
+#[cfg(target_arch = "x86_64")]
+mod sse2;
 mod state;
+#[cfg(test)]
+mod tests;
 mod vector;
 
+#[cfg(target_arch = "aarch64")]
+use neon as four;
+#[cfg(not(any(target_arch = "x86_64", target_arch = "aarch64")))]
+use portable as four;
+#[cfg(target_arch = "x86_64")]
+use sse2 as four;
+
+pub(crate) use column::{COLUMN, Column};
+pub use dispatch::Lanes;
+pub(crate) use dispatch::{Job, Width, run};
 pub(crate) use lane::Lane;
 pub(crate) use state::{BodyState, GROUND_ROW};
 pub(crate) use vector::{LaneRot, LaneVec2};

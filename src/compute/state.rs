@@ -1,6 +1,6 @@
 //! The hot row of a body: what the substep loop reads and writes.
 
-use crate::compute::{LaneRot, LaneVec2};
+use crate::compute::{Lane, LaneRot, LaneVec2};
 
 /// Velocity of a body and how far it has moved since the step began.
 ///
@@ -36,4 +36,19 @@ impl BodyState {
         delta_position: LaneVec2 { x: 0.0, y: 0.0 },
         delta_rotation: LaneRot { c: 1.0, s: 0.0 },
     };
+}
+
+impl<L: Lane> BodyState<L> {
+    /// As many bodies at rest.
+    #[inline(always)]
+    pub(crate) fn at_rest() -> Self {
+        let (zero, one) = (L::splat(0.0), L::splat(1.0));
+        Self {
+            velocity: LaneVec2 { x: zero, y: zero },
+            angular_velocity: zero,
+            padding: zero,
+            delta_position: LaneVec2 { x: zero, y: zero },
+            delta_rotation: LaneRot { c: one, s: zero },
+        }
+    }
 }

@@ -2,7 +2,7 @@
 
 use core::ops::{Add, Mul, Sub};
 
-use crate::compute::Lane;
+use crate::compute::{Column, Lane};
 
 /// `WIDTH` vectors of the plane.
 #[repr(C)]
@@ -27,6 +27,21 @@ impl<L: Lane> LaneVec2<L> {
     #[inline(always)]
     pub(crate) fn perp(self) -> Self {
         Self { x: -self.y, y: self.x }
+    }
+}
+
+impl LaneVec2<Column> {
+    /// The vectors from `place` on, a multiple of the lane's width.
+    #[inline(always)]
+    pub(crate) fn load<L: Lane>(&self, place: usize) -> LaneVec2<L> {
+        LaneVec2 { x: L::load(&self.x, place), y: L::load(&self.y, place) }
+    }
+
+    /// Writes vectors from `place` on, a multiple of the lane's width.
+    #[inline(always)]
+    pub(crate) fn store<L: Lane>(&mut self, place: usize, vectors: LaneVec2<L>) {
+        vectors.x.store(&mut self.x, place);
+        vectors.y.store(&mut self.y, place);
     }
 }
 

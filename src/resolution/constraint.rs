@@ -14,40 +14,66 @@
 //! circle, which rolls: its contact point is always the one nearest to the other body, and a point that went
 //! round with it would seem to lift off.
 //!
-//! `L` holds `L::WIDTH` contacts that share no movable body.
+//! The equations are written for any [`Lane`]: a [`ContactConstraint`] of lanes is as many contacts that share no
+//! movable body, one of `f32` is a single contact. In between they are stored in a [`ContactBlock`](crate::resolution::contact_block::ContactBlock).
 
 use crate::body::Bodies;
 use crate::collision::{Contact, Manifold};
-use crate::compute::{BodyState, GROUND_ROW, Lane, LaneVec2};
-use crate::math::Vec2;
+use crate::compute::{BodyState, Lane, LaneVec2};
 use crate::resolution::softness::FULL_PUSH_DEPTH;
 use crate::shape::Shape;
 
 /// One of the (at most two) points of a contact.
+#[repr(C)]
 #[derive(Clone, Copy, Debug, Default)]
-pub(crate) struct ConstraintPoint<L> {
+pub(crate) struct ConstraintPoint<C> {
     /// Contact point from the centre of a, m. It holds still during the step.
-    pub(crate) anchor_a: LaneVec2<L>,
+    pub(crate) anchor_a: LaneVec2<C>,
     /// Contact point from the centre of b, m.
-    pub(crate) anchor_b: LaneVec2<L>,
+    pub(crate) anchor_b: LaneVec2<C>,
     /// Separation at the start of the step, m.
-    pub(crate) separation: L,
+    pub(crate) separation: C,
     /// Inverse effective mass k along the normal, 1/kg; 0 for a point that is not there.
-    pub(crate) normal_k: L,
+    pub(crate) normal_k: C,
     /// Effective mass along the tangent, kg.
-    pub(crate) tangent_mass: L,
+    pub(crate) tangent_mass: C,
     /// Impulse along the normal in this substep, N s, 0 or more.
-    pub(crate) normal_impulse: L,
+    pub(crate) normal_impulse: C,
     /// Impulse along the tangent in this substep, N s.
-    pub(crate) tangent_impulse: L,
-    /// What the warm start of this substep applies twice, N s.
-    pub(crate) normal_share: L,
-    /// What the warm start of this substep applies twice, N s.
-    pub(crate) tangent_share: L,
+    pub(crate) tangent_impulse: C,
+    /// What the warm start of this substep applies twice along the normal, N s.
+    pub(crate) normal_share: C,
     /// Added to the separation, m: 0, or so much that the sweeps leave the point alone, because it
     /// approaches fast enough to bounce and its impact is not due in this substep.
-    pub(crate) awaits_impact: L,
+    pub(crate) awaits_impact: C,
 }
+
+/// What the sweeps see as the separation of a point that awaits its impact, m.
+pub(crate) const OUT_OF_REACH: f32 = 1e9;
+
+/// A contact, or as many as a lane holds.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct ContactConstraint<C> {
+    pub(crate) inverse_mass_a: C,
+    pub(crate) inverse_mass_b: C,
+    pub(crate) inverse_inertia_a: C,
+    pub(crate) inverse_inertia_b: C,
+    /// 1 where the outline of a turns with it, 0 where it is a circle.
+    pub(crate) turns_a: C,
+    /// The same for b.
+    pub(crate) turns_b: C,
+    /// From a to b.
+    pub(crate) normal: LaneVec2<C>,
+    pub(crate) friction: C,
+    /// Coupling of the two points along the normal, 1/kg: what a unit impulse at one does to the other's vn.
+    pub(crate) coupling: C,
+    pub(crate) points: [ConstraintPoint<C>; 2],
+}
+
+/// |k12| may be at most this share of √(k11 k22). Two points that all but coincide would otherwise ask for
+/// huge impulses of opposite sign; this bounds the condition number at about 4000.
+const LARGEST_COUPLING: f32 = 0.9995;
 
 impl<L: Lane> ConstraintPoint<L> {
     /// Velocity of b against a at the point, m/s.
@@ -59,105 +85,7 @@ impl<L: Lane> ConstraintPoint<L> {
     }
 }
 
-/// What the sweeps see as the separation of a point that awaits its impact, m.
-pub(crate) const OUT_OF_REACH: f32 = 1e9;
-
-/// `L::WIDTH` contacts.
-#[derive(Clone, Copy, Debug, Default)]
-pub(crate) struct ContactConstraint<L: Lane> {
-    pub(crate) row_a: L::Rows,
-    pub(crate) row_b: L::Rows,
-    pub(crate) inverse_mass_a: L,
-    pub(crate) inverse_mass_b: L,
-    pub(crate) inverse_inertia_a: L,
-    pub(crate) inverse_inertia_b: L,
-    /// 1 where the outline of a turns with it, 0 where it is a circle.
-    pub(crate) turns_a: L,
-    /// The same for b.
-    pub(crate) turns_b: L,
-    /// From a to b.
-    pub(crate) normal: LaneVec2<L>,
-    pub(crate) friction: L,
-    /// Coupling of the two points along the normal, 1/kg: what a unit impulse at one does to the other's vn.
-    pub(crate) coupling: L,
-    pub(crate) points: [ConstraintPoint<L>; 2],
-}
-
-/// |k12| may be at most this share of √(k11 k22). Two points that all but coincide would otherwise ask for
-/// huge impulses of opposite sign; this bounds the condition number at about 4000.
-const LARGEST_COUPLING: f32 = 0.9995;
-
 impl<L: Lane> ContactConstraint<L> {
-    /// Puts `contact` at `place` of the lane, as the step begins. Its impulses are multiplied by `scale`, the
-    /// length of a substep now over that of the substep they were found in.
-    pub(crate) fn set(&mut self, place: usize, contact: &Contact, bodies: &Bodies, scale: f32) {
-        let [a, b] = contact.slots.map(|slot| &bodies.motions[slot as usize]);
-        let [turns_a, turns_b] = contact.slots.map(|slot| match bodies.shapes[slot as usize] {
-            Shape::Circle(_) => 0.0,
-            Shape::Aabb(_) | Shape::Obb(_) | Shape::Polygon(_) => 1.0,
-        });
-        L::set_row(&mut self.row_a, place, a.row);
-        L::set_row(&mut self.row_b, place, b.row);
-        self.inverse_mass_a.set(place, a.inverse_mass);
-        self.inverse_mass_b.set(place, b.inverse_mass);
-        self.inverse_inertia_a.set(place, a.inverse_inertia);
-        self.inverse_inertia_b.set(place, b.inverse_inertia);
-        self.turns_a.set(place, turns_a);
-        self.turns_b.set(place, turns_b);
-        self.friction.set(place, contact.friction);
-        for (slot, point) in self.points.iter_mut().zip(contact.manifold.points()) {
-            slot.normal_impulse.set(place, scale * point.normal_impulse);
-            slot.tangent_impulse.set(place, scale * point.tangent_impulse);
-        }
-        self.set_geometry(place, &contact.manifold);
-    }
-
-    /// Takes normal and points over from a manifold of the bodies as they were when the step began.
-    pub(crate) fn set_geometry(&mut self, place: usize, manifold: &Manifold) {
-        let [m_a, m_b] = [self.inverse_mass_a.get(place), self.inverse_mass_b.get(place)];
-        let [i_a, i_b] = [self.inverse_inertia_a.get(place), self.inverse_inertia_b.get(place)];
-        let k = |first: [f32; 2], second: [f32; 2]| {
-            m_a + m_b + i_a * (first[0] * second[0]) + i_b * (first[1] * second[1])
-        };
-        let normal = manifold.normal;
-        let tangent = normal.perp();
-        set_vector(&mut self.normal, place, normal);
-        self.coupling.set(place, 0.0);
-        let mut arms = [[0.0; 2]; 2];
-        for (index, point) in manifold.points().iter().enumerate() {
-            let slot = &mut self.points[index];
-            let arm = [point.anchor_a.cross(normal), point.anchor_b.cross(normal)];
-            let tangent_arm = [point.anchor_a.cross(tangent), point.anchor_b.cross(tangent)];
-            arms[index] = arm;
-            set_vector(&mut slot.anchor_a, place, point.anchor_a);
-            set_vector(&mut slot.anchor_b, place, point.anchor_b);
-            slot.separation.set(place, point.separation);
-            slot.normal_k.set(place, k(arm, arm));
-            slot.tangent_mass.set(place, 1.0 / k(tangent_arm, tangent_arm));
-        }
-        if manifold.points().len() == 2 {
-            let limit = LARGEST_COUPLING * (k(arms[0], arms[0]) * k(arms[1], arms[1])).sqrt();
-            self.coupling.set(place, k(arms[0], arms[1]).clamp(-limit, limit));
-        }
-    }
-
-    /// Takes normal and points over from a manifold of the bodies in the states `a` and `b`, within the step. It
-    /// must have as many points as before.
-    pub(crate) fn set_geometry_in(
-        &mut self,
-        place: usize,
-        manifold: &Manifold,
-        a: &BodyState<L>,
-        b: &BodyState<L>,
-    ) {
-        self.set_geometry(place, manifold);
-        for (index, point) in manifold.points().iter().enumerate() {
-            // Separations count from the start of the step.
-            let moved = self.separation(&self.points[index], a, b).get(place) - point.separation;
-            self.points[index].separation.set(place, point.separation - moved);
-        }
-    }
-
     /// Separation of a point now, m.
     #[inline(always)]
     pub(crate) fn separation(&self, point: &ConstraintPoint<L>, a: &BodyState<L>, b: &BodyState<L>) -> L {
@@ -180,49 +108,92 @@ impl<L: Lane> ContactConstraint<L> {
         b.velocity = b.velocity + impulse * self.inverse_mass_b;
         b.angular_velocity = b.angular_velocity + self.inverse_inertia_b * point.anchor_b.cross(impulse);
     }
+}
 
-    /// Writes impulses and end-of-step separations back into the manifold; adds what is left wrong to
-    /// `residual`.
-    pub(crate) fn store(
-        &self,
-        place: usize,
-        states: &[BodyState],
-        contact: &mut Contact,
-        residual: &mut StepResidual,
-    ) {
-        let (a, b) = (L::gather(states, self.row_a), L::gather(states, self.row_b));
+impl ContactConstraint<f32> {
+    /// A contact as the step begins, between bodies in rows of their own. Its impulses are multiplied by `scale`,
+    /// the length of a substep now over that of the substep they were found in.
+    pub(crate) fn new(contact: &Contact, bodies: &Bodies, scale: f32) -> Self {
+        let [a, b] = contact.slots.map(|slot| &bodies.motions[slot as usize]);
+        let [turns_a, turns_b] = contact.slots.map(|slot| match bodies.shapes[slot as usize] {
+            Shape::Circle(_) => 0.0,
+            Shape::Aabb(_) | Shape::Obb(_) | Shape::Polygon(_) => 1.0,
+        });
+        let mut constraint = Self {
+            inverse_mass_a: a.inverse_mass,
+            inverse_mass_b: b.inverse_mass,
+            inverse_inertia_a: a.inverse_inertia,
+            inverse_inertia_b: b.inverse_inertia,
+            turns_a,
+            turns_b,
+            friction: contact.friction,
+            ..Self::default()
+        };
+        for (to, point) in constraint.points.iter_mut().zip(contact.manifold.points()) {
+            to.normal_impulse = scale * point.normal_impulse;
+            to.tangent_impulse = scale * point.tangent_impulse;
+        }
+        constraint.set_geometry(&contact.manifold);
+        constraint
+    }
+
+    /// Takes normal and points over from a manifold of the bodies as they were when the step began.
+    pub(crate) fn set_geometry(&mut self, manifold: &Manifold) {
+        let [m_a, m_b] = [self.inverse_mass_a, self.inverse_mass_b];
+        let [i_a, i_b] = [self.inverse_inertia_a, self.inverse_inertia_b];
+        let k = |first: [f32; 2], second: [f32; 2]| {
+            m_a + m_b + i_a * (first[0] * second[0]) + i_b * (first[1] * second[1])
+        };
+        let normal = manifold.normal;
+        let tangent = normal.perp();
+        self.normal = normal.into();
+        self.coupling = 0.0;
+        let mut arms = [[0.0; 2]; 2];
+        for (index, point) in manifold.points().iter().enumerate() {
+            let to = &mut self.points[index];
+            let arm = [point.anchor_a.cross(normal), point.anchor_b.cross(normal)];
+            let tangent_arm = [point.anchor_a.cross(tangent), point.anchor_b.cross(tangent)];
+            arms[index] = arm;
+            to.anchor_a = point.anchor_a.into();
+            to.anchor_b = point.anchor_b.into();
+            to.separation = point.separation;
+            to.normal_k = k(arm, arm);
+            to.tangent_mass = 1.0 / k(tangent_arm, tangent_arm);
+        }
+        if manifold.points().len() == 2 {
+            let limit = LARGEST_COUPLING * (k(arms[0], arms[0]) * k(arms[1], arms[1])).sqrt();
+            self.coupling = k(arms[0], arms[1]).clamp(-limit, limit);
+        }
+    }
+
+    /// Takes normal and points over from a manifold of the bodies in the states `a` and `b`, within the step. It
+    /// must have as many points as before.
+    pub(crate) fn set_geometry_in(&mut self, manifold: &Manifold, a: &BodyState, b: &BodyState) {
+        self.set_geometry(manifold);
+        for (index, point) in manifold.points().iter().enumerate() {
+            // Separations count from the start of the step.
+            let moved = self.separation(&self.points[index], a, b) - point.separation;
+            self.points[index].separation = point.separation - moved;
+        }
+    }
+
+    /// Writes impulses and end-of-step separations back into the manifold, given the bodies' states; adds what is
+    /// left wrong to `residual`.
+    pub(crate) fn finish(&self, [a, b]: [&BodyState; 2], contact: &mut Contact, residual: &mut StepResidual) {
         for (point, stored) in self.points.iter().zip(contact.manifold.points_mut()) {
-            let separation = self.separation(point, &a, &b).get(place);
-            let approach = -self.normal.dot(point.relative_velocity(&a, &b)).get(place);
+            let separation = self.separation(point, a, b);
+            let approach = -self.normal.dot(point.relative_velocity(a, b));
             stored.separation = separation;
-            stored.normal_impulse = point.normal_impulse.get(place);
-            stored.tangent_impulse = point.tangent_impulse.get(place);
+            stored.normal_impulse = point.normal_impulse;
+            stored.tangent_impulse = point.tangent_impulse;
             residual.penetration = residual.penetration.max(-separation);
             if stored.normal_impulse > 0.0 && -separation < FULL_PUSH_DEPTH {
                 residual.loaded_penetration = residual.loaded_penetration.max(-separation);
             }
-            if separation <= 0.0 && point.awaits_impact.get(place) == 0.0 {
+            if separation <= 0.0 && point.awaits_impact == 0.0 {
                 residual.approach_speed = residual.approach_speed.max(approach);
             }
         }
-    }
-}
-
-fn set_vector<L: Lane>(to: &mut LaneVec2<L>, place: usize, from: Vec2) {
-    to.x.set(place, from.x);
-    to.y.set(place, from.y);
-}
-
-impl ContactConstraint<f32> {
-    /// Whether one of the two bodies is a circle.
-    pub(crate) fn has_circle(&self) -> bool {
-        self.turns_a == 0.0 || self.turns_b == 0.0
-    }
-
-    /// The rows of the two bodies, with the ground's in the place of a body that contacts do not move.
-    pub(crate) fn moved_rows(&self) -> [u32; 2] {
-        let row_if = |moves: bool, row: u32| if moves { row } else { GROUND_ROW };
-        [row_if(self.inverse_mass_a > 0.0, self.row_a), row_if(self.inverse_mass_b > 0.0, self.row_b)]
     }
 }
 

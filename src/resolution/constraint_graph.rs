@@ -8,8 +8,10 @@
 
 use crate::body::Bodies;
 use crate::collision::Contacts;
-use crate::compute::Lane;
-use crate::resolution::constraint::ContactConstraint;
+use crate::compute::{self, BodyState, COLUMN, Job, Lane, Width};
+use crate::resolution::constraint::{ContactConstraint, StepResidual};
+use crate::resolution::contact_block::ContactBlock;
+use crate::resolution::kernel::Kernel;
 use crate::store::BitSet;
 
 /// How many colours there are. A body can be in one contact per colour; the few contacts of a very crowded
@@ -24,20 +26,20 @@ const OVERFLOW: usize = COLOURS;
 
 /// Contacts that share no movable body.
 #[derive(Clone, Debug, Default)]
-pub(crate) struct Colour<L: Lane> {
+pub(crate) struct Colour {
     /// Slots of the movable bodies in it.
     bodies: BitSet,
     /// Indices of the contacts in it.
     pub(crate) contacts: Vec<u32>,
-    /// The contacts as the solver sees them during a step, `L::WIDTH` to one.
-    pub(crate) constraints: Vec<ContactConstraint<L>>,
+    /// The contacts as the solver sees them during a step, in the same order.
+    blocks: Vec<ContactBlock>,
 }
 
 /// All contacts with points, by colour.
 #[derive(Clone, Debug)]
 pub(crate) struct ConstraintGraph {
     /// The colours, then the overflow.
-    colours: Vec<Colour<f32>>,
+    colours: Vec<Colour>,
     len: usize,
 }
 
@@ -60,7 +62,7 @@ impl ConstraintGraph {
     }
 
     /// The overflow, then the colours: the order in which they are solved.
-    pub(crate) fn in_order(&mut self) -> impl Iterator<Item = &mut Colour<f32>> {
+    pub(crate) fn in_order(&mut self) -> impl Iterator<Item = &mut Colour> {
         let (colours, overflow) = self.colours.split_at_mut(COLOURS);
         overflow.iter_mut().chain(colours).filter(|colour| !colour.contacts.is_empty())
     }
@@ -78,7 +80,7 @@ impl ConstraintGraph {
         }
         let slots = contacts[index].slots;
         let [a_moves, b_moves] = slots.map(|slot| bodies.is_dynamic(slot));
-        let is_free = |colour: &Colour<f32>| {
+        let is_free = |colour: &Colour| {
             !(a_moves && colour.bodies.contains(slots[0]) || b_moves && colour.bodies.contains(slots[1]))
         };
         let colour = if a_moves && b_moves {
@@ -120,25 +122,76 @@ impl ConstraintGraph {
     /// Makes the constraints of a step from the contacts; stored impulses are multiplied by `scale`.
     pub(crate) fn prepare(&mut self, contacts: &Contacts, bodies: &Bodies, scale: f32) {
         for colour in self.in_order() {
-            colour.constraints.clear();
-            for lane in colour.contacts.chunks(<f32 as Lane>::WIDTH) {
-                let mut constraint = ContactConstraint::default();
-                for (place, &index) in lane.iter().enumerate() {
-                    constraint.set(place, &contacts[index], bodies, scale);
+            // What is left over in a block is overwritten, but for places beyond the last contact.
+            colour.blocks.resize(colour.contacts.len().div_ceil(COLUMN), ContactBlock::default());
+            if colour.contacts.len() % COLUMN != 0 {
+                colour.blocks.pop();
+                colour.blocks.push(ContactBlock::default());
+            }
+            for (block, indices) in colour.blocks.iter_mut().zip(colour.contacts.chunks(COLUMN)) {
+                for (place, &index) in indices.iter().enumerate() {
+                    block.put(place, &contacts[index], bodies, scale);
                 }
-                colour.constraints.push(constraint);
             }
         }
     }
 
-    /// The constraint of the contact at a place of the graph.
-    pub(crate) fn constraint(&self, (colour, place): (u32, u32)) -> &ContactConstraint<f32> {
-        &self.colours[colour as usize].constraints[place as usize]
+    /// Does something to every constraint, colour by colour: as many at a time as `width` says, but for the
+    /// overflow, whose contacts may share bodies.
+    pub(crate) fn for_each(&mut self, width: Width, kernel: impl Kernel) {
+        compute::run(width, Pass { graph: self, kernel });
     }
 
-    /// The constraint of the contact at a place of the graph, for changing it.
-    pub(crate) fn constraint_mut(&mut self, (colour, place): (u32, u32)) -> &mut ContactConstraint<f32> {
-        &mut self.colours[colour as usize].constraints[place as usize]
+    /// Does something to the constraint of the contact at a place of the graph.
+    pub(crate) fn for_one(&mut self, (colour, place): (u32, u32), mut kernel: impl Kernel) {
+        let block = &mut self.colours[colour as usize].blocks[place as usize / COLUMN];
+        kernel.run::<f32>(block, place as usize % COLUMN);
+    }
+
+    fn block(&self, (colour, place): (u32, u32)) -> (&ContactBlock, usize) {
+        (&self.colours[colour as usize].blocks[place as usize / COLUMN], place as usize % COLUMN)
+    }
+
+    fn block_mut(&mut self, (colour, place): (u32, u32)) -> (&mut ContactBlock, usize) {
+        (&mut self.colours[colour as usize].blocks[place as usize / COLUMN], place as usize % COLUMN)
+    }
+
+    /// The constraint of the contact at a place of the graph.
+    #[inline(always)]
+    pub(crate) fn constraint(&self, place: (u32, u32)) -> ContactConstraint<f32> {
+        let (block, place) = self.block(place);
+        block.load(place)
+    }
+
+    /// The rows of the bodies of the contact at a place of the graph.
+    pub(crate) fn rows(&self, place: (u32, u32)) -> [u32; 2] {
+        let (block, place) = self.block(place);
+        block.rows(place)
+    }
+
+    /// The same, with the ground's in the place of a body that contacts do not move.
+    pub(crate) fn moved_rows(&self, place: (u32, u32)) -> [u32; 2] {
+        let (block, place) = self.block(place);
+        block.moved_rows(place)
+    }
+
+    /// Gives the contact at a place of the graph the normal and the points of `constraint`.
+    pub(crate) fn set_geometry(&mut self, place: (u32, u32), constraint: &ContactConstraint<f32>) {
+        let (block, place) = self.block_mut(place);
+        block.store_geometry(place, constraint);
+    }
+
+    /// Changes what the first point of the contact at a place of the graph bears, N s: its impulses along normal and
+    /// tangent, and the share of the warm start along the normal.
+    pub(crate) fn set_load(&mut self, place: (u32, u32), load: [f32; 3]) {
+        let (block, place) = self.block_mut(place);
+        block.set_load(place, load);
+    }
+
+    /// Has the sweeps heed the points of the contact at a place of the graph again or not.
+    pub(crate) fn set_awaits_impact(&mut self, place: (u32, u32), awaits: [f32; 2]) {
+        let (block, place) = self.block_mut(place);
+        block.set_awaits_impact(place, awaits);
     }
 
     /// Checks that every contact with a place is at that place, and no colour holds a movable body twice.
@@ -162,6 +215,44 @@ impl ConstraintGraph {
             Ok(())
         } else {
             Err(format!("the graph counts {} of {found} contacts", self.len))
+        }
+    }
+}
+
+/// One pass over the graph.
+struct Pass<'a, K> {
+    graph: &'a mut ConstraintGraph,
+    kernel: K,
+}
+
+impl<K: Kernel> Job for Pass<'_, K> {
+    #[inline(always)]
+    fn run<L: Lane>(mut self) {
+        let (colours, overflow) = self.graph.colours.split_at_mut(COLOURS);
+        for colour in overflow {
+            colour.pass::<f32>(&mut self.kernel);
+        }
+        for colour in colours {
+            colour.pass::<L>(&mut self.kernel);
+        }
+    }
+}
+
+impl Colour {
+    /// Writes impulses and separations back into the contacts; adds what is left wrong to `residual`.
+    pub(crate) fn finish(&self, states: &[BodyState], contacts: &mut Contacts, residual: &mut StepResidual) {
+        for (block, indices) in self.blocks.iter().zip(self.contacts.chunks(COLUMN)) {
+            for (place, &index) in indices.iter().enumerate() {
+                let states = block.rows(place).map(|row| &states[row as usize]);
+                block.load::<f32>(place).finish(states, &mut contacts[index], residual);
+            }
+        }
+    }
+
+    #[inline(always)]
+    fn pass<L: Lane>(&mut self, kernel: &mut impl Kernel) {
+        for place in (0..self.contacts.len()).step_by(L::WIDTH) {
+            kernel.run::<L>(&mut self.blocks[place / COLUMN], place % COLUMN);
         }
     }
 }

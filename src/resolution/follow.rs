@@ -10,8 +10,8 @@ use crate::body::Bodies;
 use crate::collision::{Contact, Contacts, Manifold, detect_within};
 use crate::compute::BodyState;
 use crate::math::{Rot, Vec2};
-use crate::resolution::constraint::ContactConstraint;
 use crate::resolution::constraint_graph::ConstraintGraph;
+use crate::shape::Shape;
 
 /// Far enough that the nearest points of two bodies are found wherever they are, m.
 const ANY_DISTANCE: f32 = 1e9;
@@ -43,10 +43,11 @@ impl Followers {
 
     /// Takes up a contact with a circle, or of a single corner under load, if its manifold was found anew. A
     /// corner that is still on its way has the manifold of the place where it will land.
-    pub(crate) fn consider(&mut self, index: u32, contact: &Contact, constraint: &ContactConstraint<f32>) {
+    pub(crate) fn consider(&mut self, index: u32, contact: &Contact, bodies: &Bodies) {
         let is_corner = contact.manifold.points().len() == 1 && contact.is_loaded();
         if let (false, Some(place)) = (contact.is_kept, contact.graph_place) {
-            if constraint.has_circle() || is_corner {
+            let is_circle = |slot: u32| matches!(bodies.shapes[slot as usize], Shape::Circle(_));
+            if is_corner || contact.slots.into_iter().any(is_circle) {
                 self.contacts.push((index, place));
             }
         }
@@ -55,12 +56,13 @@ impl Followers {
     /// Brings the constraints up to where the bodies are now.
     pub(crate) fn follow(&self, graph: &mut ConstraintGraph, contacts: &Contacts, bodies: &Bodies) {
         for &(index, place) in &self.contacts {
-            let constraint = graph.constraint_mut(place);
-            let [a, b] = [constraint.row_a, constraint.row_b].map(|row| bodies.states[row as usize]);
+            let [a, b] = graph.rows(place).map(|row| &bodies.states[row as usize]);
             let contact = &contacts[index];
-            let manifold = manifold_in(contact, bodies, [&a, &b]).restricted_to(&contact.manifold);
+            let manifold = manifold_in(contact, bodies, [a, b]).restricted_to(&contact.manifold);
             if let Some(manifold) = manifold {
-                constraint.set_geometry_in(0, &manifold, &a, &b);
+                let mut constraint = graph.constraint(place);
+                constraint.set_geometry_in(&manifold, a, b);
+                graph.set_geometry(place, &constraint);
             }
         }
     }

@@ -18,6 +18,7 @@ use crate::resolution::constraint::{ContactConstraint, OUT_OF_REACH};
 use crate::resolution::constraint_graph::ConstraintGraph;
 use crate::resolution::follow::manifold_in;
 use crate::resolution::integrate::{drift, turn};
+use crate::shape::Shape;
 
 /// How many pieces a circle may reach in a substep, looks in vain counted; the sweeps take what is left.
 const MEETINGS_PER_SUBSTEP: usize = 64;
@@ -28,8 +29,9 @@ const MEETING_TOLERANCE: f32 = 1e-3;
 /// A contact of a circle with the ground.
 #[derive(Clone, Copy, Debug)]
 struct Piece {
-    /// Row of the circle.
-    row: u32,
+    /// Rows of the two bodies, and which of them is the circle.
+    rows: [u32; 2],
+    circle: usize,
     /// Index of the contact, and its place in the constraint graph.
     contact: u32,
     graph_place: (u32, u32),
@@ -69,24 +71,34 @@ impl Handovers {
     }
 
     /// Takes up a contact of a circle with the ground.
-    pub(crate) fn consider(&mut self, index: u32, contact: &Contact, constraint: &ContactConstraint<f32>) {
+    pub(crate) fn consider(&mut self, index: u32, contact: &Contact, bodies: &Bodies) {
         let Some(graph_place) = contact.graph_place else { return };
-        let row = match (constraint.inverse_mass_a > 0.0, constraint.inverse_mass_b > 0.0) {
-            (true, false) if constraint.turns_a == 0.0 => constraint.row_a,
-            (false, true) if constraint.turns_b == 0.0 => constraint.row_b,
-            _ => return,
-        };
-        self.pieces.push(Piece { row, contact: index, graph_place, is_ahead: false, level: 0.0 });
+        let moves = contact.slots.map(|slot| bodies.is_dynamic(slot));
+        if moves[0] == moves[1] {
+            return;
+        }
+        let circle = usize::from(moves[1]);
+        if let Shape::Circle(_) = bodies.shapes[contact.slots[circle] as usize] {
+            let rows = contact.slots.map(|slot| bodies.motions[slot as usize].row);
+            self.pieces.push(Piece {
+                rows,
+                circle,
+                contact: index,
+                graph_place,
+                is_ahead: false,
+                level: 0.0,
+            });
+        }
     }
 
     /// Keeps the circles that have two pieces of ground in reach.
     pub(crate) fn group(&mut self) {
-        self.pieces.sort_unstable_by_key(|piece| (piece.row, piece.contact));
+        self.pieces.sort_unstable_by_key(|piece| (piece.row(), piece.contact));
         let mut kept = 0;
         let mut start = 0;
         while start < self.pieces.len() {
-            let row = self.pieces[start].row;
-            let len = self.pieces[start..].iter().take_while(|piece| piece.row == row).count();
+            let row = self.pieces[start].row();
+            let len = self.pieces[start..].iter().take_while(|piece| piece.row() == row).count();
             if len > 1 {
                 self.pieces.copy_within(start..start + len, kept);
                 kept += len;
@@ -96,48 +108,44 @@ impl Handovers {
         self.pieces.truncate(kept);
     }
 
+    /// The pieces of each circle.
+    fn by_circle(&mut self) -> impl Iterator<Item = &mut [Piece]> {
+        self.pieces.chunk_by_mut(|one, next| one.row() == next.row())
+    }
+
     /// Before impacts: nothing is held back.
     pub(crate) fn release(&mut self, graph: &mut ConstraintGraph) {
         for piece in &mut self.pieces {
-            if piece.is_ahead {
-                piece.is_ahead = false;
-                graph.constraint_mut(piece.graph_place).points[0].awaits_impact = 0.0;
-            }
+            piece.be_ahead(false, graph);
         }
     }
 
     /// Before the sweeps: holds back the pieces that rolling circles have not reached yet.
     pub(crate) fn hold_back(&mut self, graph: &mut ConstraintGraph, states: &[BodyState]) {
-        for pieces in self.pieces.chunk_by_mut(|one, next| one.row == next.row) {
-            let separation_and_load = |graph: &ConstraintGraph, piece: &Piece| {
+        for pieces in self.by_circle() {
+            let level = pieces.iter().fold(0.0, |level: f32, piece| {
                 let constraint = graph.constraint(piece.graph_place);
-                let (a, b) = (states[constraint.row_a as usize], states[constraint.row_b as usize]);
-                let point = &constraint.points[0];
-                (constraint.separation(point, &a, &b), point.normal_impulse)
-            };
-            let loaded =
-                pieces.iter().map(|piece| separation_and_load(graph, piece)).filter(|&(_, load)| load > 0.0);
-            let level = loaded.fold(0.0, |level: f32, (separation, _)| level.min(separation));
+                let is_loaded = constraint.points[0].normal_impulse > 0.0;
+                if is_loaded { level.min(piece.separation(&constraint, states)) } else { level }
+            });
             for piece in pieces {
-                let (separation, load) = separation_and_load(graph, piece);
-                let point = &mut graph.constraint_mut(piece.graph_place).points[0];
+                let constraint = graph.constraint(piece.graph_place);
+                let point = &constraint.points[0];
+                let is_free = point.normal_impulse == 0.0 && point.awaits_impact == 0.0;
                 piece.level = level;
-                piece.is_ahead = load == 0.0 && separation > level && point.awaits_impact == 0.0;
-                if piece.is_ahead {
-                    point.awaits_impact = OUT_OF_REACH;
-                }
+                piece.be_ahead(is_free && piece.separation(&constraint, states) > level, graph);
             }
         }
     }
 
     /// Before the move: circles meet what they reach during it.
     pub(crate) fn run(&mut self, scene: &mut HandoverScene<'_>) {
-        for pieces in self.pieces.chunk_by_mut(|one, next| one.row == next.row) {
+        for pieces in self.by_circle() {
             let mut now = 0.0;
             for _ in 0..MEETINGS_PER_SUBSTEP {
-                let times = pieces.iter().enumerate().filter(|(_, piece)| piece.is_ahead);
+                let ahead = pieces.iter().enumerate().filter(|(_, piece)| piece.is_ahead);
                 let times =
-                    times.filter_map(|(number, piece)| Some((piece.time_of_meeting(now, scene)?, number)));
+                    ahead.filter_map(|(number, piece)| Some((piece.time_of_meeting(now, scene)?, number)));
                 let Some((time, next)) = times.min_by(|one, other| one.0.total_cmp(&other.0)) else { break };
                 now = time;
                 if pieces[next].meet(now, scene) {
@@ -149,15 +157,32 @@ impl Handovers {
 }
 
 impl Piece {
-    fn states(&self, scene: &HandoverScene<'_>) -> [BodyState; 2] {
-        let constraint = scene.graph.constraint(self.graph_place);
-        [constraint.row_a, constraint.row_b].map(|row| scene.bodies.states[row as usize])
+    /// Row of the circle.
+    fn row(&self) -> u32 {
+        self.rows[self.circle]
+    }
+
+    fn states(&self, states: &[BodyState]) -> [BodyState; 2] {
+        self.rows.map(|row| states[row as usize])
+    }
+
+    fn separation(&self, constraint: &ContactConstraint<f32>, states: &[BodyState]) -> f32 {
+        let [a, b] = self.states(states);
+        constraint.separation(&constraint.points[0], &a, &b)
+    }
+
+    /// Holds the piece back from the sweeps, or no longer does.
+    fn be_ahead(&mut self, is_ahead: bool, graph: &mut ConstraintGraph) {
+        if is_ahead != self.is_ahead {
+            self.is_ahead = is_ahead;
+            graph.set_awaits_impact(self.graph_place, [if is_ahead { OUT_OF_REACH } else { 0.0 }, 0.0]);
+        }
     }
 
     /// When the circle reaches the piece, s, if within this substep; not before `now`.
     fn time_of_meeting(&self, now: f32, scene: &HandoverScene<'_>) -> Option<f32> {
         let constraint = scene.graph.constraint(self.graph_place);
-        let [a, b] = self.states(scene);
+        let [a, b] = self.states(&scene.bodies.states);
         let gap = constraint.separation(&constraint.points[0], &a, &b) - self.level;
         let speed = -constraint.normal.dot(constraint.points[0].relative_velocity(&a, &b));
         let time = (gap / speed).max(now);
@@ -166,41 +191,39 @@ impl Piece {
 
     /// Stops the approach of the circle to the piece at `time`, s; false if they do not meet yet.
     fn meet(&mut self, time: f32, scene: &mut HandoverScene<'_>) -> bool {
-        let before = self.states(scene);
+        let before = self.states(&scene.bodies.states);
         let mut there = before;
         for state in &mut there {
             drift(state, time);
         }
         let contact = &scene.contacts[self.contact];
         let manifold = manifold_in(contact, scene.bodies, [&there[0], &there[1]]);
-        let constraint = scene.graph.constraint_mut(self.graph_place);
         let Some(manifold) = manifold.restricted_to(&contact.manifold) else {
-            constraint.points[0].awaits_impact = 0.0;
-            self.is_ahead = false;
+            self.be_ahead(false, scene.graph);
             return false;
         };
-        constraint.set_geometry_in(0, &manifold, &there[0], &there[1]);
-        let point = constraint.points[0];
-        let speed = -constraint.normal.dot(point.relative_velocity(&before[0], &before[1]));
+        let mut constraint = scene.graph.constraint(self.graph_place);
+        constraint.set_geometry_in(&manifold, &there[0], &there[1]);
+        scene.graph.set_geometry(self.graph_place, &constraint);
+        let speed = -constraint.normal.dot(constraint.points[0].relative_velocity(&before[0], &before[1]));
         if manifold.points()[0].separation - self.level > MEETING_TOLERANCE * speed.abs() * scene.h {
             return false;
         }
-        constraint.points[0].awaits_impact = 0.0;
-        self.is_ahead = false;
-        let [mut a, mut b] = before;
-        strike(constraint, speed, &mut a, &mut b);
-        let (mut after, before) = if constraint.row_a == self.row { (a, before[0]) } else { (b, before[1]) };
+        self.be_ahead(false, scene.graph);
+        let mut after = before;
+        strike(&constraint, speed, &mut after);
+        let (before, mut after) = (before[self.circle], after[self.circle]);
         // The move will take the circle on with its new velocity from the start of the substep.
         after.delta_position = after.delta_position + (before.velocity - after.velocity) * time;
         let missed_turn = (before.angular_velocity - after.angular_velocity) * time;
         turn(&mut after, missed_turn);
-        scene.bodies.states[self.row as usize] = after;
+        scene.bodies.states[self.row() as usize] = after;
         true
     }
 }
 
 /// The blow that stops an approach with `speed`, m/s, and its friction.
-fn strike(constraint: &ContactConstraint<f32>, speed: f32, a: &mut BodyState, b: &mut BodyState) {
+fn strike(constraint: &ContactConstraint<f32>, speed: f32, [a, b]: &mut [BodyState; 2]) {
     let point = &constraint.points[0];
     let blow = (speed / point.normal_k).max(0.0);
     constraint.apply(point, constraint.normal * blow, a, b);
@@ -214,31 +237,29 @@ fn strike(constraint: &ContactConstraint<f32>, speed: f32, a: &mut BodyState, b:
 fn hand_over(pieces: &[Piece], met: usize, scene: &mut HandoverScene<'_>) {
     for (number, left) in pieces.iter().enumerate() {
         let constraint = scene.graph.constraint(left.graph_place);
-        let [a, b] = left.states(scene);
-        let point = constraint.points[0];
+        let [a, b] = left.states(&scene.bodies.states);
+        let point = &constraint.points[0];
         let parting = constraint.normal.dot(point.relative_velocity(&a, &b));
         if number == met || point.normal_impulse == 0.0 || parting <= 0.0 {
             continue;
         }
-        let (normal, tangent) = (point.normal_share, point.tangent_share);
-        add_share(left, [-normal, -tangent], scene);
-        add_share(&pieces[met], [normal, tangent], scene);
-        scene.graph.constraint_mut(left.graph_place).points[0].normal_impulse = 0.0;
-        scene.graph.constraint_mut(left.graph_place).points[0].tangent_impulse = 0.0;
-        let met = &mut scene.graph.constraint_mut(pieces[met].graph_place).points[0];
-        met.normal_impulse += point.normal_impulse;
-        met.tangent_impulse += point.tangent_impulse;
+        let load = [point.normal_impulse, point.tangent_impulse, point.normal_share];
+        add_load(left, load.map(|part| -part), scene);
+        add_load(&pieces[met], load, scene);
     }
 }
 
-/// Adds to the share of the warm start, along normal and tangent, N s, that the circle gets from a piece after the
-/// move.
-fn add_share(piece: &Piece, [along_normal, along_tangent]: [f32; 2], scene: &mut HandoverScene<'_>) {
-    let constraint = scene.graph.constraint_mut(piece.graph_place);
-    constraint.points[0].normal_share += along_normal;
-    constraint.points[0].tangent_share += along_tangent;
-    let impulse = constraint.normal * along_normal + constraint.normal.perp() * along_tangent;
-    let [mut a, mut b] = [constraint.row_a, constraint.row_b].map(|row| scene.shares[row as usize]);
-    constraint.apply(&constraint.points[0], impulse, &mut a, &mut b);
-    scene.shares[piece.row as usize] = if constraint.row_a == piece.row { a } else { b };
+/// Adds to what a piece bears, N s: its impulses along normal and tangent, and the share of the warm start along the
+/// normal. Along the tangent that share is all there has been so far. The circle will get both shares after the move.
+fn add_load(piece: &Piece, [normal, tangent, normal_share]: [f32; 3], scene: &mut HandoverScene<'_>) {
+    let constraint = scene.graph.constraint(piece.graph_place);
+    let point = &constraint.points[0];
+    let sums =
+        [point.normal_impulse + normal, point.tangent_impulse + tangent, point.normal_share + normal_share];
+    scene.graph.set_load(piece.graph_place, sums);
+    let impulse = constraint.normal * normal_share + constraint.normal.perp() * tangent;
+    let mut shares = piece.states(scene.shares);
+    let [a, b] = &mut shares;
+    constraint.apply(point, impulse, a, b);
+    scene.shares[piece.row() as usize] = shares[piece.circle];
 }

@@ -123,19 +123,13 @@ impl Impacts {
         self.count = 0;
     }
 
-    /// Takes up a contact that has points and restitution; `constraint` is the one in the graph.
-    pub(crate) fn add(
-        &mut self,
-        index: u32,
-        contact: &Contact,
-        constraint: &ContactConstraint<f32>,
-        threshold: f32,
-    ) {
+    /// Takes up a contact that has points and restitution, between the bodies in `rows`.
+    pub(crate) fn add(&mut self, index: u32, contact: &Contact, rows: [u32; 2], threshold: f32) {
         let Some(graph_place) = contact.graph_place else { return };
         self.contacts.push(BouncyContact {
             contact: index,
             graph_place,
-            rows: [constraint.row_a, constraint.row_b],
+            rows,
             restitution: contact.restitution,
             threshold,
             greatest_speed: 0.0,
@@ -192,10 +186,8 @@ impl Impacts {
         let waits = approaching.map(|point| point.is_some_and(|point| point.separation > 0.0));
         if bouncy.is_waiting || waits[0] || waits[1] {
             bouncy.is_waiting = waits[0] || waits[1];
-            let constraint = scene.graph.constraint_mut(bouncy.graph_place);
-            for (point, waits) in constraint.points.iter_mut().zip(waits) {
-                point.awaits_impact = if waits { OUT_OF_REACH } else { 0.0 };
-            }
+            let awaits = waits.map(|waits| if waits { OUT_OF_REACH } else { 0.0 });
+            scene.graph.set_awaits_impact(bouncy.graph_place, awaits);
         }
         if let Some(time) = self.upcoming(number, approaching, scene) {
             self.queue.push(time, number);
@@ -243,11 +235,12 @@ impl Impacts {
         let mut after = before;
         bouncy.apply_impulses(&meeting, &mut after);
         if let Some(manifold) = manifold.restricted_to(&contact.manifold) {
-            let in_graph = scene.graph.constraint_mut(bouncy.graph_place);
-            in_graph.set_geometry_in(0, &manifold, &there[0], &there[1]);
+            let mut constraint = scene.graph.constraint(bouncy.graph_place);
+            constraint.set_geometry_in(&manifold, &there[0], &there[1]);
+            scene.graph.set_geometry(bouncy.graph_place, &constraint);
         }
         self.count += 1;
-        let moved = meeting.constraint.moved_rows();
+        let moved = scene.graph.moved_rows(bouncy.graph_place);
         self.part(moved, before, after, time, scene);
         self.look_again(moved, scene);
     }
@@ -280,7 +273,7 @@ impl Impacts {
         if !self.neighbours_are_built {
             self.neighbours_are_built = true;
             let graph = &*scene.graph;
-            let pairs = self.contacts.iter().map(|bouncy| graph.constraint(bouncy.graph_place).moved_rows());
+            let pairs = self.contacts.iter().map(|bouncy| graph.moved_rows(bouncy.graph_place));
             self.neighbours.build(scene.bodies.states.len(), pairs);
         }
         for row in rows {
@@ -337,9 +330,9 @@ impl BouncyContact {
         [a, b]: &[BodyState; 2],
         scene: &ImpactScene<'_>,
     ) -> Option<Meeting> {
-        let mut constraint = *scene.graph.constraint(self.graph_place);
+        let mut constraint = scene.graph.constraint(self.graph_place);
         constraint.points = Default::default();
-        constraint.set_geometry(0, manifold);
+        constraint.set_geometry(manifold);
         let [k_a, k_b] = self.rows.map(|row| scene.kicks[row as usize].acceleration);
         let gained = manifold.normal.dot(k_b - k_a) * (time - 0.5 * scene.h);
         let speeds = [0, 1].map(|index| {

@@ -5,7 +5,49 @@
 use crate::compute::{BodyState, Lane, LaneVec2};
 use crate::resolution::block::solve_pair;
 use crate::resolution::constraint::ContactConstraint;
+use crate::resolution::contact_block::ContactBlock;
 use crate::resolution::softness::{bias, gap_bias, leak};
+
+/// Something that is done to contacts, as many at a time as a lane holds: those of `block` from `place` on. It is
+/// to be `#[inline(always)]`, see [`Job`](crate::compute::Job).
+pub(crate) trait Kernel {
+    fn run<L: Lane>(&mut self, block: &mut ContactBlock, place: usize);
+}
+
+/// Begins a substep: finds what of the last impulse to apply now and, where the kick is split, again after the
+/// move, and adds what it does to each body to that body's row of `shares`.
+///
+/// There is one accumulator for the whole substep. With one per half, or with the biased impulse applied
+/// again, the push out of an overlap would be counted as load and pump energy into the scene.
+#[derive(Debug)]
+pub(crate) struct WarmStart<'a> {
+    pub(crate) shares: &'a mut [BodyState],
+    /// The share of the last impulse, no unit.
+    pub(crate) part: f32,
+}
+
+impl Kernel for WarmStart<'_> {
+    #[inline(always)]
+    fn run<L: Lane>(&mut self, block: &mut ContactBlock, place: usize) {
+        let mut constraint = block.load::<L>(place);
+        let [mut a, mut b] = block.gather_velocities(self.shares, place);
+        let normal = constraint.normal;
+        let tangent = normal.perp();
+        let part = L::splat(self.part);
+        for index in 0..2 {
+            let point = &mut constraint.points[index];
+            point.normal_share = point.normal_impulse * part;
+            point.normal_impulse = point.normal_share;
+            point.tangent_impulse = point.tangent_impulse * part;
+            let point = &constraint.points[index];
+            let impulse = normal * point.normal_impulse + tangent * point.tangent_impulse;
+            constraint.apply(point, impulse, &mut a, &mut b);
+        }
+        block.store_impulses(place, &constraint);
+        block.store_shares(place, &constraint);
+        block.scatter(self.shares, place, &[a, b]);
+    }
+}
 
 /// What a sweep does, beside stopping the approach.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -16,65 +58,47 @@ pub(crate) struct Sweep {
     pub(crate) friction: bool,
     /// Solves the two points of a contact together.
     pub(crate) block: bool,
-    /// Counts the second share of the warm start, which the bodies have just got, as impulse of the contact.
+    /// Counts the second share of the warm start, which the bodies have just got, as impulse of the contact. No
+    /// sweep with friction has been since the first share, so that this doubles the impulse along the tangent.
     pub(crate) counts_share: bool,
 }
 
-/// Begins a substep: finds what of the last impulse to apply now and, where the kick is split, again after the
-/// move, and adds what it does to each body to that body's row of `shares`.
-///
-/// There is one accumulator for the whole substep. With one per half, or with the biased impulse applied
-/// again, the push out of an overlap would be counted as load and pump energy into the scene.
-#[inline(always)]
-pub(crate) fn warm_start<L: Lane>(
-    constraint: &mut ContactConstraint<L>,
-    shares: &mut [BodyState],
-    part: f32,
-) {
-    let (mut a, mut b) = gather(constraint, shares);
-    let normal = constraint.normal;
-    let tangent = normal.perp();
-    for index in 0..2 {
-        let point = &mut constraint.points[index];
-        point.normal_share = point.normal_impulse * L::splat(part);
-        point.tangent_share = point.tangent_impulse * L::splat(part);
-        point.normal_impulse = point.normal_share;
-        point.tangent_impulse = point.tangent_share;
-        let point = &constraint.points[index];
-        let impulse = normal * point.normal_share + tangent * point.tangent_share;
-        constraint.apply(point, impulse, &mut a, &mut b);
-    }
-    scatter(constraint, shares, &a, &b);
+/// One sweep over contacts: normals, then friction.
+#[derive(Debug)]
+pub(crate) struct SweepOver<'a> {
+    pub(crate) states: &'a mut [BodyState],
+    pub(crate) kind: Sweep,
+    /// One over the length of the substep, 1/s.
+    pub(crate) per_substep: f32,
 }
 
-/// One sweep over the contacts of a lane: normals, then friction.
-#[inline(always)]
-pub(crate) fn sweep<L: Lane>(
-    constraint: &mut ContactConstraint<L>,
-    states: &mut [BodyState],
-    kind: Sweep,
-    per_substep: f32,
-) {
-    if kind.counts_share {
-        for point in &mut constraint.points {
-            point.normal_impulse = point.normal_impulse + point.normal_share;
-            point.tangent_impulse = point.tangent_impulse + point.tangent_share;
+impl Kernel for SweepOver<'_> {
+    #[inline(always)]
+    fn run<L: Lane>(&mut self, block: &mut ContactBlock, place: usize) {
+        let Self { kind, per_substep, .. } = *self;
+        let mut constraint = block.load::<L>(place);
+        if kind.counts_share {
+            for point in &mut constraint.points {
+                point.normal_impulse = point.normal_impulse + point.normal_share;
+                point.tangent_impulse = point.tangent_impulse + point.tangent_impulse;
+            }
         }
-    }
-    let (mut a, mut b) = gather(constraint, states);
-    if kind.block {
-        solve_normals_together(constraint, &mut a, &mut b, kind.biased, per_substep);
-    } else {
-        for index in 0..2 {
-            solve_normal(constraint, index, &mut a, &mut b, kind.biased, per_substep);
+        let [mut a, mut b] = block.gather(self.states, place);
+        if kind.block {
+            solve_normals_together(&mut constraint, &mut a, &mut b, kind.biased, per_substep);
+        } else {
+            for index in 0..2 {
+                solve_normal(&mut constraint, index, &mut a, &mut b, kind.biased, per_substep);
+            }
         }
-    }
-    if kind.friction {
-        for index in 0..2 {
-            solve_friction(constraint, index, &mut a, &mut b);
+        if kind.friction {
+            for index in 0..2 {
+                solve_friction(&mut constraint, index, &mut a, &mut b);
+            }
         }
+        block.store_impulses(place, &constraint);
+        block.scatter(self.states, place, &[a, b]);
     }
-    scatter(constraint, states, &a, &b);
 }
 
 /// vn + bias of a point, m/s, and its leak.
@@ -172,20 +196,4 @@ fn solve_friction<L: Lane>(
     let after = (before - point.tangent_mass * slip).min(limit).max(-limit);
     constraint.points[index].tangent_impulse = after;
     constraint.apply(&constraint.points[index], tangent * (after - before), a, b);
-}
-
-#[inline(always)]
-fn gather<L: Lane>(constraint: &ContactConstraint<L>, states: &[BodyState]) -> (BodyState<L>, BodyState<L>) {
-    (L::gather(states, constraint.row_a), L::gather(states, constraint.row_b))
-}
-
-#[inline(always)]
-fn scatter<L: Lane>(
-    constraint: &ContactConstraint<L>,
-    states: &mut [BodyState],
-    a: &BodyState<L>,
-    b: &BodyState<L>,
-) {
-    L::scatter_velocities(states, constraint.row_a, a);
-    L::scatter_velocities(states, constraint.row_b, b);
 }

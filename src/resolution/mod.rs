@@ -7,6 +7,7 @@ mod adaptive;
 mod block;
 mod constraint;
 mod constraint_graph;
+mod contact_block;
 mod follow;
 mod handover;
 mod impact_queue;

@@ -3,9 +3,11 @@
 //! Each iteration moves the bodies of every contact directly, by a share of the overlap, as if by an impulse
 //! on positions (non-linear Gauss-Seidel; E. Catto, "Iterative Dynamics with Temporal Coherence", 2005).
 
-use crate::compute::BodyState;
+use crate::compute::{BodyState, Lane};
 use crate::resolution::constraint::ContactConstraint;
+use crate::resolution::contact_block::ContactBlock;
 use crate::resolution::integrate::turn;
+use crate::resolution::kernel::Kernel;
 
 /// Overlap that is left, so that contacts persist, m.
 const SLOP: f32 = 0.005;
@@ -16,19 +18,36 @@ const SHARE: f32 = 0.2;
 /// One iteration moves no contact farther than this, m.
 const LARGEST_CORRECTION: f32 = 0.2;
 
-/// One iteration for one contact.
-pub(crate) fn project(constraint: &ContactConstraint<f32>, states: &mut [BodyState]) {
-    let [row_a, row_b] = [constraint.row_a as usize, constraint.row_b as usize];
-    for point in constraint.points.iter().filter(|point| point.normal_k > 0.0) {
-        let (mut a, mut b) = (states[row_a], states[row_b]);
-        let separation = constraint.separation(point, &a, &b);
-        let correction = (SHARE * (separation + SLOP)).clamp(-LARGEST_CORRECTION, 0.0);
-        let impulse = constraint.normal * (-correction / point.normal_k);
-        a.delta_position = a.delta_position - impulse * constraint.inverse_mass_a;
-        turn(&mut a, -constraint.inverse_inertia_a * point.anchor_a.cross(impulse));
-        b.delta_position = b.delta_position + impulse * constraint.inverse_mass_b;
-        turn(&mut b, constraint.inverse_inertia_b * point.anchor_b.cross(impulse));
-        states[row_a] = a;
-        states[row_b] = b;
+/// One iteration.
+#[derive(Debug)]
+pub(crate) struct Project<'a> {
+    pub(crate) states: &'a mut [BodyState],
+}
+
+impl Project<'_> {
+    fn project(&mut self, constraint: &ContactConstraint<f32>, [row_a, row_b]: [u32; 2]) {
+        let [row_a, row_b] = [row_a as usize, row_b as usize];
+        for point in constraint.points.iter().filter(|point| point.normal_k > 0.0) {
+            let (mut a, mut b) = (self.states[row_a], self.states[row_b]);
+            let separation = constraint.separation(point, &a, &b);
+            let correction = (SHARE * (separation + SLOP)).clamp(-LARGEST_CORRECTION, 0.0);
+            let impulse = constraint.normal * (-correction / point.normal_k);
+            a.delta_position = a.delta_position - impulse * constraint.inverse_mass_a;
+            turn(&mut a, -constraint.inverse_inertia_a * point.anchor_a.cross(impulse));
+            b.delta_position = b.delta_position + impulse * constraint.inverse_mass_b;
+            turn(&mut b, constraint.inverse_inertia_b * point.anchor_b.cross(impulse));
+            self.states[row_a] = a;
+            self.states[row_b] = b;
+        }
+    }
+}
+
+impl Kernel for Project<'_> {
+    /// Turns bodies, and so looks at one contact after the other.
+    #[inline(always)]
+    fn run<L: Lane>(&mut self, block: &mut ContactBlock, place: usize) {
+        for place in place..place + L::WIDTH {
+            self.project(&block.load(place), block.rows(place));
+        }
     }
 }

@@ -2,16 +2,16 @@
 
 use crate::body::Bodies;
 use crate::collision::Contacts;
-use crate::compute::BodyState;
+use crate::compute::{BodyState, Width};
 use crate::math::Vec2;
-use crate::resolution::constraint::{ContactConstraint, StepResidual};
+use crate::resolution::constraint::StepResidual;
 use crate::resolution::constraint_graph::ConstraintGraph;
 use crate::resolution::follow::Followers;
 use crate::resolution::handover::{HandoverScene, Handovers};
 use crate::resolution::impacts::{ImpactScene, Impacts, bounce_threshold};
 use crate::resolution::integrate::{Damping, Kick, SpeedLimits, damping_loss, drift, kick};
-use crate::resolution::kernel::{Sweep, sweep, warm_start};
-use crate::resolution::projection::project;
+use crate::resolution::kernel::{Sweep, SweepOver, WarmStart};
+use crate::resolution::projection::Project;
 
 /// How a step is solved. One text covers the default and the classic scheme: the classic one has a single
 /// kick, one substep, many sweeps with friction, none to relax, and projects positions afterwards.
@@ -33,6 +33,8 @@ pub(crate) struct Scheme {
     /// Slowest approach that bounces, m/s.
     pub(crate) restitution_threshold: f32,
     pub(crate) limits: SpeedLimits,
+    /// How many contacts are solved at a time.
+    pub(crate) width: Width,
 }
 
 impl Scheme {
@@ -126,9 +128,9 @@ pub(crate) fn solve(
         }
         let states = &mut bodies.states;
         solver.handovers.hold_back(graph, states);
-        solver.warm_start(graph, states, part);
+        solver.warm_start(scheme.width, graph, states, part);
         for _ in 0..scheme.iterations {
-            for_each(graph, |constraint| sweep(constraint, states, main_sweep, 1.0 / h));
+            graph.for_each(scheme.width, SweepOver { states, kind: main_sweep, per_substep: 1.0 / h });
         }
         if !solver.handovers.is_empty() {
             let shares = &mut solver.shares;
@@ -147,25 +149,16 @@ pub(crate) fn solve(
         }
         for iteration in 0..scheme.relax_iterations {
             let kind = Sweep { counts_share: scheme.split_kick && iteration == 0, ..relax_sweep };
-            for_each(graph, |constraint| sweep(constraint, states, kind, 1.0 / h));
+            graph.for_each(scheme.width, SweepOver { states, kind, per_substep: 1.0 / h });
         }
         if scheme.relax_iterations > 0 {
             solver.relax_newcomers(graph, states, relax_sweep, 1.0 / h);
         }
     }
     for _ in 0..scheme.projections.unwrap_or(0) {
-        for_each(graph, |constraint| project(constraint, &mut bodies.states));
+        graph.for_each(Width::ONE, Project { states: &mut bodies.states });
     }
     solver.finish(bodies, contacts, graph)
-}
-
-/// Does something to every constraint, colour by colour.
-fn for_each(graph: &mut ConstraintGraph, mut work: impl FnMut(&mut ContactConstraint<f32>)) {
-    for colour in graph.in_order() {
-        for constraint in &mut colour.constraints {
-            work(constraint);
-        }
-    }
 }
 
 impl Solver {
@@ -225,19 +218,20 @@ impl Solver {
         self.handovers.clear();
         self.newcomers.clear();
         for colour in graph.in_order() {
-            for (&index, constraint) in colour.contacts.iter().zip(&colour.constraints) {
+            for &index in &colour.contacts {
                 let contact = &contacts[index];
                 if contact.restitution > 0.0 {
                     let kicks =
                         contact.slots.map(|slot| &self.kicks[bodies.motions[slot as usize].row as usize]);
                     let threshold = bounce_threshold(scheme.restitution_threshold, contact, kicks, h);
-                    self.impacts.add(index, contact, constraint, threshold);
+                    let rows = contact.slots.map(|slot| bodies.motions[slot as usize].row);
+                    self.impacts.add(index, contact, rows, threshold);
                 }
                 if !contact.is_loaded() && contact.manifold.points().len() == 2 {
                     self.newcomers.extend(contact.graph_place);
                 }
-                self.followers.consider(index, contact, constraint);
-                self.handovers.consider(index, contact, constraint);
+                self.followers.consider(index, contact, bodies);
+                self.handovers.consider(index, contact, bodies);
             }
         }
         self.handovers.group();
@@ -247,11 +241,10 @@ impl Solver {
     ///
     /// The contacts hold still in between, so the share after the move is the same: it is kept by row, which saves
     /// a pass over the contacts.
-    fn warm_start(&mut self, graph: &mut ConstraintGraph, states: &mut [BodyState], part: f32) {
+    fn warm_start(&mut self, width: Width, graph: &mut ConstraintGraph, states: &mut [BodyState], part: f32) {
         self.shares.clear();
         self.shares.resize(states.len(), BodyState::REST);
-        let shares = &mut self.shares;
-        for_each(graph, |constraint| warm_start(constraint, shares, part));
+        graph.for_each(width, WarmStart { shares: &mut self.shares, part });
         self.add_shares(states);
     }
 
@@ -272,9 +265,8 @@ impl Solver {
     ) {
         for _ in 0..NEWCOMER_SWEEPS {
             for &place in &self.newcomers {
-                let constraint = graph.constraint_mut(place);
-                if constraint.points.iter().any(|point| point.normal_impulse > 0.0) {
-                    sweep(constraint, states, relax_sweep, per_substep);
+                if graph.constraint(place).points.iter().any(|point| point.normal_impulse > 0.0) {
+                    graph.for_one(place, SweepOver { states, kind: relax_sweep, per_substep });
                 }
             }
         }
@@ -311,9 +303,7 @@ impl Solver {
     ) -> StepResidual {
         let mut residual = StepResidual::default();
         for colour in graph.in_order() {
-            for (&index, constraint) in colour.contacts.iter().zip(&colour.constraints) {
-                constraint.store(0, &bodies.states, &mut contacts[index], &mut residual);
-            }
+            colour.finish(&bodies.states, contacts, &mut residual);
         }
         for (kick, &slot) in self.kicks.iter().zip(&bodies.slot_of_row).skip(1) {
             bodies.motions[slot as usize].velocity_carry = kick.carry;

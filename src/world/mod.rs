@@ -16,6 +16,7 @@ mod sleep;
 mod step;
 mod validate;
 
+pub use crate::compute::Lanes;
 pub use attractor::{Attractor, AttractorError, AttractorId};
 pub use body_view::{BodyMut, BodyRef};
 pub use contact_view::ContactRef;

@@ -3,6 +3,7 @@
 use core::fmt;
 
 use crate::body::{Mix, Number};
+use crate::compute::Lanes;
 use crate::resolution::{Scheme, SpeedLimits};
 
 /// How overlapping bodies are parted.
@@ -68,6 +69,8 @@ pub struct Settings {
     pub max_speed: f32,
     /// Angular velocities are cut to this, rad/s, up to 10⁶. Default 10⁵.
     pub max_spin: f32,
+    /// How many contacts are solved at a time. No bit of a result depends on it. Default [`Lanes::Auto`].
+    pub lanes: Lanes,
 }
 
 impl Default for Settings {
@@ -91,6 +94,7 @@ impl Default for Settings {
             gravitational_constant: 1.0,
             max_speed: 1e5,
             max_spin: 1e5,
+            lanes: Lanes::Auto,
         }
     }
 }
@@ -165,6 +169,7 @@ impl Settings {
             },
             restitution_threshold: self.restitution_threshold,
             limits: SpeedLimits { speed: self.max_speed, spin: self.max_spin },
+            width: self.lanes.width(),
         }
     }
 }

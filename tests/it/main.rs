@@ -6,6 +6,7 @@ mod determinism;
 mod golden;
 mod house;
 mod interface;
+mod lanes;
 mod laws;
 mod queries;
 mod random_use;

@@ -40,6 +40,41 @@ proptest! {
     }
 }
 
+proptest! {
+    #![proptest_config(config(300))]
+
+    #[test]
+    fn whatever_the_api_accepts_comes_to_the_same_at_every_width_of_lanes(
+        operations in prop::collection::vec(operation(), 1..40)
+    ) {
+        try_widths(Player::new, &operations)?;
+    }
+}
+
+proptest! {
+    #![proptest_config(config(20))]
+
+    #[test]
+    fn whatever_a_game_does_comes_to_the_same_at_every_width_of_lanes(
+        operations in prop::collection::vec(usual_operation(), 1..60)
+    ) {
+        try_widths(Player::in_a_pool, &operations)?;
+    }
+}
+
+fn try_widths(player: fn() -> Player, operations: &[Operation]) -> Result<(), TestCaseError> {
+    let mut players = [Lanes::One, Lanes::Four, Lanes::Eight].map(|lanes| player().with_lanes(lanes));
+    for operation in operations {
+        for player in &mut players {
+            player.play(operation);
+        }
+        let [one, four, eight] = players.each_ref().map(Player::bits);
+        prop_assert_eq!(four, one, "four at a time, after {:?}", operation);
+        prop_assert_eq!(eight, one, "eight at a time, after {:?}", operation);
+    }
+    Ok(())
+}
+
 fn try_all(mut player: Player, operations: &[Operation]) -> Result<(), TestCaseError> {
     for (number, operation) in operations.iter().enumerate() {
         player.play(operation);

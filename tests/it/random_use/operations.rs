@@ -113,13 +113,28 @@ pub(crate) struct Player {
     bodies: Vec<BodyId>,
     forces: Vec<ForceId>,
     attractors: Vec<AttractorId>,
+    lanes: Lanes,
 }
 
 impl Player {
     pub(crate) fn new() -> Self {
         let mut world = World::new(Settings::default());
         let gravity = world.add_force(Force::EARTH_GRAVITY);
-        Self { world, bodies: Vec::new(), forces: vec![gravity], attractors: Vec::new() }
+        let forces = vec![gravity];
+        Self { world, bodies: Vec::new(), forces, attractors: Vec::new(), lanes: Lanes::Auto }
+    }
+
+    /// The same with contacts solved so many at a time, whatever settings are played.
+    pub(crate) fn with_lanes(mut self, lanes: Lanes) -> Self {
+        self.lanes = lanes;
+        self.world.set_settings(Settings { lanes, ..self.world.settings().clone() }).expect("good settings");
+        self
+    }
+
+    /// Every bit of the state, and how far the last step was from perfect.
+    pub(crate) fn bits(&self) -> (u64, [u32; 2]) {
+        let StepError { penetration, velocity_residual } = self.world.error();
+        (self.world.state_hash(), [penetration.to_bits(), velocity_residual.to_bits()])
     }
 
     /// With a floor and two walls that cannot be removed.
@@ -191,7 +206,7 @@ impl Player {
             }
             Operation::Set(settings) => {
                 // A split kick without a relax sweep is refused.
-                _ = world.set_settings(settings.clone());
+                _ = world.set_settings(Settings { lanes: self.lanes, ..settings.clone() });
             }
             Operation::Step(count) => (0..*count).for_each(|_| world.step()),
             Operation::Advance(seconds) => _ = world.advance(*seconds),

@@ -1,0 +1,214 @@
+//! Eight numbers in an AVX register.
+//!
+//! An [`F32x8`] is made only by code that [`run`](crate::compute::run) has started for a [`Width`] of eight, and
+//! there is such a width only where the processor has been found to have AVX2: this is the invariant that every
+//! `unsafe` block here relies on, and `debug_check` watches it.
+//!
+//! [`Width`]: crate::compute::Width
+
+#![allow(clippy::wildcard_imports)]
+
+use core::arch::x86_64::*;
+use core::ops::{Add, Div, Mul, Neg, Sub};
+
+use crate::compute::{BodyState, COLUMN, Column, Lane, LaneRot, LaneVec2};
+
+#[derive(Clone, Copy, Debug)]
+#[repr(transparent)]
+pub(crate) struct F32x8(__m256);
+
+/// All ones where it holds.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Mask8(__m256);
+
+#[inline(always)]
+fn debug_check() {
+    debug_assert!(is_x86_feature_detected!("avx2"), "eight numbers at a time need AVX2");
+}
+
+macro_rules! operator {
+    ($trait:ident, $name:ident, $intrinsic:ident) => {
+        impl $trait for F32x8 {
+            type Output = Self;
+            #[inline(always)]
+            fn $name(self, other: Self) -> Self {
+                // SAFETY: there is an F32x8 only where there is AVX2; `splat` and `load` check it in debug.
+                Self(unsafe { $intrinsic(self.0, other.0) })
+            }
+        }
+    };
+}
+
+operator!(Add, add, _mm256_add_ps);
+operator!(Sub, sub, _mm256_sub_ps);
+operator!(Mul, mul, _mm256_mul_ps);
+operator!(Div, div, _mm256_div_ps);
+
+impl Neg for F32x8 {
+    type Output = Self;
+    #[inline(always)]
+    fn neg(self) -> Self {
+        // SAFETY: there is an F32x8 only where there is AVX2; `splat` and `load` check it in debug.
+        Self(unsafe { _mm256_xor_ps(self.0, _mm256_set1_ps(-0.0)) })
+    }
+}
+
+/// Numbers of two rows, four each: the first four for `OFFSET` 0, the second four for 4.
+#[inline(always)]
+fn load_pair<const OFFSET: usize>(states: &[BodyState], low: u32, high: u32) -> __m256 {
+    const { assert!(OFFSET == 0 || OFFSET == 4) };
+    debug_assert!(states.len() > low.max(high) as usize);
+    // SAFETY: AVX2 is there, see the module. The rows are in range: `check_rows` has seen them. A row is eight
+    // numbers, aligned to 32 bytes, of which the offset leaves four, aligned to 16.
+    unsafe {
+        let low = states.as_ptr().add(low as usize).cast::<f32>().add(OFFSET);
+        let high = states.as_ptr().add(high as usize).cast::<f32>().add(OFFSET);
+        _mm256_insertf128_ps::<1>(_mm256_castps128_ps256(_mm_load_ps(low)), _mm_load_ps(high))
+    }
+}
+
+/// Four numbers of each of eight rows, as four lanes.
+#[inline(always)]
+fn gather_half<const OFFSET: usize>(states: &[BodyState], rows: &Column<u32>) -> [F32x8; 4] {
+    let &[r0, r1, r2, r3, r4, r5, r6, r7] = rows.part::<8>(0);
+    let [x, y, z, w] = transpose([
+        load_pair::<OFFSET>(states, r0, r4),
+        load_pair::<OFFSET>(states, r1, r5),
+        load_pair::<OFFSET>(states, r2, r6),
+        load_pair::<OFFSET>(states, r3, r7),
+    ]);
+    [F32x8(x), F32x8(y), F32x8(z), F32x8(w)]
+}
+
+/// Turns rows of four into columns, in each half on its own.
+#[inline(always)]
+fn transpose([r0, r1, r2, r3]: [__m256; 4]) -> [__m256; 4] {
+    // SAFETY: AVX2 is there, see the module.
+    unsafe {
+        let (t0, t1) = (_mm256_unpacklo_ps(r0, r1), _mm256_unpackhi_ps(r0, r1));
+        let (t2, t3) = (_mm256_unpacklo_ps(r2, r3), _mm256_unpackhi_ps(r2, r3));
+        [
+            _mm256_shuffle_ps::<0b01_00_01_00>(t0, t2),
+            _mm256_shuffle_ps::<0b11_10_11_10>(t0, t2),
+            _mm256_shuffle_ps::<0b01_00_01_00>(t1, t3),
+            _mm256_shuffle_ps::<0b11_10_11_10>(t1, t3),
+        ]
+    }
+}
+
+#[inline(always)]
+fn check_rows(states: &[BodyState], rows: &Column<u32>) {
+    let last = states.len().wrapping_sub(1).min(u32::MAX as usize) as u32;
+    // SAFETY: AVX2 is there, see the module; a column is eight numbers, aligned.
+    let are_in_range = unsafe {
+        let rows = _mm256_load_si256(rows.part::<COLUMN>(0).as_ptr().cast());
+        let is_in_range = _mm256_cmpeq_epi32(_mm256_min_epu32(rows, _mm256_set1_epi32(last as i32)), rows);
+        _mm256_movemask_epi8(is_in_range) == -1
+    };
+    assert!(are_in_range && !states.is_empty(), "a row beyond the {} there are", states.len());
+}
+
+impl Lane for F32x8 {
+    const WIDTH: usize = 8;
+    type Mask = Mask8;
+
+    #[inline(always)]
+    fn splat(value: f32) -> Self {
+        debug_check();
+        // SAFETY: AVX2 is there, see the module.
+        Self(unsafe { _mm256_set1_ps(value) })
+    }
+
+    #[inline(always)]
+    fn load(column: &Column, place: usize) -> Self {
+        debug_check();
+        // SAFETY: AVX2 is there, see the module; the part is eight numbers, aligned as the column is.
+        Self(unsafe { _mm256_load_ps(column.part::<8>(place).as_ptr()) })
+    }
+
+    #[inline(always)]
+    fn store(self, column: &mut Column, place: usize) {
+        // SAFETY: AVX2 is there, see the module; the part is eight numbers, aligned as the column is.
+        unsafe { _mm256_store_ps(column.part_mut::<8>(place).as_mut_ptr(), self.0) }
+    }
+
+    #[inline(always)]
+    fn min(self, other: Self) -> Self {
+        // SAFETY: AVX2 is there, see the module.
+        Self(unsafe { _mm256_min_ps(self.0, other.0) })
+    }
+
+    #[inline(always)]
+    fn max(self, other: Self) -> Self {
+        // SAFETY: AVX2 is there, see the module.
+        Self(unsafe { _mm256_max_ps(self.0, other.0) })
+    }
+
+    #[inline(always)]
+    fn greater(self, other: Self) -> Mask8 {
+        // SAFETY: AVX2 is there, see the module.
+        Mask8(unsafe { _mm256_cmp_ps::<_CMP_GT_OQ>(self.0, other.0) })
+    }
+
+    #[inline(always)]
+    fn both(a: Mask8, b: Mask8) -> Mask8 {
+        // SAFETY: AVX2 is there, see the module.
+        Mask8(unsafe { _mm256_and_ps(a.0, b.0) })
+    }
+
+    #[inline(always)]
+    fn select(mask: Mask8, yes: Self, no: Self) -> Self {
+        // SAFETY: AVX2 is there, see the module.
+        Self(unsafe { _mm256_blendv_ps(no.0, yes.0, mask.0) })
+    }
+
+    #[inline(always)]
+    fn gather(states: &[BodyState], rows: &Column<u32>, _place: usize) -> BodyState<Self> {
+        check_rows(states, rows);
+        let [x, y, angular_velocity, padding] = gather_half::<0>(states, rows);
+        let [delta_x, delta_y, c, s] = gather_half::<4>(states, rows);
+        BodyState {
+            velocity: LaneVec2 { x, y },
+            angular_velocity,
+            padding,
+            delta_position: LaneVec2 { x: delta_x, y: delta_y },
+            delta_rotation: LaneRot { c, s },
+        }
+    }
+
+    #[inline(always)]
+    fn gather_velocities(states: &[BodyState], rows: &Column<u32>, _place: usize) -> BodyState<Self> {
+        check_rows(states, rows);
+        let [x, y, angular_velocity, padding] = gather_half::<0>(states, rows);
+        BodyState { velocity: LaneVec2 { x, y }, angular_velocity, padding, ..BodyState::at_rest() }
+    }
+
+    #[inline(always)]
+    fn scatter_velocities(
+        states: &mut [BodyState],
+        rows: &Column<u32>,
+        _place: usize,
+        state: &BodyState<Self>,
+        moves: Mask8,
+    ) {
+        check_rows(states, rows);
+        let pairs =
+            transpose([state.velocity.x.0, state.velocity.y.0, state.angular_velocity.0, Self::splat(0.0).0]);
+        // SAFETY: AVX2 is there, see the module.
+        let moves = unsafe { _mm256_movemask_ps(moves.0) };
+        for (place, pair) in pairs.into_iter().enumerate() {
+            // SAFETY: AVX2 is there, see the module. The rows are in range, by `check_rows`; a row begins with four
+            // numbers, aligned to 16 bytes.
+            unsafe {
+                if moves & 1 << place != 0 {
+                    let row = states.as_mut_ptr().add(rows.get(place) as usize).cast();
+                    _mm_store_ps(row, _mm256_castps256_ps128(pair));
+                }
+                if moves & 1 << (place + 4) != 0 {
+                    let row = states.as_mut_ptr().add(rows.get(place + 4) as usize).cast();
+                    _mm_store_ps(row, _mm256_extractf128_ps::<1>(pair));
+                }
+            }
+        }
+    }
+}

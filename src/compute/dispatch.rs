@@ -1,0 +1,82 @@
+//! Which width is computed with: chosen once, at run time, by what the processor has.
+
+use crate::compute::Lane;
+#[cfg(target_arch = "x86_64")]
+use crate::compute::avx2::F32x8;
+use crate::compute::four::F32x4;
+
+/// How many contacts are computed with at a time.
+///
+/// It changes how long a step takes, and no bit of what comes out. What the processor cannot do is done with the
+/// next smaller number.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Lanes {
+    /// As many as the processor can.
+    #[default]
+    Auto,
+    /// One, as the equations are written.
+    One,
+    /// Four: SSE2 on x86-64, NEON on AArch64.
+    Four,
+    /// Eight: AVX2 on x86-64.
+    Eight,
+}
+
+/// A width that the processor has.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Width(Kind);
+
+#[derive(Clone, Copy, Debug)]
+enum Kind {
+    One,
+    Four,
+    /// Made only where AVX2 was found.
+    #[cfg(target_arch = "x86_64")]
+    Eight,
+}
+
+impl Width {
+    /// One number at a time.
+    pub(crate) const ONE: Self = Self(Kind::One);
+}
+
+impl Lanes {
+    /// The width that stands for it on this processor.
+    pub(crate) fn width(self) -> Width {
+        Width(match self {
+            Self::One => Kind::One,
+            #[cfg(target_arch = "x86_64")]
+            Self::Auto | Self::Eight if is_x86_feature_detected!("avx2") => Kind::Eight,
+            Self::Auto | Self::Four | Self::Eight => Kind::Four,
+        })
+    }
+}
+
+/// Work that can be done at any width. `run` is to be `#[inline(always)]`, and so is all that it computes lanes
+/// with: only code within the one function that is compiled for AVX2 becomes AVX2.
+pub(crate) trait Job {
+    fn run<L: Lane>(self);
+}
+
+/// Does the work at the given width.
+#[inline(always)]
+pub(crate) fn run(width: Width, job: impl Job) {
+    match width.0 {
+        Kind::One => job.run::<f32>(),
+        Kind::Four => job.run::<F32x4>(),
+        #[cfg(target_arch = "x86_64")]
+        Kind::Eight => {
+            debug_assert!(is_x86_feature_detected!("avx2"));
+            // SAFETY: `Kind::Eight` is made only where AVX2 was found, and checked above in debug.
+            unsafe { run_avx2(job) }
+        }
+    }
+}
+
+/// # Safety
+/// The processor has AVX2.
+#[cfg(target_arch = "x86_64")]
+#[target_feature(enable = "avx2")]
+unsafe fn run_avx2(job: impl Job) {
+    job.run::<F32x8>();
+}

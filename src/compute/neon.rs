@@ -1,0 +1,175 @@
+//! Four numbers in a NEON register, which every AArch64 processor has.
+
+// Since Rust 1.87 these functions are safe where the instructions are part of the target; 1.85 is the oldest that
+// builds this crate.
+#![allow(unused_unsafe)]
+#![allow(clippy::wildcard_imports)]
+
+use core::arch::aarch64::*;
+use core::ops::{Add, Div, Mul, Neg, Sub};
+
+use crate::compute::{BodyState, Column, Lane, LaneRot, LaneVec2};
+
+#[derive(Clone, Copy, Debug)]
+#[repr(transparent)]
+pub(crate) struct F32x4(float32x4_t);
+
+/// All ones where it holds.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Mask4(uint32x4_t);
+
+macro_rules! operator {
+    ($trait:ident, $name:ident, $intrinsic:ident) => {
+        impl $trait for F32x4 {
+            type Output = Self;
+            #[inline(always)]
+            fn $name(self, other: Self) -> Self {
+                // SAFETY: NEON is part of the target.
+                Self(unsafe { $intrinsic(self.0, other.0) })
+            }
+        }
+    };
+}
+
+operator!(Add, add, vaddq_f32);
+operator!(Sub, sub, vsubq_f32);
+operator!(Mul, mul, vmulq_f32);
+operator!(Div, div, vdivq_f32);
+
+impl Neg for F32x4 {
+    type Output = Self;
+    #[inline(always)]
+    fn neg(self) -> Self {
+        // SAFETY: NEON is part of the target.
+        Self(unsafe { vnegq_f32(self.0) })
+    }
+}
+
+/// Four numbers of a row: the first four for `OFFSET` 0, the second four for 4.
+#[inline(always)]
+fn load_half<const OFFSET: usize>(states: &[BodyState], row: u32) -> float32x4_t {
+    const { assert!(OFFSET == 0 || OFFSET == 4) };
+    let row: *const BodyState = &raw const states[row as usize];
+    // SAFETY: NEON is part of the target. A row is eight numbers, aligned to 32 bytes, of which the offset leaves
+    // four, aligned to 16; `state.rs` asserts the size.
+    unsafe { vld1q_f32(row.cast::<f32>().add(OFFSET)) }
+}
+
+/// Four numbers of each of four rows, as four lanes.
+#[inline(always)]
+fn gather_half<const OFFSET: usize>(states: &[BodyState], rows: &[u32; 4]) -> [F32x4; 4] {
+    let [x, y, z, w] = transpose([
+        load_half::<OFFSET>(states, rows[0]),
+        load_half::<OFFSET>(states, rows[1]),
+        load_half::<OFFSET>(states, rows[2]),
+        load_half::<OFFSET>(states, rows[3]),
+    ]);
+    [F32x4(x), F32x4(y), F32x4(z), F32x4(w)]
+}
+
+/// Turns rows into columns.
+#[inline(always)]
+fn transpose([r0, r1, r2, r3]: [float32x4_t; 4]) -> [float32x4_t; 4] {
+    // SAFETY: NEON is part of the target.
+    unsafe {
+        let (t0, t1) = (vzip1q_f32(r0, r2), vzip1q_f32(r1, r3));
+        let (t2, t3) = (vzip2q_f32(r0, r2), vzip2q_f32(r1, r3));
+        [vzip1q_f32(t0, t1), vzip2q_f32(t0, t1), vzip1q_f32(t2, t3), vzip2q_f32(t2, t3)]
+    }
+}
+
+impl Lane for F32x4 {
+    const WIDTH: usize = 4;
+    type Mask = Mask4;
+
+    #[inline(always)]
+    fn splat(value: f32) -> Self {
+        // SAFETY: NEON is part of the target.
+        Self(unsafe { vdupq_n_f32(value) })
+    }
+
+    #[inline(always)]
+    fn load(column: &Column, place: usize) -> Self {
+        // SAFETY: NEON is part of the target; the part is four numbers. It is aligned, as the column is and `place`
+        // is a multiple of four, which `part` sees to.
+        Self(unsafe { vld1q_f32(column.part::<4>(place).as_ptr()) })
+    }
+
+    #[inline(always)]
+    fn store(self, column: &mut Column, place: usize) {
+        // SAFETY: NEON is part of the target; the part is four numbers, aligned as in `load`.
+        unsafe { vst1q_f32(column.part_mut::<4>(place).as_mut_ptr(), self.0) }
+    }
+
+    #[inline(always)]
+    fn min(self, other: Self) -> Self {
+        // SAFETY: NEON is part of the target.
+        Self(unsafe { vbslq_f32(vcltq_f32(self.0, other.0), self.0, other.0) })
+    }
+
+    #[inline(always)]
+    fn max(self, other: Self) -> Self {
+        // SAFETY: NEON is part of the target.
+        Self(unsafe { vbslq_f32(vcgtq_f32(self.0, other.0), self.0, other.0) })
+    }
+
+    #[inline(always)]
+    fn greater(self, other: Self) -> Mask4 {
+        // SAFETY: NEON is part of the target.
+        Mask4(unsafe { vcgtq_f32(self.0, other.0) })
+    }
+
+    #[inline(always)]
+    fn both(a: Mask4, b: Mask4) -> Mask4 {
+        // SAFETY: NEON is part of the target.
+        Mask4(unsafe { vandq_u32(a.0, b.0) })
+    }
+
+    #[inline(always)]
+    fn select(mask: Mask4, yes: Self, no: Self) -> Self {
+        // SAFETY: NEON is part of the target.
+        Self(unsafe { vbslq_f32(mask.0, yes.0, no.0) })
+    }
+
+    #[inline(always)]
+    fn gather(states: &[BodyState], rows: &Column<u32>, place: usize) -> BodyState<Self> {
+        let rows = rows.part::<4>(place);
+        let [x, y, angular_velocity, padding] = gather_half::<0>(states, rows);
+        let [delta_x, delta_y, c, s] = gather_half::<4>(states, rows);
+        BodyState {
+            velocity: LaneVec2 { x, y },
+            angular_velocity,
+            padding,
+            delta_position: LaneVec2 { x: delta_x, y: delta_y },
+            delta_rotation: LaneRot { c, s },
+        }
+    }
+
+    #[inline(always)]
+    fn gather_velocities(states: &[BodyState], rows: &Column<u32>, place: usize) -> BodyState<Self> {
+        let [x, y, angular_velocity, padding] = gather_half::<0>(states, rows.part::<4>(place));
+        BodyState { velocity: LaneVec2 { x, y }, angular_velocity, padding, ..BodyState::at_rest() }
+    }
+
+    #[inline(always)]
+    fn scatter_velocities(
+        states: &mut [BodyState],
+        rows: &Column<u32>,
+        place: usize,
+        state: &BodyState<Self>,
+        moves: Mask4,
+    ) {
+        let padding = Self::splat(0.0);
+        let halves = transpose([state.velocity.x.0, state.velocity.y.0, state.angular_velocity.0, padding.0]);
+        let mut writes = [0; 4];
+        // SAFETY: NEON is part of the target; there is room for four numbers.
+        unsafe { vst1q_u32(writes.as_mut_ptr(), moves.0) };
+        for ((half, &row), writes) in halves.into_iter().zip(rows.part::<4>(place)).zip(writes) {
+            if writes != 0 {
+                let row: *mut BodyState = &raw mut states[row as usize];
+                // SAFETY: NEON is part of the target; a row begins with four numbers.
+                unsafe { vst1q_f32(row.cast(), half) }
+            }
+        }
+    }
+}

@@ -1,0 +1,130 @@
+//! Four numbers side by side, for processors without a file of their own.
+
+use core::ops::{Add, Div, Mul, Neg, Sub};
+
+use crate::compute::{BodyState, Column, Lane, LaneRot, LaneVec2};
+
+#[derive(Clone, Copy, Debug)]
+#[repr(C, align(16))]
+pub(crate) struct F32x4([f32; 4]);
+
+/// Where it holds.
+type Mask4 = [bool; 4];
+
+/// Does to each pair of numbers what `f32` does.
+#[inline(always)]
+fn each(a: F32x4, b: F32x4, operation: impl Fn(f32, f32) -> f32) -> F32x4 {
+    F32x4(core::array::from_fn(|place| operation(a.0[place], b.0[place])))
+}
+
+macro_rules! operator {
+    ($trait:ident, $name:ident) => {
+        impl $trait for F32x4 {
+            type Output = Self;
+            #[inline(always)]
+            fn $name(self, other: Self) -> Self {
+                each(self, other, $trait::$name)
+            }
+        }
+    };
+}
+
+operator!(Add, add);
+operator!(Sub, sub);
+operator!(Mul, mul);
+operator!(Div, div);
+
+impl Neg for F32x4 {
+    type Output = Self;
+    #[inline(always)]
+    fn neg(self) -> Self {
+        Self(self.0.map(Neg::neg))
+    }
+}
+
+impl Lane for F32x4 {
+    const WIDTH: usize = 4;
+    type Mask = Mask4;
+
+    #[inline(always)]
+    fn splat(value: f32) -> Self {
+        Self([value; 4])
+    }
+
+    #[inline(always)]
+    fn load(column: &Column, place: usize) -> Self {
+        Self(*column.part(place))
+    }
+
+    #[inline(always)]
+    fn store(self, column: &mut Column, place: usize) {
+        *column.part_mut(place) = self.0;
+    }
+
+    #[inline(always)]
+    fn min(self, other: Self) -> Self {
+        each(self, other, Lane::min)
+    }
+
+    #[inline(always)]
+    fn max(self, other: Self) -> Self {
+        each(self, other, Lane::max)
+    }
+
+    #[inline(always)]
+    fn greater(self, other: Self) -> Mask4 {
+        core::array::from_fn(|place| self.0[place] > other.0[place])
+    }
+
+    #[inline(always)]
+    fn both(a: Mask4, b: Mask4) -> Mask4 {
+        core::array::from_fn(|place| a[place] & b[place])
+    }
+
+    #[inline(always)]
+    fn select(mask: Mask4, yes: Self, no: Self) -> Self {
+        Self(core::array::from_fn(|place| f32::select(mask[place], yes.0[place], no.0[place])))
+    }
+
+    #[inline(always)]
+    fn gather(states: &[BodyState], rows: &Column<u32>, place: usize) -> BodyState<Self> {
+        let states = rows.part::<4>(place).map(|row| &states[row as usize]);
+        let lane = |number: fn(&BodyState) -> f32| Self(states.map(number));
+        BodyState {
+            velocity: LaneVec2 { x: lane(|state| state.velocity.x), y: lane(|state| state.velocity.y) },
+            angular_velocity: lane(|state| state.angular_velocity),
+            padding: Self::splat(0.0),
+            delta_position: LaneVec2 {
+                x: lane(|state| state.delta_position.x),
+                y: lane(|state| state.delta_position.y),
+            },
+            delta_rotation: LaneRot {
+                c: lane(|state| state.delta_rotation.c),
+                s: lane(|state| state.delta_rotation.s),
+            },
+        }
+    }
+
+    #[inline(always)]
+    fn gather_velocities(states: &[BodyState], rows: &Column<u32>, place: usize) -> BodyState<Self> {
+        let BodyState { velocity, angular_velocity, .. } = Self::gather(states, rows, place);
+        BodyState { velocity, angular_velocity, ..BodyState::at_rest() }
+    }
+
+    #[inline(always)]
+    fn scatter_velocities(
+        states: &mut [BodyState],
+        rows: &Column<u32>,
+        place: usize,
+        state: &BodyState<Self>,
+        moves: Mask4,
+    ) {
+        for (number, &row) in rows.part::<4>(place).iter().enumerate() {
+            if moves[number] {
+                let to = &mut states[row as usize];
+                to.velocity = LaneVec2 { x: state.velocity.x.0[number], y: state.velocity.y.0[number] };
+                to.angular_velocity = state.angular_velocity.0[number];
+            }
+        }
+    }
+}

@@ -1,0 +1,278 @@
+//! Every lane against `f32`, bit for bit.
+
+use crate::compute::{
+    BodyState, COLUMN, Column, GROUND_ROW, Job, Lane, LaneRot, LaneVec2, Lanes, Width, portable, run,
+};
+
+/// Numbers on which operations differ if they differ at all.
+const SPECIAL: [f32; 16] = [
+    0.0,
+    -0.0,
+    1.0,
+    -1.0,
+    1.5,
+    -3.25,
+    1e-42,
+    -1e-42,
+    f32::MIN_POSITIVE,
+    f32::MAX,
+    f32::MIN,
+    f32::INFINITY,
+    f32::NEG_INFINITY,
+    f32::NAN,
+    16_777_217.0,
+    0.1,
+];
+
+/// Does the work at every width there is on this processor; a width that it has not is done at a smaller one.
+fn at_every_width(job: impl Job + Copy) {
+    for lanes in [Lanes::One, Lanes::Four, Lanes::Eight, Lanes::Auto] {
+        run(lanes.width(), job);
+    }
+    job.run::<portable::F32x4>();
+}
+
+fn column(numbers: [f32; COLUMN]) -> Column {
+    let mut column = Column::default();
+    for (place, number) in numbers.into_iter().enumerate() {
+        column.set(place, number);
+    }
+    column
+}
+
+/// Whether two numbers are the same in every bit, or both not a number: which NaN an operation gives is not
+/// defined.
+#[track_caller]
+fn assert_same(found: f32, expected: f32, what: &str) {
+    let are_same = found.to_bits() == expected.to_bits() || (found.is_nan() && expected.is_nan());
+    assert!(are_same, "{what}: {found:?} is not {expected:?}");
+}
+
+/// What every operation gives for two numbers.
+#[inline(always)]
+fn operations<L: Lane>(x: L, y: L) -> [(&'static str, L); 10] {
+    let both = L::both(x.greater(L::splat(0.0)), y.greater(L::splat(0.0)));
+    [
+        ("+", x + y),
+        ("-", x - y),
+        ("*", x * y),
+        ("/", x / y),
+        ("negation", -x),
+        ("min", x.min(y)),
+        ("max", x.max(y)),
+        ("greater", L::select(x.greater(y), x, y)),
+        ("select", L::select(x.greater(y), L::splat(1.0), -L::splat(0.0))),
+        ("both", L::select(both, x, y)),
+    ]
+}
+
+/// Compares all pairs of special numbers, in every place of a lane.
+#[derive(Clone, Copy)]
+struct Operations;
+
+impl Job for Operations {
+    #[inline(always)]
+    fn run<L: Lane>(self) {
+        for shift in 0..SPECIAL.len() {
+            for start in [0, COLUMN] {
+                let a = column(core::array::from_fn(|place| SPECIAL[start + place]));
+                let b =
+                    column(core::array::from_fn(|place| SPECIAL[(start + place + shift) % SPECIAL.len()]));
+                for first in (0..COLUMN).step_by(L::WIDTH) {
+                    let found = operations(L::load(&a, first), L::load(&b, first));
+                    for (number, (what, lane)) in found.into_iter().enumerate() {
+                        let mut result = Column::default();
+                        lane.store(&mut result, first);
+                        for place in first..first + L::WIDTH {
+                            let expected = operations(a.get(place), b.get(place))[number].1;
+                            let (x, y) = (a.get(place), b.get(place));
+                            assert_same(result.get(place), expected, &format!("{what} of {x} and {y}"));
+                        }
+                    }
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn every_operation_gives_the_same_bits_in_lanes_as_alone() {
+    at_every_width(Operations);
+}
+
+/// `max` and `min` are those of SSE: the second number where neither is larger, which `f32::max` leaves open.
+#[test]
+fn max_and_min_of_zeros_and_of_nan_are_the_second() {
+    assert_same(Lane::max(0.0_f32, -0.0), -0.0, "max");
+    assert_same(Lane::min(-0.0_f32, 0.0), 0.0, "min");
+    assert_same(Lane::max(f32::NAN, 1.0), 1.0, "max");
+    assert!(Lane::max(1.0, f32::NAN).is_nan());
+}
+
+/// States whose numbers all differ.
+fn states() -> Vec<BodyState> {
+    (0..20_u8)
+        .map(f32::from)
+        .map(|row| BodyState {
+            velocity: LaneVec2 { x: row + 0.1, y: row + 0.2 },
+            angular_velocity: row + 0.3,
+            padding: 0.0,
+            delta_position: LaneVec2 { x: row + 0.4, y: row + 0.5 },
+            delta_rotation: LaneRot { c: row + 0.6, s: row + 0.7 },
+        })
+        .collect()
+}
+
+fn numbers(state: &BodyState) -> [f32; 7] {
+    let BodyState { velocity, angular_velocity, delta_position, delta_rotation, .. } = *state;
+    let (c, s) = (delta_rotation.c, delta_rotation.s);
+    [velocity.x, velocity.y, angular_velocity, delta_position.x, delta_position.y, c, s]
+}
+
+fn rows(rows: [u32; COLUMN]) -> Column<u32> {
+    let mut column = Column::default();
+    for (place, row) in rows.into_iter().enumerate() {
+        column.set(place, row);
+    }
+    column
+}
+
+#[inline(always)]
+fn lanes_of<L: Lane>(state: &BodyState<L>) -> [L; 7] {
+    let BodyState { velocity, angular_velocity, delta_position, delta_rotation, .. } = *state;
+    let (c, s) = (delta_rotation.c, delta_rotation.s);
+    [velocity.x, velocity.y, angular_velocity, delta_position.x, delta_position.y, c, s]
+}
+
+/// Gathers rows, some of them twice, and compares with the rows themselves.
+#[derive(Clone, Copy)]
+struct Gather;
+
+impl Job for Gather {
+    #[inline(always)]
+    fn run<L: Lane>(self) {
+        let states = states();
+        let rows = rows([3, 0, 19, 7, 7, 1, 12, 0]);
+        for first in (0..COLUMN).step_by(L::WIDTH) {
+            let found = lanes_of(&L::gather(&states, &rows, first));
+            let velocities = lanes_of(&L::gather_velocities(&states, &rows, first));
+            for number in 0..7 {
+                let (mut all, mut half) = (Column::default(), Column::default());
+                found[number].store(&mut all, first);
+                velocities[number].store(&mut half, first);
+                for place in first..first + L::WIDTH {
+                    let state = &states[rows.get(place) as usize];
+                    let still = numbers(&BodyState::REST)[number];
+                    let velocity = if number < 3 { numbers(state)[number] } else { still };
+                    assert_same(all.get(place), numbers(state)[number], "gathered");
+                    assert_same(half.get(place), velocity, "gathered velocity");
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn a_gathered_state_is_that_of_its_row() {
+    at_every_width(Gather);
+}
+
+/// Scatters velocities with every pattern of bodies that move, the others being the ground or twice the same, and
+/// compares with what `f32` does.
+#[derive(Clone, Copy)]
+struct Scatter;
+
+impl Job for Scatter {
+    #[inline(always)]
+    fn run<L: Lane>(self) {
+        let distinct = [3, 5, 19, 7, 8, 1, 12, 2];
+        for pattern in 0..256_u32 {
+            let moves = |place: usize| pattern & 1 << place != 0;
+            let kinematic = |place: usize| if place % 2 == 0 { GROUND_ROW } else { 4 };
+            let rows =
+                rows(core::array::from_fn(
+                    |place| {
+                        if moves(place) { distinct[place] } else { kinematic(place) }
+                    },
+                ));
+            let flags = column(core::array::from_fn(|place| f32::from(u8::from(moves(place)))));
+            assert_scattered_like_alone::<L>(&rows, &flags);
+        }
+    }
+}
+
+#[inline(always)]
+fn assert_scattered_like_alone<L: Lane>(rows: &Column<u32>, flags: &Column) {
+    let (mut found, mut expected) = (states(), states());
+    for first in (0..COLUMN).step_by(L::WIDTH) {
+        let mut state = L::gather(&found, rows, first);
+        state.velocity = state.velocity * L::splat(2.0);
+        state.angular_velocity = -state.angular_velocity;
+        let moves = L::load(flags, first).greater(L::splat(0.0));
+        L::scatter_velocities(&mut found, rows, first, &state, moves);
+    }
+    for place in 0..COLUMN {
+        let mut state = <f32 as Lane>::gather(&expected, rows, place);
+        state.velocity = state.velocity * 2.0;
+        state.angular_velocity = -state.angular_velocity;
+        f32::scatter_velocities(&mut expected, rows, place, &state, flags.get(place) > 0.0);
+    }
+    for (found, expected) in found.iter().zip(&expected) {
+        assert_eq!(numbers(found), numbers(expected));
+        assert_eq!(found.padding, 0.0);
+    }
+}
+
+#[test]
+fn velocities_are_scattered_to_the_bodies_that_move_and_to_no_other() {
+    at_every_width(Scatter);
+}
+
+/// A row that is not there is refused, in release as well.
+#[derive(Clone, Copy)]
+struct Refuse;
+
+impl Job for Refuse {
+    #[inline(always)]
+    fn run<L: Lane>(self) {
+        for row in [20, 21, u32::MAX, 1 << 31] {
+            for place in 0..COLUMN {
+                let mut rows = Column::<u32>::default();
+                rows.set(place, row);
+                let gather = || _ = L::gather(&states(), &rows, place / L::WIDTH * L::WIDTH);
+                assert!(std::panic::catch_unwind(gather).is_err(), "row {row} was gathered");
+                let scatter = || {
+                    let (state, moves) = (BodyState::at_rest(), L::splat(1.0).greater(L::splat(0.0)));
+                    L::scatter_velocities(&mut states(), &rows, place / L::WIDTH * L::WIDTH, &state, moves);
+                };
+                assert!(std::panic::catch_unwind(scatter).is_err(), "row {row} was scattered to");
+            }
+        }
+    }
+}
+
+#[test]
+fn a_row_that_is_not_there_is_refused() {
+    at_every_width(Refuse);
+}
+
+#[test]
+fn a_width_is_never_more_than_was_asked_for() {
+    let width_of = |width: Width| {
+        #[derive(Clone, Copy)]
+        struct Measure<'a>(&'a core::cell::Cell<usize>);
+        impl Job for Measure<'_> {
+            fn run<L: Lane>(self) {
+                self.0.set(L::WIDTH);
+            }
+        }
+        let found = core::cell::Cell::new(0);
+        run(width, Measure(&found));
+        found.get()
+    };
+    assert_eq!(width_of(Width::ONE), 1);
+    assert_eq!(width_of(Lanes::One.width()), 1);
+    assert_eq!(width_of(Lanes::Four.width()), 4);
+    assert!(width_of(Lanes::Eight.width()) >= 4);
+    assert_eq!(width_of(Lanes::Eight.width()), width_of(Lanes::Auto.width()));
+}
