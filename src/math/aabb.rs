@@ -86,20 +86,45 @@ impl Aabb {
 }
 
 /// Largest `f32` that is not above `value`.
+///
+/// Without a branch: whether the nearest `f32` is above is as good as random.
+#[inline(always)]
 fn round_down(value: f64) -> f32 {
     let nearest = value as f32;
-    if f64::from(nearest) <= value {
-        return nearest;
-    }
-    // The next float below: floats of one sign are ordered as their bits are.
-    match nearest.to_bits() {
-        0 | 0x8000_0000 => -f32::from_bits(1),
-        bits if nearest > 0.0 => f32::from_bits(bits - 1),
-        bits => f32::from_bits(bits + 1),
-    }
+    // Floats of one sign are ordered as their bits are: the next one below is one less, or one more where the sign
+    // is negative. What is rounded up to zero is negative and so is that zero.
+    let bits = nearest.to_bits();
+    let is_above = u32::from(f64::from(nearest) > value);
+    let one_less = is_above.wrapping_sub(2 * is_above * (bits >> 31));
+    f32::from_bits(bits.wrapping_sub(one_less))
 }
 
 /// Smallest `f32` that is not below `value`.
 fn round_up(value: f64) -> f32 {
     -round_down(-value)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{round_down, round_up};
+
+    /// The two neighbours of a number between two floats are those floats, on both sides of zero and at the ends of
+    /// the range; a float is its own.
+    #[test]
+    fn rounding_down_and_up_gives_the_neighbours() {
+        let tiny = f32::from_bits(1);
+        for (low, high) in
+            [(1.0, 1.0 + f32::EPSILON), (0.0, tiny), (tiny, 2.0 * tiny), (f32::MAX, f32::INFINITY)]
+        {
+            let middle = f64::from(low) + (f64::from(high).min(1e39) - f64::from(low)) * 0.4;
+            for between in [middle, middle + (middle - f64::from(low)) * 0.5] {
+                assert_eq!((round_down(between), round_up(between)), (low, high), "{between}");
+                assert_eq!((round_down(-between), round_up(-between)), (-high, -low), "{between}");
+            }
+            for exact in [low, -low, high, -high] {
+                let value = f64::from(exact);
+                assert_eq!((round_down(value), round_up(value)), (exact, exact), "{exact}");
+            }
+        }
+    }
 }
