@@ -145,6 +145,12 @@ impl Lane for F32x8 {
     }
 
     #[inline(always)]
+    fn sqrt(self) -> Self {
+        // SAFETY: AVX2 is there, see the module.
+        Self(unsafe { _mm256_sqrt_ps(self.0) })
+    }
+
+    #[inline(always)]
     fn greater(self, other: Self) -> Mask8 {
         // SAFETY: AVX2 is there, see the module.
         Mask8(unsafe { _mm256_cmp_ps::<_CMP_GT_OQ>(self.0, other.0) })

@@ -32,6 +32,8 @@ pub(crate) trait Lane:
     fn min(self, other: Self) -> Self;
     /// `self` where it is larger, else `other`: also where one of them is NaN or both are zeros.
     fn max(self, other: Self) -> Self;
+    /// Square root.
+    fn sqrt(self) -> Self;
     /// Where `self > other`.
     fn greater(self, other: Self) -> Self::Mask;
     /// Where both hold.
@@ -90,6 +92,11 @@ impl Lane for f32 {
     #[inline(always)]
     fn max(self, other: Self) -> Self {
         if self > other { self } else { other }
+    }
+
+    #[inline(always)]
+    fn sqrt(self) -> Self {
+        f32::sqrt(self)
     }
 
     #[inline(always)]

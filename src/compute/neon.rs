@@ -114,6 +114,12 @@ impl Lane for F32x4 {
     }
 
     #[inline(always)]
+    fn sqrt(self) -> Self {
+        // SAFETY: NEON is part of the target.
+        Self(unsafe { vsqrtq_f32(self.0) })
+    }
+
+    #[inline(always)]
     fn greater(self, other: Self) -> Mask4 {
         // SAFETY: NEON is part of the target.
         Mask4(unsafe { vcgtq_f32(self.0, other.0) })

@@ -72,6 +72,11 @@ impl Lane for F32x4 {
     }
 
     #[inline(always)]
+    fn sqrt(self) -> Self {
+        Self(self.0.map(f32::sqrt))
+    }
+
+    #[inline(always)]
     fn greater(self, other: Self) -> Mask4 {
         core::array::from_fn(|place| self.0[place] > other.0[place])
     }

@@ -114,6 +114,12 @@ impl Lane for F32x4 {
     }
 
     #[inline(always)]
+    fn sqrt(self) -> Self {
+        // SAFETY: SSE2 is part of the target.
+        Self(unsafe { _mm_sqrt_ps(self.0) })
+    }
+
+    #[inline(always)]
     fn greater(self, other: Self) -> Mask4 {
         // SAFETY: SSE2 is part of the target.
         Mask4(unsafe { _mm_cmpgt_ps(self.0, other.0) })

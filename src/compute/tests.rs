@@ -50,7 +50,7 @@ fn assert_same(found: f32, expected: f32, what: &str) {
 
 /// What every operation gives for two numbers.
 #[inline(always)]
-fn operations<L: Lane>(x: L, y: L) -> [(&'static str, L); 10] {
+fn operations<L: Lane>(x: L, y: L) -> [(&'static str, L); 11] {
     let both = L::both(x.greater(L::splat(0.0)), y.greater(L::splat(0.0)));
     [
         ("+", x + y),
@@ -60,6 +60,7 @@ fn operations<L: Lane>(x: L, y: L) -> [(&'static str, L); 10] {
         ("negation", -x),
         ("min", x.min(y)),
         ("max", x.max(y)),
+        ("root", x.sqrt()),
         ("greater", L::select(x.greater(y), x, y)),
         ("select", L::select(x.greater(y), L::splat(1.0), -L::splat(0.0))),
         ("both", L::select(both, x, y)),

@@ -17,11 +17,8 @@
 //! The equations are written for any [`Lane`]: a [`ContactConstraint`] of lanes is as many contacts that share no
 //! movable body, one of `f32` is a single contact. In between they are stored in a [`ContactBlock`](crate::resolution::contact_block::ContactBlock).
 
-use crate::body::Bodies;
-use crate::collision::{Contact, Manifold};
+use crate::collision::Manifold;
 use crate::compute::{BodyState, Lane, LaneVec2};
-use crate::resolution::softness::FULL_PUSH_DEPTH;
-use crate::shape::Shape;
 
 /// One of the (at most two) points of a contact.
 #[repr(C)]
@@ -50,6 +47,9 @@ pub(crate) struct ConstraintPoint<C> {
 
 /// What the sweeps see as the separation of a point that awaits its impact, m.
 pub(crate) const OUT_OF_REACH: f32 = 1e9;
+
+/// The k of a point that is there, until [`ContactConstraint::find_masses`] has found it, 1/kg.
+pub(crate) const THERE: f32 = 1.0;
 
 /// A contact, or as many as a lane holds.
 #[repr(C)]
@@ -110,60 +110,45 @@ impl<L: Lane> ContactConstraint<L> {
     }
 }
 
-impl ContactConstraint<f32> {
-    /// A contact as the step begins, between bodies in rows of their own. Its impulses are multiplied by `scale`,
-    /// the length of a substep now over that of the substep they were found in.
-    pub(crate) fn new(contact: &Contact, bodies: &Bodies, scale: f32) -> Self {
-        let [a, b] = contact.slots.map(|slot| &bodies.motions[slot as usize]);
-        let [turns_a, turns_b] = contact.slots.map(|slot| match bodies.shapes[slot as usize] {
-            Shape::Circle(_) => 0.0,
-            Shape::Aabb(_) | Shape::Obb(_) | Shape::Polygon(_) => 1.0,
-        });
-        let mut constraint = Self {
-            inverse_mass_a: a.inverse_mass,
-            inverse_mass_b: b.inverse_mass,
-            inverse_inertia_a: a.inverse_inertia,
-            inverse_inertia_b: b.inverse_inertia,
-            turns_a,
-            turns_b,
-            friction: contact.friction,
-            ..Self::default()
-        };
-        for (to, point) in constraint.points.iter_mut().zip(contact.manifold.points()) {
-            to.normal_impulse = scale * point.normal_impulse;
-            to.tangent_impulse = scale * point.tangent_impulse;
-        }
-        constraint.set_geometry(&contact.manifold);
-        constraint
-    }
-
-    /// Takes normal and points over from a manifold of the bodies as they were when the step began.
-    pub(crate) fn set_geometry(&mut self, manifold: &Manifold) {
-        let [m_a, m_b] = [self.inverse_mass_a, self.inverse_mass_b];
+impl<L: Lane> ContactConstraint<L> {
+    /// Finds the effective masses and the coupling of the points that are there, as their k above 0 says.
+    #[inline(always)]
+    pub(crate) fn find_masses(&mut self) {
+        let zero = L::splat(0.0);
+        let mass = self.inverse_mass_a + self.inverse_mass_b;
         let [i_a, i_b] = [self.inverse_inertia_a, self.inverse_inertia_b];
-        let k = |first: [f32; 2], second: [f32; 2]| {
-            m_a + m_b + i_a * (first[0] * second[0]) + i_b * (first[1] * second[1])
+        let k = |first: [L; 2], second: [L; 2]| {
+            mass + i_a * (first[0] * second[0]) + i_b * (first[1] * second[1])
         };
-        let normal = manifold.normal;
-        let tangent = normal.perp();
-        self.normal = normal.into();
-        self.coupling = 0.0;
-        let mut arms = [[0.0; 2]; 2];
-        for (index, point) in manifold.points().iter().enumerate() {
-            let to = &mut self.points[index];
-            let arm = [point.anchor_a.cross(normal), point.anchor_b.cross(normal)];
+        let tangent = self.normal.perp();
+        let is_there = [0, 1].map(|index| self.points[index].normal_k.greater(zero));
+        let mut arms = [[zero; 2]; 2];
+        for index in 0..2 {
+            let point = &mut self.points[index];
+            let arm = [point.anchor_a.cross(self.normal), point.anchor_b.cross(self.normal)];
             let tangent_arm = [point.anchor_a.cross(tangent), point.anchor_b.cross(tangent)];
             arms[index] = arm;
+            point.normal_k = L::select(is_there[index], k(arm, arm), zero);
+            point.tangent_mass =
+                L::select(is_there[index], L::splat(1.0) / k(tangent_arm, tangent_arm), zero);
+        }
+        let limit = L::splat(LARGEST_COUPLING) * (k(arms[0], arms[0]) * k(arms[1], arms[1])).sqrt();
+        let coupling = limit.min((-limit).max(k(arms[0], arms[1])));
+        self.coupling = L::select(L::both(is_there[0], is_there[1]), coupling, zero);
+    }
+}
+
+impl ContactConstraint<f32> {
+    /// Takes normal and points over from a manifold of the bodies as they were when the step began.
+    pub(crate) fn set_geometry(&mut self, manifold: &Manifold) {
+        self.normal = manifold.normal.into();
+        for (to, point) in self.points.iter_mut().zip(manifold.points()) {
             to.anchor_a = point.anchor_a.into();
             to.anchor_b = point.anchor_b.into();
             to.separation = point.separation;
-            to.normal_k = k(arm, arm);
-            to.tangent_mass = 1.0 / k(tangent_arm, tangent_arm);
+            to.normal_k = THERE;
         }
-        if manifold.points().len() == 2 {
-            let limit = LARGEST_COUPLING * (k(arms[0], arms[0]) * k(arms[1], arms[1])).sqrt();
-            self.coupling = k(arms[0], arms[1]).clamp(-limit, limit);
-        }
+        self.find_masses();
     }
 
     /// Takes normal and points over from a manifold of the bodies in the states `a` and `b`, within the step. It
@@ -174,25 +159,6 @@ impl ContactConstraint<f32> {
             // Separations count from the start of the step.
             let moved = self.separation(&self.points[index], a, b) - point.separation;
             self.points[index].separation = point.separation - moved;
-        }
-    }
-
-    /// Writes impulses and end-of-step separations back into the manifold, given the bodies' states; adds what is
-    /// left wrong to `residual`.
-    pub(crate) fn finish(&self, [a, b]: [&BodyState; 2], contact: &mut Contact, residual: &mut StepResidual) {
-        for (point, stored) in self.points.iter().zip(contact.manifold.points_mut()) {
-            let separation = self.separation(point, a, b);
-            let approach = -self.normal.dot(point.relative_velocity(a, b));
-            stored.separation = separation;
-            stored.normal_impulse = point.normal_impulse;
-            stored.tangent_impulse = point.tangent_impulse;
-            residual.penetration = residual.penetration.max(-separation);
-            if stored.normal_impulse > 0.0 && -separation < FULL_PUSH_DEPTH {
-                residual.loaded_penetration = residual.loaded_penetration.max(-separation);
-            }
-            if separation <= 0.0 && point.awaits_impact == 0.0 {
-                residual.approach_speed = residual.approach_speed.max(approach);
-            }
         }
     }
 }

@@ -10,7 +10,7 @@ use crate::body::Bodies;
 use crate::collision::Contacts;
 use crate::compute::{self, BodyState, COLUMN, Job, Lane, Width};
 use crate::resolution::constraint::{ContactConstraint, StepResidual};
-use crate::resolution::contact_block::ContactBlock;
+use crate::resolution::contact_block::{ContactBlock, PointEnds};
 use crate::resolution::kernel::Kernel;
 use crate::store::BitSet;
 
@@ -120,20 +120,20 @@ impl ConstraintGraph {
     }
 
     /// Makes the constraints of a step from the contacts; stored impulses are multiplied by `scale`.
-    pub(crate) fn prepare(&mut self, contacts: &Contacts, bodies: &Bodies, scale: f32) {
-        for colour in self.in_order() {
-            // What is left over in a block is overwritten, but for places beyond the last contact.
-            colour.blocks.resize(colour.contacts.len().div_ceil(COLUMN), ContactBlock::default());
-            if colour.contacts.len() % COLUMN != 0 {
-                colour.blocks.pop();
-                colour.blocks.push(ContactBlock::default());
-            }
-            for (block, indices) in colour.blocks.iter_mut().zip(colour.contacts.chunks(COLUMN)) {
-                for (place, &index) in indices.iter().enumerate() {
-                    block.put(place, &contacts[index], bodies, scale);
-                }
-            }
-        }
+    pub(crate) fn prepare(&mut self, width: Width, contacts: &Contacts, bodies: &Bodies, scale: f32) {
+        compute::run(width, Prepare { graph: self, contacts, bodies, scale });
+    }
+
+    /// Writes impulses and separations back into the contacts; returns what is left wrong.
+    pub(crate) fn finish(
+        &mut self,
+        width: Width,
+        states: &[BodyState],
+        contacts: &mut Contacts,
+    ) -> StepResidual {
+        let mut residual = StepResidual::default();
+        compute::run(width, Finish { graph: self, states, contacts, residual: &mut residual });
+        residual
     }
 
     /// Does something to every constraint, colour by colour: as many at a time as `width` says, but for the
@@ -161,6 +161,12 @@ impl ConstraintGraph {
     pub(crate) fn constraint(&self, place: (u32, u32)) -> ContactConstraint<f32> {
         let (block, place) = self.block(place);
         block.load(place)
+    }
+
+    /// Whether the contact at a place of the graph presses its bodies apart.
+    pub(crate) fn is_loaded(&self, place: (u32, u32)) -> bool {
+        let (block, place) = self.block(place);
+        block.is_loaded(place)
     }
 
     /// The rows of the bodies of the contact at a place of the graph.
@@ -238,17 +244,55 @@ impl<K: Kernel> Job for Pass<'_, K> {
     }
 }
 
-impl Colour {
-    /// Writes impulses and separations back into the contacts; adds what is left wrong to `residual`.
-    pub(crate) fn finish(&self, states: &[BodyState], contacts: &mut Contacts, residual: &mut StepResidual) {
-        for (block, indices) in self.blocks.iter().zip(self.contacts.chunks(COLUMN)) {
-            for (place, &index) in indices.iter().enumerate() {
-                let states = block.rows(place).map(|row| &states[row as usize]);
-                block.load::<f32>(place).finish(states, &mut contacts[index], residual);
+/// Makes the constraints of a step.
+struct Prepare<'a> {
+    graph: &'a mut ConstraintGraph,
+    contacts: &'a Contacts,
+    bodies: &'a Bodies,
+    scale: f32,
+}
+
+impl Job for Prepare<'_> {
+    #[inline(always)]
+    fn run<L: Lane>(self) {
+        for colour in &mut self.graph.colours {
+            colour.blocks.resize(colour.contacts.len().div_ceil(COLUMN), ContactBlock::default());
+            for (block, indices) in colour.blocks.iter_mut().zip(colour.contacts.chunks(COLUMN)) {
+                block.fill(indices, self.contacts, self.bodies, self.scale);
+                for place in (0..indices.len()).step_by(L::WIDTH) {
+                    block.find_masses::<L>(place);
+                }
             }
         }
     }
+}
 
+/// Writes a step back into the contacts.
+struct Finish<'a> {
+    graph: &'a ConstraintGraph,
+    states: &'a [BodyState],
+    contacts: &'a mut Contacts,
+    residual: &'a mut StepResidual,
+}
+
+impl Job for Finish<'_> {
+    #[inline(always)]
+    fn run<L: Lane>(self) {
+        let mut ends = [PointEnds::default(); 2];
+        for colour in &self.graph.colours {
+            for (block, indices) in colour.blocks.iter().zip(colour.contacts.chunks(COLUMN)) {
+                for place in (0..indices.len()).step_by(L::WIDTH) {
+                    block.end::<L>(place, self.states, &mut ends);
+                }
+                for (place, &index) in indices.iter().enumerate() {
+                    block.finish(place, &ends, &mut self.contacts[index], self.residual);
+                }
+            }
+        }
+    }
+}
+
+impl Colour {
     #[inline(always)]
     fn pass<L: Lane>(&mut self, kernel: &mut impl Kernel) {
         for place in (0..self.contacts.len()).step_by(L::WIDTH) {

@@ -2,9 +2,11 @@
 //! load and store them without turning rows into columns.
 
 use crate::body::Bodies;
-use crate::collision::Contact;
-use crate::compute::{BodyState, Column, GROUND_ROW, Lane};
-use crate::resolution::constraint::{ConstraintPoint, ContactConstraint};
+use crate::collision::{Contact, Contacts, ManifoldPoint};
+use crate::compute::{BodyState, COLUMN, Column, GROUND_ROW, Lane};
+use crate::resolution::constraint::{ConstraintPoint, ContactConstraint, StepResidual, THERE};
+use crate::resolution::softness::FULL_PUSH_DEPTH;
+use crate::shape::Shape;
 
 /// Eight contacts. Those of one colour share no movable body; a block that is not full ends with contacts of the
 /// ground with itself, without points.
@@ -16,13 +18,107 @@ pub(crate) struct ContactBlock {
     columns: ContactConstraint<Column>,
 }
 
+/// One of the points of eight contacts at the end of the step.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct PointEnds {
+    separation: Column,
+    approach_speed: Column,
+}
+
 impl ContactBlock {
-    /// Puts a contact at `place`.
-    pub(crate) fn put(&mut self, place: usize, contact: &Contact, bodies: &Bodies, scale: f32) {
-        let [row_a, row_b] = contact.slots.map(|slot| bodies.motions[slot as usize].row);
-        self.rows_a.set(place, row_a);
-        self.rows_b.set(place, row_b);
-        self.columns.store(place, &ContactConstraint::new(contact, bodies, scale));
+    /// Takes over some contacts, as many as there are places or less, as the step begins. Their impulses are
+    /// multiplied by `scale`, the length of a substep now over that of the substep they were found in. Effective
+    /// masses are still to be found.
+    pub(crate) fn fill(&mut self, indices: &[u32], contacts: &Contacts, bodies: &Bodies, scale: f32) {
+        if indices.len() < COLUMN {
+            *self = Self::default();
+        }
+        for (place, &index) in indices.iter().enumerate() {
+            self.put(place, &contacts[index], bodies, scale);
+        }
+    }
+
+    fn put(&mut self, place: usize, contact: &Contact, bodies: &Bodies, scale: f32) {
+        let [a, b] = contact.slots.map(|slot| &bodies.motions[slot as usize]);
+        let [turns_a, turns_b] = contact.slots.map(|slot| match bodies.shapes[slot as usize] {
+            Shape::Circle(_) => 0.0,
+            Shape::Aabb(_) | Shape::Obb(_) | Shape::Polygon(_) => 1.0,
+        });
+        self.rows_a.set(place, a.row);
+        self.rows_b.set(place, b.row);
+        let columns = &mut self.columns;
+        columns.inverse_mass_a.set(place, a.inverse_mass);
+        columns.inverse_mass_b.set(place, b.inverse_mass);
+        columns.inverse_inertia_a.set(place, a.inverse_inertia);
+        columns.inverse_inertia_b.set(place, b.inverse_inertia);
+        columns.turns_a.set(place, turns_a);
+        columns.turns_b.set(place, turns_b);
+        columns.friction.set(place, contact.friction);
+        columns.normal.store(place, contact.manifold.normal.into());
+        let mut points = contact.manifold.points().iter();
+        for to in &mut columns.points {
+            let (point, k) = points.next().map_or((ManifoldPoint::default(), 0.0), |point| (*point, THERE));
+            to.anchor_a.store(place, point.anchor_a.into());
+            to.anchor_b.store(place, point.anchor_b.into());
+            to.separation.set(place, point.separation);
+            to.normal_k.set(place, k);
+            to.normal_impulse.set(place, scale * point.normal_impulse);
+            to.tangent_impulse.set(place, scale * point.tangent_impulse);
+            to.awaits_impact.set(place, 0.0);
+        }
+    }
+
+    /// Finds the effective masses.
+    #[inline(always)]
+    pub(crate) fn find_masses<L: Lane>(&mut self, place: usize) {
+        let mut constraint = self.load::<L>(place);
+        constraint.find_masses();
+        constraint.coupling.store(&mut self.columns.coupling, place);
+        for (to, point) in self.columns.points.iter_mut().zip(&constraint.points) {
+            point.normal_k.store(&mut to.normal_k, place);
+            point.tangent_mass.store(&mut to.tangent_mass, place);
+        }
+    }
+
+    /// Finds where the points are at the end of the step.
+    #[inline(always)]
+    pub(crate) fn end<L: Lane>(&self, place: usize, states: &[BodyState], ends: &mut [PointEnds; 2]) {
+        let constraint = self.load::<L>(place);
+        let [a, b] = self.gather(states, place);
+        for (point, end) in constraint.points.iter().zip(ends) {
+            constraint.separation(point, &a, &b).store(&mut end.separation, place);
+            let approach = -constraint.normal.dot(point.relative_velocity(&a, &b));
+            approach.store(&mut end.approach_speed, place);
+        }
+    }
+
+    /// Writes impulses and separations back into a contact; adds what is left wrong to `residual`.
+    pub(crate) fn finish(
+        &self,
+        place: usize,
+        ends: &[PointEnds; 2],
+        contact: &mut Contact,
+        residual: &mut StepResidual,
+    ) {
+        for (index, stored) in contact.manifold.points_mut().iter_mut().enumerate() {
+            let (point, end) = (&self.columns.points[index], &ends[index]);
+            let separation = end.separation.get(place);
+            stored.separation = separation;
+            stored.normal_impulse = point.normal_impulse.get(place);
+            stored.tangent_impulse = point.tangent_impulse.get(place);
+            residual.penetration = residual.penetration.max(-separation);
+            if stored.normal_impulse > 0.0 && -separation < FULL_PUSH_DEPTH {
+                residual.loaded_penetration = residual.loaded_penetration.max(-separation);
+            }
+            if separation <= 0.0 && point.awaits_impact.get(place) == 0.0 {
+                residual.approach_speed = residual.approach_speed.max(end.approach_speed.get(place));
+            }
+        }
+    }
+
+    /// Whether a contact presses its bodies apart.
+    pub(crate) fn is_loaded(&self, place: usize) -> bool {
+        self.columns.points.iter().any(|point| point.normal_impulse.get(place) > 0.0)
     }
 
     /// The contacts from `place` on, a multiple of the lane's width.
@@ -127,22 +223,6 @@ impl ContactConstraint<Column> {
             friction: L::load(&self.friction, place),
             coupling: L::load(&self.coupling, place),
             points: [self.points[0].load(place), self.points[1].load(place)],
-        }
-    }
-
-    fn store(&mut self, place: usize, constraint: &ContactConstraint<f32>) {
-        self.inverse_mass_a.set(place, constraint.inverse_mass_a);
-        self.inverse_mass_b.set(place, constraint.inverse_mass_b);
-        self.inverse_inertia_a.set(place, constraint.inverse_inertia_a);
-        self.inverse_inertia_b.set(place, constraint.inverse_inertia_b);
-        self.turns_a.set(place, constraint.turns_a);
-        self.turns_b.set(place, constraint.turns_b);
-        self.friction.set(place, constraint.friction);
-        self.store_geometry(place, constraint);
-        for (to, point) in self.points.iter_mut().zip(&constraint.points) {
-            to.normal_impulse.set(place, point.normal_impulse);
-            to.tangent_impulse.set(place, point.tangent_impulse);
-            to.awaits_impact.set(place, point.awaits_impact);
         }
     }
 

@@ -79,6 +79,8 @@ pub(crate) struct Solver {
     handovers: Handovers,
     /// Places in the constraint graph of contacts of two points that begin to bear load in this step.
     newcomers: Vec<(u32, u32)>,
+    /// Those of them that bear load in this substep.
+    loaded_newcomers: Vec<(u32, u32)>,
     /// Length of the last substep, s; impulses are stored per substep.
     last_h: f32,
 }
@@ -158,7 +160,7 @@ pub(crate) fn solve(
     for _ in 0..scheme.projections.unwrap_or(0) {
         graph.for_each(Width::ONE, Project { states: &mut bodies.states });
     }
-    solver.finish(bodies, contacts, graph)
+    solver.finish(scheme.width, bodies, contacts, graph)
 }
 
 impl Solver {
@@ -200,7 +202,7 @@ impl Solver {
         }
         let scale = if self.last_h > 0.0 { h / self.last_h } else { 1.0 };
         self.last_h = h;
-        graph.prepare(contacts, bodies, scale);
+        graph.prepare(scheme.width, contacts, bodies, scale);
         self.gather_special(scheme, h, bodies, contacts, graph);
     }
 
@@ -257,15 +259,18 @@ impl Solver {
 
     /// Sweeps over the contacts that begin to bear load a few more times.
     fn relax_newcomers(
-        &self,
+        &mut self,
         graph: &mut ConstraintGraph,
         states: &mut [BodyState],
         relax_sweep: Sweep,
         per_substep: f32,
     ) {
+        // What carries no load is left alone, and so gets none.
+        self.loaded_newcomers.clear();
+        self.loaded_newcomers.extend(self.newcomers.iter().filter(|&&place| graph.is_loaded(place)));
         for _ in 0..NEWCOMER_SWEEPS {
-            for &place in &self.newcomers {
-                if graph.constraint(place).points.iter().any(|point| point.normal_impulse > 0.0) {
+            for &place in &self.loaded_newcomers {
+                if graph.is_loaded(place) {
                     graph.for_one(place, SweepOver { states, kind: relax_sweep, per_substep });
                 }
             }
@@ -297,14 +302,12 @@ impl Solver {
     /// Writes impulses back into the contacts and carries back into the bodies.
     fn finish(
         &self,
+        width: Width,
         bodies: &mut Bodies,
         contacts: &mut Contacts,
         graph: &mut ConstraintGraph,
     ) -> StepResidual {
-        let mut residual = StepResidual::default();
-        for colour in graph.in_order() {
-            colour.finish(&bodies.states, contacts, &mut residual);
-        }
+        let residual = graph.finish(width, &bodies.states, contacts);
         for (kick, &slot) in self.kicks.iter().zip(&bodies.slot_of_row).skip(1) {
             bodies.motions[slot as usize].velocity_carry = kick.carry;
         }
