@@ -11,7 +11,7 @@
 use core::arch::x86_64::*;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
-use crate::compute::{BodyState, COLUMN, Column, Lane, LaneRot, LaneVec2};
+use crate::compute::{BodyState, Column, Lane, LaneRot, LaneVec2, RowPairs};
 
 #[derive(Clone, Copy, Debug)]
 #[repr(transparent)]
@@ -54,12 +54,15 @@ impl Neg for F32x8 {
 }
 
 /// Numbers of two rows, four each: the first four for `OFFSET` 0, the second four for 4.
+///
+/// # Safety
+/// `states` has both rows.
 #[inline(always)]
-fn load_pair<const OFFSET: usize>(states: &[BodyState], low: u32, high: u32) -> __m256 {
+unsafe fn load_pair<const OFFSET: usize>(states: &[BodyState], low: u32, high: u32) -> __m256 {
     const { assert!(OFFSET == 0 || OFFSET == 4) };
     debug_assert!(states.len() > low.max(high) as usize);
-    // SAFETY: AVX2 is there, see the module. The rows are in range: `check_rows` has seen them. A row is eight
-    // numbers, aligned to 32 bytes, of which the offset leaves four, aligned to 16.
+    // SAFETY: AVX2 is there, see the module. The rows are, says the caller and checks the line above in debug. A row
+    // is eight numbers, aligned to 32 bytes, of which the offset leaves four, aligned to 16.
     unsafe {
         let low = states.as_ptr().add(low as usize).cast::<f32>().add(OFFSET);
         let high = states.as_ptr().add(high as usize).cast::<f32>().add(OFFSET);
@@ -68,16 +71,79 @@ fn load_pair<const OFFSET: usize>(states: &[BodyState], low: u32, high: u32) -> 
 }
 
 /// Four numbers of each of eight rows, as four lanes.
+///
+/// # Safety
+/// `states` has the rows.
 #[inline(always)]
-fn gather_half<const OFFSET: usize>(states: &[BodyState], rows: &Column<u32>) -> [F32x8; 4] {
-    let &[r0, r1, r2, r3, r4, r5, r6, r7] = rows.part::<8>(0);
-    let [x, y, z, w] = transpose([
-        load_pair::<OFFSET>(states, r0, r4),
-        load_pair::<OFFSET>(states, r1, r5),
-        load_pair::<OFFSET>(states, r2, r6),
-        load_pair::<OFFSET>(states, r3, r7),
-    ]);
+unsafe fn gather_half<const OFFSET: usize>(states: &[BodyState], rows: &[u32; 8]) -> [F32x8; 4] {
+    // SAFETY: the rows are there, says the caller; `load_pair` checks it in debug.
+    let pairs = unsafe {
+        [
+            load_pair::<OFFSET>(states, rows[0], rows[4]),
+            load_pair::<OFFSET>(states, rows[1], rows[5]),
+            load_pair::<OFFSET>(states, rows[2], rows[6]),
+            load_pair::<OFFSET>(states, rows[3], rows[7]),
+        ]
+    };
+    let [x, y, z, w] = transpose(pairs);
     [F32x8(x), F32x8(y), F32x8(z), F32x8(w)]
+}
+
+/// # Safety
+/// `states` has the rows.
+#[inline(always)]
+unsafe fn gather(states: &[BodyState], rows: &[u32; 8]) -> BodyState<F32x8> {
+    // SAFETY: the rows are there, says the caller; `load_pair` checks it in debug.
+    let (velocities, deltas) = unsafe { (gather_half::<0>(states, rows), gather_half::<4>(states, rows)) };
+    let [x, y, angular_velocity, padding] = velocities;
+    let [delta_x, delta_y, c, s] = deltas;
+    BodyState {
+        velocity: LaneVec2 { x, y },
+        angular_velocity,
+        padding,
+        delta_position: LaneVec2 { x: delta_x, y: delta_y },
+        delta_rotation: LaneRot { c, s },
+    }
+}
+
+/// # Safety
+/// `states` has the rows.
+#[inline(always)]
+unsafe fn gather_velocities(states: &[BodyState], rows: &[u32; 8]) -> BodyState<F32x8> {
+    // SAFETY: the rows are there, says the caller; `load_pair` checks it in debug.
+    let [x, y, angular_velocity, padding] = unsafe { gather_half::<0>(states, rows) };
+    BodyState { velocity: LaneVec2 { x, y }, angular_velocity, padding, ..BodyState::at_rest() }
+}
+
+/// Writes the velocities of the bodies that move to their rows.
+///
+/// # Safety
+/// `states` has the rows.
+#[inline(always)]
+unsafe fn scatter(states: &mut [BodyState], rows: &[u32; 8], state: &BodyState<F32x8>, moves: Mask8) {
+    // SAFETY: AVX2 is there, see the module.
+    let moves = unsafe { _mm256_movemask_ps(moves.0) };
+    if moves == 0 {
+        return;
+    }
+    let padding = F32x8::splat(0.0);
+    let pairs = transpose([state.velocity.x.0, state.velocity.y.0, state.angular_velocity.0, padding.0]);
+    // Usually all of them move: then eight jumps are saved.
+    let all_move = moves == 0xFF;
+    for (place, pair) in pairs.into_iter().enumerate() {
+        let (low, high) = (rows[place] as usize, rows[place + 4] as usize);
+        debug_assert!(low.max(high) < states.len());
+        // SAFETY: AVX2 is there, see the module. The rows are, says the caller and checks the line above in debug. A
+        // row begins with four numbers, aligned to 16 bytes.
+        unsafe {
+            if all_move || moves & 1 << place != 0 {
+                _mm_store_ps(states.as_mut_ptr().add(low).cast(), _mm256_castps256_ps128(pair));
+            }
+            if all_move || moves & 1 << (place + 4) != 0 {
+                _mm_store_ps(states.as_mut_ptr().add(high).cast(), _mm256_extractf128_ps::<1>(pair));
+            }
+        }
+    }
 }
 
 /// Turns rows of four into columns, in each half on its own.
@@ -94,18 +160,6 @@ fn transpose([r0, r1, r2, r3]: [__m256; 4]) -> [__m256; 4] {
             _mm256_shuffle_ps::<0b11_10_11_10>(t1, t3),
         ]
     }
-}
-
-#[inline(always)]
-fn check_rows(states: &[BodyState], rows: &Column<u32>) {
-    let last = states.len().wrapping_sub(1).min(u32::MAX as usize) as u32;
-    // SAFETY: AVX2 is there, see the module; a column is eight numbers, aligned.
-    let are_in_range = unsafe {
-        let rows = _mm256_load_si256(rows.part::<COLUMN>(0).as_ptr().cast());
-        let is_in_range = _mm256_cmpeq_epi32(_mm256_min_epu32(rows, _mm256_set1_epi32(last as i32)), rows);
-        _mm256_movemask_epi8(is_in_range) == -1
-    };
-    assert!(are_in_range && !states.is_empty(), "a row beyond the {} there are", states.len());
 }
 
 impl Lane for F32x8 {
@@ -169,52 +223,32 @@ impl Lane for F32x8 {
     }
 
     #[inline(always)]
-    fn gather(states: &[BodyState], rows: &Column<u32>, _place: usize) -> BodyState<Self> {
-        check_rows(states, rows);
-        let [x, y, angular_velocity, padding] = gather_half::<0>(states, rows);
-        let [delta_x, delta_y, c, s] = gather_half::<4>(states, rows);
-        BodyState {
-            velocity: LaneVec2 { x, y },
-            angular_velocity,
-            padding,
-            delta_position: LaneVec2 { x: delta_x, y: delta_y },
-            delta_rotation: LaneRot { c, s },
-        }
+    fn gather(states: &[BodyState], rows: &RowPairs, place: usize) -> [BodyState<Self>; 2] {
+        let [a, b] = rows.part(states, place);
+        // SAFETY: `part` has seen that the rows are there.
+        unsafe { [gather(states, a), gather(states, b)] }
     }
 
     #[inline(always)]
-    fn gather_velocities(states: &[BodyState], rows: &Column<u32>, _place: usize) -> BodyState<Self> {
-        check_rows(states, rows);
-        let [x, y, angular_velocity, padding] = gather_half::<0>(states, rows);
-        BodyState { velocity: LaneVec2 { x, y }, angular_velocity, padding, ..BodyState::at_rest() }
+    fn gather_velocities(states: &[BodyState], rows: &RowPairs, place: usize) -> [BodyState<Self>; 2] {
+        let [a, b] = rows.part(states, place);
+        // SAFETY: `part` has seen that the rows are there.
+        unsafe { [gather_velocities(states, a), gather_velocities(states, b)] }
     }
 
     #[inline(always)]
     fn scatter_velocities(
         states: &mut [BodyState],
-        rows: &Column<u32>,
-        _place: usize,
-        state: &BodyState<Self>,
-        moves: Mask8,
+        rows: &RowPairs,
+        place: usize,
+        [a, b]: &[BodyState<Self>; 2],
+        [a_moves, b_moves]: [Mask8; 2],
     ) {
-        check_rows(states, rows);
-        let pairs =
-            transpose([state.velocity.x.0, state.velocity.y.0, state.angular_velocity.0, Self::splat(0.0).0]);
-        // SAFETY: AVX2 is there, see the module.
-        let moves = unsafe { _mm256_movemask_ps(moves.0) };
-        for (place, pair) in pairs.into_iter().enumerate() {
-            // SAFETY: AVX2 is there, see the module. The rows are in range, by `check_rows`; a row begins with four
-            // numbers, aligned to 16 bytes.
-            unsafe {
-                if moves & 1 << place != 0 {
-                    let row = states.as_mut_ptr().add(rows.get(place) as usize).cast();
-                    _mm_store_ps(row, _mm256_castps256_ps128(pair));
-                }
-                if moves & 1 << (place + 4) != 0 {
-                    let row = states.as_mut_ptr().add(rows.get(place + 4) as usize).cast();
-                    _mm_store_ps(row, _mm256_extractf128_ps::<1>(pair));
-                }
-            }
+        let [rows_a, rows_b] = rows.part(states, place);
+        // SAFETY: `part` has seen that the rows are there.
+        unsafe {
+            scatter(states, rows_a, a, a_moves);
+            scatter(states, rows_b, b, b_moves);
         }
     }
 }

@@ -1,7 +1,9 @@
-//! Columns: how numbers that are computed with in lanes are stored.
+//! Columns: how numbers that are computed with in lanes are stored, and rows: which bodies they belong to.
 //!
 //! A column has a place for as many numbers as the widest lane, whatever lane is in use. A narrower lane takes it
 //! in parts, so that the layout, and all code that looks at one place only, know nothing of lanes.
+
+use crate::compute::BodyState;
 
 /// How many numbers a column holds: as many as the widest lane.
 pub(crate) const COLUMN: usize = 8;
@@ -9,41 +11,85 @@ pub(crate) const COLUMN: usize = 8;
 /// Eight numbers side by side, aligned for one load of the widest lane.
 #[repr(C, align(32))]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub(crate) struct Column<T = f32>([T; COLUMN]);
+pub(crate) struct Column([f32; COLUMN]);
 
-const _: () = assert!(size_of::<Column>() == 32 && size_of::<Column<u32>>() == 32);
+const _: () = assert!(size_of::<Column>() == 32 && size_of::<RowPairs>() == 96);
 
-impl<T: Copy> Column<T> {
+impl Column {
     /// What stands at `place`, below [`COLUMN`].
     #[inline(always)]
-    pub(crate) fn get(&self, place: usize) -> T {
+    pub(crate) fn get(&self, place: usize) -> f32 {
         debug_assert!(place < COLUMN);
         self.0[place % COLUMN]
     }
 
     /// Writes to `place`, below [`COLUMN`].
     #[inline(always)]
-    pub(crate) fn set(&mut self, place: usize, value: T) {
+    pub(crate) fn set(&mut self, place: usize, value: f32) {
         debug_assert!(place < COLUMN);
         self.0[place % COLUMN] = value;
     }
 
     /// The `N` numbers from `place` on, a multiple of `N`, which divides [`COLUMN`].
     #[inline(always)]
-    pub(super) fn part<const N: usize>(&self, place: usize) -> &[T; N] {
-        const { assert!(COLUMN % N == 0) };
-        debug_assert!(place % N == 0 && place < COLUMN);
-        // Cut so that the compiler sees it to be in range.
-        let start = place % COLUMN / N * N;
-        self.0[start..start + N].first_chunk().expect("N numbers")
+    pub(super) fn part<const N: usize>(&self, place: usize) -> &[f32; N] {
+        part_of(&self.0, place)
     }
 
     /// The same, for changing them.
     #[inline(always)]
-    pub(super) fn part_mut<const N: usize>(&mut self, place: usize) -> &mut [T; N] {
+    pub(super) fn part_mut<const N: usize>(&mut self, place: usize) -> &mut [f32; N] {
         const { assert!(COLUMN % N == 0) };
         debug_assert!(place % N == 0 && place < COLUMN);
         let start = place % COLUMN / N * N;
         self.0[start..start + N].first_chunk_mut().expect("N numbers")
     }
+}
+
+/// Which rows of [`BodyState`](crate::compute::BodyState) eight pairs of bodies have.
+#[repr(C, align(32))]
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct RowPairs {
+    a: [u32; COLUMN],
+    b: [u32; COLUMN],
+    /// No row is greater: what a lane that reads eight rows at once has to compare.
+    greatest: u32,
+}
+
+impl RowPairs {
+    /// The rows of the pair at `place`, below [`COLUMN`].
+    #[inline(always)]
+    pub(crate) fn get(&self, place: usize) -> [u32; 2] {
+        debug_assert!(place < COLUMN);
+        [self.a[place % COLUMN], self.b[place % COLUMN]]
+    }
+
+    /// Writes the rows of the pair at `place`, below [`COLUMN`].
+    #[inline(always)]
+    pub(crate) fn set(&mut self, place: usize, [a, b]: [u32; 2]) {
+        debug_assert!(place < COLUMN);
+        self.a[place % COLUMN] = a;
+        self.b[place % COLUMN] = b;
+        self.greatest = self.greatest.max(a).max(b);
+    }
+
+    /// The rows of the `N` bodies from `place` on, a multiple of `N`, all of them in `states`.
+    ///
+    /// # Panics
+    /// If there is no such row.
+    #[inline(always)]
+    pub(super) fn part<const N: usize>(&self, states: &[BodyState], place: usize) -> [&[u32; N]; 2] {
+        assert!((self.greatest as usize) < states.len(), "a row beyond the {} there are", states.len());
+        [part_of(&self.a, place), part_of(&self.b, place)]
+    }
+}
+
+/// The `N` numbers from `place` on, a multiple of `N`, which divides [`COLUMN`].
+#[inline(always)]
+fn part_of<const N: usize, T>(all: &[T; COLUMN], place: usize) -> &[T; N] {
+    const { assert!(COLUMN % N == 0) };
+    debug_assert!(place % N == 0 && place < COLUMN);
+    // Cut so that the compiler sees it to be in range.
+    let start = place % COLUMN / N * N;
+    all[start..start + N].first_chunk().expect("N numbers")
 }

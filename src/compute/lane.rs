@@ -3,7 +3,7 @@
 use core::fmt::Debug;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
-use crate::compute::{BodyState, Column};
+use crate::compute::{BodyState, Column, RowPairs};
 
 /// `WIDTH` numbers that are computed with at once. Every operation rounds as IEEE 754 says for each number
 /// on its own, so results do not depend on the width.
@@ -41,27 +41,27 @@ pub(crate) trait Lane:
     /// `yes` where the mask holds, `no` elsewhere.
     fn select(mask: Self::Mask, yes: Self, no: Self) -> Self;
 
-    /// Reads the states in the rows of a column from `place` on, a multiple of `WIDTH`.
+    /// Reads the states of the pairs from `place` on, a multiple of `WIDTH`.
     ///
     /// # Panics
     /// If there is no such row.
-    fn gather(states: &[BodyState], rows: &Column<u32>, place: usize) -> BodyState<Self>;
+    fn gather(states: &[BodyState], rows: &RowPairs, place: usize) -> [BodyState<Self>; 2];
     /// The same where only velocities are needed: the rest is at rest.
     ///
     /// # Panics
     /// If there is no such row.
-    fn gather_velocities(states: &[BodyState], rows: &Column<u32>, place: usize) -> BodyState<Self>;
-    /// Writes the velocities back to the rows of a column from `place` on, a multiple of `WIDTH`, where `moves`
-    /// holds. There, rows differ from each other.
+    fn gather_velocities(states: &[BodyState], rows: &RowPairs, place: usize) -> [BodyState<Self>; 2];
+    /// Writes the velocities of the pairs from `place` on, a multiple of `WIDTH`, back where `moves` holds. There,
+    /// rows differ from each other.
     ///
     /// # Panics
     /// If there is no such row.
     fn scatter_velocities(
         states: &mut [BodyState],
-        rows: &Column<u32>,
+        rows: &RowPairs,
         place: usize,
-        state: &BodyState<Self>,
-        moves: Self::Mask,
+        pair: &[BodyState<Self>; 2],
+        moves: [Self::Mask; 2],
     );
 }
 
@@ -115,28 +115,35 @@ impl Lane for f32 {
     }
 
     #[inline(always)]
-    fn gather(states: &[BodyState], rows: &Column<u32>, place: usize) -> BodyState {
-        states[rows.get(place) as usize]
+    fn gather(states: &[BodyState], rows: &RowPairs, place: usize) -> [BodyState; 2] {
+        let [a, b] = rows.get(place);
+        [states[a as usize], states[b as usize]]
     }
 
     #[inline(always)]
-    fn gather_velocities(states: &[BodyState], rows: &Column<u32>, place: usize) -> BodyState {
-        let from = &states[rows.get(place) as usize];
-        BodyState { velocity: from.velocity, angular_velocity: from.angular_velocity, ..BodyState::REST }
+    fn gather_velocities(states: &[BodyState], rows: &RowPairs, place: usize) -> [BodyState; 2] {
+        let [a, b] = rows.get(place);
+        let velocities = |row: u32| {
+            let BodyState { velocity, angular_velocity, .. } = states[row as usize];
+            BodyState { velocity, angular_velocity, ..BodyState::REST }
+        };
+        [velocities(a), velocities(b)]
     }
 
     #[inline(always)]
     fn scatter_velocities(
         states: &mut [BodyState],
-        rows: &Column<u32>,
+        rows: &RowPairs,
         place: usize,
-        state: &BodyState,
-        moves: bool,
+        pair: &[BodyState; 2],
+        moves: [bool; 2],
     ) {
-        if moves {
-            let to = &mut states[rows.get(place) as usize];
-            to.velocity = state.velocity;
-            to.angular_velocity = state.angular_velocity;
+        for ((row, state), moves) in rows.get(place).into_iter().zip(pair).zip(moves) {
+            if moves {
+                let to = &mut states[row as usize];
+                to.velocity = state.velocity;
+                to.angular_velocity = state.angular_velocity;
+            }
         }
     }
 }

@@ -31,7 +31,7 @@ use portable as four;
 #[cfg(target_arch = "x86_64")]
 use sse2 as four;
 
-pub(crate) use column::{COLUMN, Column};
+pub(crate) use column::{COLUMN, Column, RowPairs};
 pub use dispatch::Lanes;
 pub(crate) use dispatch::{Job, Width, run};
 pub(crate) use lane::Lane;

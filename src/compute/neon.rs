@@ -8,7 +8,7 @@
 use core::arch::aarch64::*;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
-use crate::compute::{BodyState, Column, Lane, LaneRot, LaneVec2};
+use crate::compute::{BodyState, Column, Lane, LaneRot, LaneVec2, RowPairs};
 
 #[derive(Clone, Copy, Debug)]
 #[repr(transparent)]
@@ -46,25 +46,83 @@ impl Neg for F32x4 {
 }
 
 /// Four numbers of a row: the first four for `OFFSET` 0, the second four for 4.
+///
+/// # Safety
+/// `states` has the row.
 #[inline(always)]
-fn load_half<const OFFSET: usize>(states: &[BodyState], row: u32) -> float32x4_t {
+unsafe fn load_half<const OFFSET: usize>(states: &[BodyState], row: u32) -> float32x4_t {
     const { assert!(OFFSET == 0 || OFFSET == 4) };
-    let row: *const BodyState = &raw const states[row as usize];
-    // SAFETY: NEON is part of the target. A row is eight numbers, aligned to 32 bytes, of which the offset leaves
-    // four, aligned to 16; `state.rs` asserts the size.
-    unsafe { vld1q_f32(row.cast::<f32>().add(OFFSET)) }
+    debug_assert!(states.len() > row as usize);
+    // SAFETY: NEON is part of the target. The row is there, says the caller and checks the line above in debug. It is
+    // eight numbers, aligned to 32 bytes, of which the offset leaves four, aligned to 16.
+    unsafe { vld1q_f32(states.as_ptr().add(row as usize).cast::<f32>().add(OFFSET)) }
 }
 
 /// Four numbers of each of four rows, as four lanes.
+///
+/// # Safety
+/// `states` has the rows.
 #[inline(always)]
-fn gather_half<const OFFSET: usize>(states: &[BodyState], rows: &[u32; 4]) -> [F32x4; 4] {
-    let [x, y, z, w] = transpose([
-        load_half::<OFFSET>(states, rows[0]),
-        load_half::<OFFSET>(states, rows[1]),
-        load_half::<OFFSET>(states, rows[2]),
-        load_half::<OFFSET>(states, rows[3]),
-    ]);
+unsafe fn gather_half<const OFFSET: usize>(states: &[BodyState], rows: &[u32; 4]) -> [F32x4; 4] {
+    // SAFETY: the rows are there, says the caller; `load_half` checks it in debug.
+    let halves = unsafe {
+        [
+            load_half::<OFFSET>(states, rows[0]),
+            load_half::<OFFSET>(states, rows[1]),
+            load_half::<OFFSET>(states, rows[2]),
+            load_half::<OFFSET>(states, rows[3]),
+        ]
+    };
+    let [x, y, z, w] = transpose(halves);
     [F32x4(x), F32x4(y), F32x4(z), F32x4(w)]
+}
+
+/// # Safety
+/// `states` has the rows.
+#[inline(always)]
+unsafe fn gather(states: &[BodyState], rows: &[u32; 4]) -> BodyState<F32x4> {
+    // SAFETY: the rows are there, says the caller; `load_half` checks it in debug.
+    let (velocities, deltas) = unsafe { (gather_half::<0>(states, rows), gather_half::<4>(states, rows)) };
+    let [x, y, angular_velocity, padding] = velocities;
+    let [delta_x, delta_y, c, s] = deltas;
+    BodyState {
+        velocity: LaneVec2 { x, y },
+        angular_velocity,
+        padding,
+        delta_position: LaneVec2 { x: delta_x, y: delta_y },
+        delta_rotation: LaneRot { c, s },
+    }
+}
+
+/// # Safety
+/// `states` has the rows.
+#[inline(always)]
+unsafe fn gather_velocities(states: &[BodyState], rows: &[u32; 4]) -> BodyState<F32x4> {
+    // SAFETY: the rows are there, says the caller; `load_half` checks it in debug.
+    let [x, y, angular_velocity, padding] = unsafe { gather_half::<0>(states, rows) };
+    BodyState { velocity: LaneVec2 { x, y }, angular_velocity, padding, ..BodyState::at_rest() }
+}
+
+/// Writes the velocities of the bodies that move to their rows.
+///
+/// # Safety
+/// `states` has the rows.
+#[inline(always)]
+unsafe fn scatter(states: &mut [BodyState], rows: &[u32; 4], state: &BodyState<F32x4>, moves: Mask4) {
+    let mut writes = [0; 4];
+    // SAFETY: NEON is part of the target; there is room for four numbers.
+    unsafe { vst1q_u32(writes.as_mut_ptr(), moves.0) };
+    let padding = F32x4::splat(0.0);
+    let halves = transpose([state.velocity.x.0, state.velocity.y.0, state.angular_velocity.0, padding.0]);
+    for (place, half) in halves.into_iter().enumerate() {
+        let row = rows[place] as usize;
+        debug_assert!(row < states.len());
+        if writes[place] != 0 {
+            // SAFETY: NEON is part of the target. The row is there, says the caller and checks the line above in
+            // debug. It begins with four numbers, aligned to 16 bytes.
+            unsafe { vst1q_f32(states.as_mut_ptr().add(row).cast(), half) }
+        }
+    }
 }
 
 /// Turns rows into columns.
@@ -138,44 +196,32 @@ impl Lane for F32x4 {
     }
 
     #[inline(always)]
-    fn gather(states: &[BodyState], rows: &Column<u32>, place: usize) -> BodyState<Self> {
-        let rows = rows.part::<4>(place);
-        let [x, y, angular_velocity, padding] = gather_half::<0>(states, rows);
-        let [delta_x, delta_y, c, s] = gather_half::<4>(states, rows);
-        BodyState {
-            velocity: LaneVec2 { x, y },
-            angular_velocity,
-            padding,
-            delta_position: LaneVec2 { x: delta_x, y: delta_y },
-            delta_rotation: LaneRot { c, s },
-        }
+    fn gather(states: &[BodyState], rows: &RowPairs, place: usize) -> [BodyState<Self>; 2] {
+        let [a, b] = rows.part(states, place);
+        // SAFETY: `part` has seen that the rows are there.
+        unsafe { [gather(states, a), gather(states, b)] }
     }
 
     #[inline(always)]
-    fn gather_velocities(states: &[BodyState], rows: &Column<u32>, place: usize) -> BodyState<Self> {
-        let [x, y, angular_velocity, padding] = gather_half::<0>(states, rows.part::<4>(place));
-        BodyState { velocity: LaneVec2 { x, y }, angular_velocity, padding, ..BodyState::at_rest() }
+    fn gather_velocities(states: &[BodyState], rows: &RowPairs, place: usize) -> [BodyState<Self>; 2] {
+        let [a, b] = rows.part(states, place);
+        // SAFETY: `part` has seen that the rows are there.
+        unsafe { [gather_velocities(states, a), gather_velocities(states, b)] }
     }
 
     #[inline(always)]
     fn scatter_velocities(
         states: &mut [BodyState],
-        rows: &Column<u32>,
+        rows: &RowPairs,
         place: usize,
-        state: &BodyState<Self>,
-        moves: Mask4,
+        [a, b]: &[BodyState<Self>; 2],
+        [a_moves, b_moves]: [Mask4; 2],
     ) {
-        let padding = Self::splat(0.0);
-        let halves = transpose([state.velocity.x.0, state.velocity.y.0, state.angular_velocity.0, padding.0]);
-        let mut writes = [0; 4];
-        // SAFETY: NEON is part of the target; there is room for four numbers.
-        unsafe { vst1q_u32(writes.as_mut_ptr(), moves.0) };
-        for ((half, &row), writes) in halves.into_iter().zip(rows.part::<4>(place)).zip(writes) {
-            if writes != 0 {
-                let row: *mut BodyState = &raw mut states[row as usize];
-                // SAFETY: NEON is part of the target; a row begins with four numbers.
-                unsafe { vst1q_f32(row.cast(), half) }
-            }
+        let [rows_a, rows_b] = rows.part(states, place);
+        // SAFETY: `part` has seen that the rows are there.
+        unsafe {
+            scatter(states, rows_a, a, a_moves);
+            scatter(states, rows_b, b, b_moves);
         }
     }
 }

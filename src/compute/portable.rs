@@ -2,7 +2,7 @@
 
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
-use crate::compute::{BodyState, Column, Lane, LaneRot, LaneVec2};
+use crate::compute::{BodyState, Column, Lane, LaneRot, LaneVec2, RowPairs};
 
 #[derive(Clone, Copy, Debug)]
 #[repr(C, align(16))]
@@ -39,6 +39,25 @@ impl Neg for F32x4 {
     #[inline(always)]
     fn neg(self) -> Self {
         Self(self.0.map(Neg::neg))
+    }
+}
+
+#[inline(always)]
+fn gather(states: &[BodyState], rows: &[u32; 4]) -> BodyState<F32x4> {
+    let states = rows.map(|row| &states[row as usize]);
+    let lane = |number: fn(&BodyState) -> f32| F32x4(states.map(number));
+    BodyState {
+        velocity: LaneVec2 { x: lane(|state| state.velocity.x), y: lane(|state| state.velocity.y) },
+        angular_velocity: lane(|state| state.angular_velocity),
+        padding: F32x4::splat(0.0),
+        delta_position: LaneVec2 {
+            x: lane(|state| state.delta_position.x),
+            y: lane(|state| state.delta_position.y),
+        },
+        delta_rotation: LaneRot {
+            c: lane(|state| state.delta_rotation.c),
+            s: lane(|state| state.delta_rotation.s),
+        },
     }
 }
 
@@ -92,40 +111,29 @@ impl Lane for F32x4 {
     }
 
     #[inline(always)]
-    fn gather(states: &[BodyState], rows: &Column<u32>, place: usize) -> BodyState<Self> {
-        let states = rows.part::<4>(place).map(|row| &states[row as usize]);
-        let lane = |number: fn(&BodyState) -> f32| Self(states.map(number));
-        BodyState {
-            velocity: LaneVec2 { x: lane(|state| state.velocity.x), y: lane(|state| state.velocity.y) },
-            angular_velocity: lane(|state| state.angular_velocity),
-            padding: Self::splat(0.0),
-            delta_position: LaneVec2 {
-                x: lane(|state| state.delta_position.x),
-                y: lane(|state| state.delta_position.y),
-            },
-            delta_rotation: LaneRot {
-                c: lane(|state| state.delta_rotation.c),
-                s: lane(|state| state.delta_rotation.s),
-            },
-        }
+    fn gather(states: &[BodyState], rows: &RowPairs, place: usize) -> [BodyState<Self>; 2] {
+        rows.part::<4>(states, place).map(|rows| gather(states, rows))
     }
 
     #[inline(always)]
-    fn gather_velocities(states: &[BodyState], rows: &Column<u32>, place: usize) -> BodyState<Self> {
-        let BodyState { velocity, angular_velocity, .. } = Self::gather(states, rows, place);
-        BodyState { velocity, angular_velocity, ..BodyState::at_rest() }
+    fn gather_velocities(states: &[BodyState], rows: &RowPairs, place: usize) -> [BodyState<Self>; 2] {
+        Self::gather(states, rows, place).map(|BodyState { velocity, angular_velocity, .. }| BodyState {
+            velocity,
+            angular_velocity,
+            ..BodyState::at_rest()
+        })
     }
 
     #[inline(always)]
     fn scatter_velocities(
         states: &mut [BodyState],
-        rows: &Column<u32>,
+        rows: &RowPairs,
         place: usize,
-        state: &BodyState<Self>,
-        moves: Mask4,
+        pair: &[BodyState<Self>; 2],
+        moves: [Mask4; 2],
     ) {
-        for (number, &row) in rows.part::<4>(place).iter().enumerate() {
-            if moves[number] {
+        for ((rows, state), moves) in rows.part::<4>(states, place).into_iter().zip(pair).zip(moves) {
+            for (number, &row) in rows.iter().enumerate().filter(|&(number, _)| moves[number]) {
                 let to = &mut states[row as usize];
                 to.velocity = LaneVec2 { x: state.velocity.x.0[number], y: state.velocity.y.0[number] };
                 to.angular_velocity = state.angular_velocity.0[number];

@@ -1,7 +1,8 @@
 //! Every lane against `f32`, bit for bit.
 
 use crate::compute::{
-    BodyState, COLUMN, Column, GROUND_ROW, Job, Lane, LaneRot, LaneVec2, Lanes, Width, portable, run,
+    BodyState, COLUMN, Column, GROUND_ROW, Job, Lane, LaneRot, LaneVec2, Lanes, RowPairs, Width, portable,
+    run,
 };
 
 /// Numbers on which operations differ if they differ at all.
@@ -130,12 +131,12 @@ fn numbers(state: &BodyState) -> [f32; 7] {
     [velocity.x, velocity.y, angular_velocity, delta_position.x, delta_position.y, c, s]
 }
 
-fn rows(rows: [u32; COLUMN]) -> Column<u32> {
-    let mut column = Column::default();
-    for (place, row) in rows.into_iter().enumerate() {
-        column.set(place, row);
+fn rows(rows: [[u32; 2]; COLUMN]) -> RowPairs {
+    let mut pairs = RowPairs::default();
+    for (place, pair) in rows.into_iter().enumerate() {
+        pairs.set(place, pair);
     }
-    column
+    pairs
 }
 
 #[inline(always)]
@@ -153,20 +154,20 @@ impl Job for Gather {
     #[inline(always)]
     fn run<L: Lane>(self) {
         let states = states();
-        let rows = rows([3, 0, 19, 7, 7, 1, 12, 0]);
+        let rows = rows([[3, 2], [0, 18], [19, 0], [7, 4], [7, 5], [1, 0], [12, 11], [0, 10]]);
         for first in (0..COLUMN).step_by(L::WIDTH) {
-            let found = lanes_of(&L::gather(&states, &rows, first));
-            let velocities = lanes_of(&L::gather_velocities(&states, &rows, first));
-            for number in 0..7 {
-                let (mut all, mut half) = (Column::default(), Column::default());
-                found[number].store(&mut all, first);
-                velocities[number].store(&mut half, first);
+            let all = L::gather(&states, &rows, first);
+            let half = L::gather_velocities(&states, &rows, first);
+            for (body, number) in (0..2).flat_map(|body| (0..7).map(move |number| (body, number))) {
+                let (mut found, mut velocities) = (Column::default(), Column::default());
+                lanes_of(&all[body])[number].store(&mut found, first);
+                lanes_of(&half[body])[number].store(&mut velocities, first);
                 for place in first..first + L::WIDTH {
-                    let state = &states[rows.get(place) as usize];
+                    let state = &states[rows.get(place)[body] as usize];
                     let still = numbers(&BodyState::REST)[number];
                     let velocity = if number < 3 { numbers(state)[number] } else { still };
-                    assert_same(all.get(place), numbers(state)[number], "gathered");
-                    assert_same(half.get(place), velocity, "gathered velocity");
+                    assert_same(found.get(place), numbers(state)[number], "gathered");
+                    assert_same(velocities.get(place), velocity, "gathered velocity");
                 }
             }
         }
@@ -186,37 +187,47 @@ struct Scatter;
 impl Job for Scatter {
     #[inline(always)]
     fn run<L: Lane>(self) {
-        let distinct = [3, 5, 19, 7, 8, 1, 12, 2];
+        let distinct = [[3, 6], [5, 9], [19, 11], [7, 10], [8, 15], [1, 13], [12, 14], [2, 16]];
         for pattern in 0..256_u32 {
-            let moves = |place: usize| pattern & 1 << place != 0;
+            // Those of b move in another pattern.
+            let moves =
+                |place: usize| [pattern & 1 << place != 0, pattern.wrapping_mul(37) & 1 << (7 - place) != 0];
             let kinematic = |place: usize| if place % 2 == 0 { GROUND_ROW } else { 4 };
-            let rows =
-                rows(core::array::from_fn(
-                    |place| {
-                        if moves(place) { distinct[place] } else { kinematic(place) }
-                    },
-                ));
-            let flags = column(core::array::from_fn(|place| f32::from(u8::from(moves(place)))));
-            assert_scattered_like_alone::<L>(&rows, &flags);
+            let row = |place: usize, body: usize| {
+                if moves(place)[body] { distinct[place][body] } else { kinematic(place) }
+            };
+            let rows = rows(core::array::from_fn(|place| [row(place, 0), row(place, 1)]));
+            let flag =
+                |body: usize| column(core::array::from_fn(|place| f32::from(u8::from(moves(place)[body]))));
+            assert_scattered_like_alone::<L>(&rows, &[flag(0), flag(1)]);
         }
     }
 }
 
+/// What a contact might do to its bodies.
 #[inline(always)]
-fn assert_scattered_like_alone<L: Lane>(rows: &Column<u32>, flags: &Column) {
+fn push<L: Lane>([a, b]: &mut [BodyState<L>; 2]) {
+    a.velocity = a.velocity * L::splat(2.0);
+    a.angular_velocity = -a.angular_velocity;
+    b.velocity = b.velocity * L::splat(-3.0);
+    b.angular_velocity = b.angular_velocity + L::splat(1.0);
+}
+
+#[inline(always)]
+fn assert_scattered_like_alone<L: Lane>(rows: &RowPairs, flags: &[Column; 2]) {
     let (mut found, mut expected) = (states(), states());
     for first in (0..COLUMN).step_by(L::WIDTH) {
-        let mut state = L::gather(&found, rows, first);
-        state.velocity = state.velocity * L::splat(2.0);
-        state.angular_velocity = -state.angular_velocity;
-        let moves = L::load(flags, first).greater(L::splat(0.0));
-        L::scatter_velocities(&mut found, rows, first, &state, moves);
+        let mut pair = L::gather(&found, rows, first);
+        push(&mut pair);
+        let [a_moves, b_moves] = [L::load(&flags[0], first), L::load(&flags[1], first)];
+        let moves = [a_moves.greater(L::splat(0.0)), b_moves.greater(L::splat(0.0))];
+        L::scatter_velocities(&mut found, rows, first, &pair, moves);
     }
     for place in 0..COLUMN {
-        let mut state = <f32 as Lane>::gather(&expected, rows, place);
-        state.velocity = state.velocity * 2.0;
-        state.angular_velocity = -state.angular_velocity;
-        f32::scatter_velocities(&mut expected, rows, place, &state, flags.get(place) > 0.0);
+        let mut pair = <f32 as Lane>::gather(&expected, rows, place);
+        push(&mut pair);
+        let moves = [flags[0].get(place) > 0.0, flags[1].get(place) > 0.0];
+        f32::scatter_velocities(&mut expected, rows, place, &pair, moves);
     }
     for (found, expected) in found.iter().zip(&expected) {
         assert_eq!(numbers(found), numbers(expected));
@@ -237,14 +248,17 @@ impl Job for Refuse {
     #[inline(always)]
     fn run<L: Lane>(self) {
         for row in [20, 21, u32::MAX, 1 << 31] {
-            for place in 0..COLUMN {
-                let mut rows = Column::<u32>::default();
-                rows.set(place, row);
-                let gather = || _ = L::gather(&states(), &rows, place / L::WIDTH * L::WIDTH);
+            for (place, pair) in (0..COLUMN).flat_map(|place| [(place, [row, 1]), (place, [1, row])]) {
+                let mut rows = RowPairs::default();
+                rows.set(place, pair);
+                let first = place / L::WIDTH * L::WIDTH;
+                let gather = || _ = L::gather(&states(), &rows, first);
+                assert!(std::panic::catch_unwind(gather).is_err(), "row {row} was gathered");
+                let gather = || _ = L::gather_velocities(&states(), &rows, first);
                 assert!(std::panic::catch_unwind(gather).is_err(), "row {row} was gathered");
                 let scatter = || {
                     let (state, moves) = (BodyState::at_rest(), L::splat(1.0).greater(L::splat(0.0)));
-                    L::scatter_velocities(&mut states(), &rows, place / L::WIDTH * L::WIDTH, &state, moves);
+                    L::scatter_velocities(&mut states(), &rows, first, &[state; 2], [moves; 2]);
                 };
                 assert!(std::panic::catch_unwind(scatter).is_err(), "row {row} was scattered to");
             }

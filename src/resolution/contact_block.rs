@@ -3,7 +3,7 @@
 
 use crate::body::Bodies;
 use crate::collision::{Contact, Contacts, ManifoldPoint};
-use crate::compute::{BodyState, COLUMN, Column, GROUND_ROW, Lane};
+use crate::compute::{BodyState, COLUMN, Column, GROUND_ROW, Lane, RowPairs};
 use crate::resolution::constraint::{ConstraintPoint, ContactConstraint, StepResidual, THERE};
 use crate::resolution::softness::FULL_PUSH_DEPTH;
 use crate::shape::Shape;
@@ -13,8 +13,7 @@ use crate::shape::Shape;
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct ContactBlock {
-    pub(crate) rows_a: Column<u32>,
-    pub(crate) rows_b: Column<u32>,
+    rows: RowPairs,
     columns: ContactConstraint<Column>,
 }
 
@@ -30,9 +29,11 @@ impl ContactBlock {
     /// multiplied by `scale`, the length of a substep now over that of the substep they were found in. Effective
     /// masses are still to be found.
     pub(crate) fn fill(&mut self, indices: &[u32], contacts: &Contacts, bodies: &Bodies, scale: f32) {
+        // What is left over is overwritten, but for places beyond the last contact and the greatest row.
         if indices.len() < COLUMN {
             *self = Self::default();
         }
+        self.rows = RowPairs::default();
         for (place, &index) in indices.iter().enumerate() {
             self.put(place, &contacts[index], bodies, scale);
         }
@@ -44,8 +45,7 @@ impl ContactBlock {
             Shape::Circle(_) => 0.0,
             Shape::Aabb(_) | Shape::Obb(_) | Shape::Polygon(_) => 1.0,
         });
-        self.rows_a.set(place, a.row);
-        self.rows_b.set(place, b.row);
+        self.rows.set(place, [a.row, b.row]);
         let columns = &mut self.columns;
         columns.inverse_mass_a.set(place, a.inverse_mass);
         columns.inverse_mass_b.set(place, b.inverse_mass);
@@ -133,11 +133,22 @@ impl ContactBlock {
         self.columns.store_geometry(place, constraint);
     }
 
-    /// Writes impulses back.
+    /// Writes impulses along the normal back.
     #[inline(always)]
-    pub(crate) fn store_impulses<L: Lane>(&mut self, place: usize, constraint: &ContactConstraint<L>) {
+    pub(crate) fn store_normal_impulses<L: Lane>(&mut self, place: usize, constraint: &ContactConstraint<L>) {
         for (to, point) in self.columns.points.iter_mut().zip(&constraint.points) {
             point.normal_impulse.store(&mut to.normal_impulse, place);
+        }
+    }
+
+    /// Writes impulses along the tangent back.
+    #[inline(always)]
+    pub(crate) fn store_tangent_impulses<L: Lane>(
+        &mut self,
+        place: usize,
+        constraint: &ContactConstraint<L>,
+    ) {
+        for (to, point) in self.columns.points.iter_mut().zip(&constraint.points) {
             point.tangent_impulse.store(&mut to.tangent_impulse, place);
         }
     }
@@ -168,7 +179,7 @@ impl ContactBlock {
 
     /// The rows of the two bodies of one contact.
     pub(crate) fn rows(&self, place: usize) -> [u32; 2] {
-        [self.rows_a.get(place), self.rows_b.get(place)]
+        self.rows.get(place)
     }
 
     /// The same, with the ground's in the place of a body that contacts do not move.
@@ -185,27 +196,22 @@ impl ContactBlock {
     /// The states of the two bodies of each contact from `place` on.
     #[inline(always)]
     pub(crate) fn gather<L: Lane>(&self, states: &[BodyState], place: usize) -> [BodyState<L>; 2] {
-        [L::gather(states, &self.rows_a, place), L::gather(states, &self.rows_b, place)]
+        L::gather(states, &self.rows, place)
     }
 
     /// The same where only velocities are needed.
     #[inline(always)]
     pub(crate) fn gather_velocities<L: Lane>(&self, states: &[BodyState], place: usize) -> [BodyState<L>; 2] {
-        [L::gather_velocities(states, &self.rows_a, place), L::gather_velocities(states, &self.rows_b, place)]
+        L::gather_velocities(states, &self.rows, place)
     }
 
     /// Writes velocities back, but for bodies that contacts do not move: those may be in more than one contact.
     #[inline(always)]
-    pub(crate) fn scatter<L: Lane>(
-        &self,
-        states: &mut [BodyState],
-        place: usize,
-        [a, b]: &[BodyState<L>; 2],
-    ) {
-        let moves_a = L::load(&self.columns.inverse_mass_a, place).greater(L::splat(0.0));
-        let moves_b = L::load(&self.columns.inverse_mass_b, place).greater(L::splat(0.0));
-        L::scatter_velocities(states, &self.rows_a, place, a, moves_a);
-        L::scatter_velocities(states, &self.rows_b, place, b, moves_b);
+    pub(crate) fn scatter<L: Lane>(&self, states: &mut [BodyState], place: usize, pair: &[BodyState<L>; 2]) {
+        let zero = L::splat(0.0);
+        let a_moves = L::load(&self.columns.inverse_mass_a, place).greater(zero);
+        let b_moves = L::load(&self.columns.inverse_mass_b, place).greater(zero);
+        L::scatter_velocities(states, &self.rows, place, pair, [a_moves, b_moves]);
     }
 }
 

@@ -43,7 +43,8 @@ impl Kernel for WarmStart<'_> {
             let impulse = normal * point.normal_impulse + tangent * point.tangent_impulse;
             constraint.apply(point, impulse, &mut a, &mut b);
         }
-        block.store_impulses(place, &constraint);
+        block.store_normal_impulses(place, &constraint);
+        block.store_tangent_impulses(place, &constraint);
         block.store_shares(place, &constraint);
         block.scatter(self.shares, place, &[a, b]);
     }
@@ -63,6 +64,13 @@ pub(crate) struct Sweep {
     pub(crate) counts_share: bool,
 }
 
+impl Sweep {
+    /// The sweep before the bodies move, by default.
+    const MAIN: Self = Self { biased: true, friction: false, block: true, counts_share: false };
+    /// The sweep after it, by default.
+    const RELAX: Self = Self { biased: false, friction: true, block: true, counts_share: true };
+}
+
 /// One sweep over contacts: normals, then friction.
 #[derive(Debug)]
 pub(crate) struct SweepOver<'a> {
@@ -73,9 +81,21 @@ pub(crate) struct SweepOver<'a> {
 }
 
 impl Kernel for SweepOver<'_> {
+    /// Asks for the kind once per block, so that what is compiled for the default kinds has no branches, which keeps
+    /// numbers in registers.
     #[inline(always)]
     fn run<L: Lane>(&mut self, block: &mut ContactBlock, place: usize) {
-        let Self { kind, per_substep, .. } = *self;
+        match self.kind {
+            Sweep::MAIN => self.sweep::<L>(block, place, Sweep::MAIN),
+            Sweep::RELAX => self.sweep::<L>(block, place, Sweep::RELAX),
+            kind => self.sweep::<L>(block, place, kind),
+        }
+    }
+}
+
+impl SweepOver<'_> {
+    #[inline(always)]
+    fn sweep<L: Lane>(&mut self, block: &mut ContactBlock, place: usize, kind: Sweep) {
         let mut constraint = block.load::<L>(place);
         if kind.counts_share {
             for point in &mut constraint.points {
@@ -85,18 +105,21 @@ impl Kernel for SweepOver<'_> {
         }
         let [mut a, mut b] = block.gather(self.states, place);
         if kind.block {
-            solve_normals_together(&mut constraint, &mut a, &mut b, kind.biased, per_substep);
+            solve_normals_together(&mut constraint, &mut a, &mut b, kind.biased, self.per_substep);
         } else {
             for index in 0..2 {
-                solve_normal(&mut constraint, index, &mut a, &mut b, kind.biased, per_substep);
+                solve_normal(&mut constraint, index, &mut a, &mut b, kind.biased, self.per_substep);
             }
         }
+        block.store_normal_impulses(place, &constraint);
         if kind.friction {
             for index in 0..2 {
                 solve_friction(&mut constraint, index, &mut a, &mut b);
             }
         }
-        block.store_impulses(place, &constraint);
+        if kind.friction || kind.counts_share {
+            block.store_tangent_impulses(place, &constraint);
+        }
         block.scatter(self.states, place, &[a, b]);
     }
 }
