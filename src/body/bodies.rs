@@ -1,6 +1,6 @@
 //! All bodies of a world, in tables indexed by slot.
 
-use crate::body::{Body, BodyId, BodyType, Material};
+use crate::body::{Body, BodyId, BodyType, Effort, Material};
 use crate::compute::{BodyState, GROUND_ROW};
 use crate::math::{Aabb, Point, Pose, Vec2};
 use crate::shape::{MassProperties, Shape};
@@ -54,6 +54,12 @@ pub(crate) struct Motion {
     pub(crate) thickness: f32,
     /// How long the body has been nearly at rest, s.
     pub(crate) still_time: f32,
+    /// How hard the solver works on the body's island.
+    pub(crate) effort: Effort,
+    /// For how many steps less effort would have done.
+    pub(crate) calm_steps: u8,
+    /// The step from which on more effort may be thought of.
+    pub(crate) quiet_until: u32,
     /// The body's row of `Bodies::states`, `GROUND_ROW` while it is fixed or asleep.
     pub(crate) row: u32,
 }
@@ -70,6 +76,10 @@ pub(crate) struct Bodies {
     pub(crate) states: Vec<BodyState>,
     /// By row: the slot of the body, `NONE` for the ground.
     pub(crate) slot_of_row: Vec<u32>,
+    /// How many rows are of bodies with more than plain effort.
+    raised: usize,
+    /// Scratch.
+    sorted_rows: (Vec<u32>, Vec<BodyState>),
 }
 
 impl Default for Bodies {
@@ -80,6 +90,8 @@ impl Default for Bodies {
             shapes: Vec::new(),
             states: vec![BodyState::REST],
             slot_of_row: vec![NONE],
+            raised: 0,
+            sorted_rows: (Vec::new(), Vec::new()),
         }
     }
 }
@@ -113,6 +125,9 @@ impl Bodies {
             extent: body.shape.extent(),
             thickness: body.shape.thickness(),
             still_time: 0.0,
+            effort: Effort::Plain,
+            calm_steps: 0,
+            quiet_until: 0,
             row: GROUND_ROW,
         };
         let key = self.records.insert(record);
@@ -169,7 +184,9 @@ impl Bodies {
         let row = self.states.len() as u32;
         self.states.push(BodyState::REST);
         self.slot_of_row.push(slot);
-        self.motions[slot as usize].row = row;
+        let motion = &mut self.motions[slot as usize];
+        motion.row = row;
+        self.raised += usize::from(motion.effort != Effort::Plain);
         row
     }
 
@@ -179,11 +196,51 @@ impl Bodies {
         if row == GROUND_ROW {
             return;
         }
+        self.raised -= usize::from(self.motions[slot as usize].effort != Effort::Plain);
         self.states.swap_remove(row as usize);
         self.slot_of_row.swap_remove(row as usize);
         if let Some(&moved) = self.slot_of_row.get(row as usize) {
             self.motions[moved as usize].row = row;
         }
+    }
+
+    /// How many rows are of bodies with more than plain effort.
+    pub(crate) fn raised_count(&self) -> usize {
+        self.raised
+    }
+
+    /// Sets how hard the solver works on the awake body in `slot`.
+    pub(crate) fn set_effort(&mut self, slot: u32, effort: Effort) {
+        debug_assert!(self.is_awake(slot));
+        let old = std::mem::replace(&mut self.motions[slot as usize].effort, effort);
+        self.raised += usize::from(effort != Effort::Plain);
+        self.raised -= usize::from(old != Effort::Plain);
+    }
+
+    /// Brings the rows into the order of their efforts, plain ones first; those of one effort keep theirs.
+    pub(crate) fn sort_rows_by_effort(&mut self) {
+        let effort_of = |slot: &u32| self.motions[*slot as usize].effort;
+        if self.slot_of_row[1..].is_sorted_by_key(effort_of) {
+            return;
+        }
+        let (mut slots, mut states) = std::mem::take(&mut self.sorted_rows);
+        std::mem::swap(&mut slots, &mut self.slot_of_row);
+        std::mem::swap(&mut states, &mut self.states);
+        self.slot_of_row.clear();
+        self.states.clear();
+        self.slot_of_row.push(NONE);
+        self.states.push(states[0]);
+        for effort in Effort::ALL {
+            for (&slot, &state) in slots.iter().zip(&states).skip(1) {
+                let motion = &mut self.motions[slot as usize];
+                if motion.effort == effort {
+                    motion.row = self.states.len() as u32;
+                    self.slot_of_row.push(slot);
+                    self.states.push(state);
+                }
+            }
+        }
+        self.sorted_rows = (slots, states);
     }
 
     /// Velocity of the body in `slot`: its row, or rest.

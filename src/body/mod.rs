@@ -6,11 +6,13 @@
 
 mod bodies;
 pub(crate) mod description;
+mod effort;
 mod error;
 mod material;
 
 pub(crate) use bodies::{Bodies, Motion, NONE, Record};
 pub use description::{Body, BodyType};
+pub use effort::Effort;
 pub use error::BodyError;
 pub(crate) use error::Number;
 pub use material::{Material, Mix};

@@ -40,6 +40,12 @@ pub(crate) struct Contact {
     pub(crate) friction: f32,
     /// Mixed coefficient of restitution.
     pub(crate) restitution: f32,
+    /// Width of the thinner of the two bodies, m.
+    pub(crate) thickness: f32,
+    /// For how many steps it has been under great load.
+    pub(crate) loaded_steps: u8,
+    /// The overlap that sweeps would leave under it, as a share of the thickness.
+    pub(crate) sag: f32,
     /// Whether the bodies touched at the end of the last step.
     pub(crate) is_touching: bool,
     /// Whether the manifold was kept from an earlier step rather than found anew.
@@ -106,12 +112,16 @@ impl Contacts {
         restitution: f32,
     ) -> u32 {
         let first = slots.map(|slot| bodies.records[slot].first_contact);
+        let [a, b] = slots.map(|slot| bodies.motions[slot as usize].thickness);
         let key = self.all.insert(Contact {
             slots,
             manifold: Manifold::default(),
             frozen: Frozen::default(),
             friction,
             restitution,
+            thickness: a.min(b),
+            loaded_steps: 0,
+            sag: 0.0,
             is_touching: false,
             is_kept: false,
             has_bounced: false,
@@ -148,6 +158,11 @@ impl Contacts {
         }
         self.all.remove(self.all.key_at(index));
         contact
+    }
+
+    /// The contact with this index, if there is one.
+    pub(crate) fn get(&self, index: u32) -> Option<&Contact> {
+        self.all.at(index)
     }
 
     /// Indices of the awake contacts. The order depends only on what happened so far.

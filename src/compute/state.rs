@@ -36,6 +36,12 @@ impl BodyState {
         delta_position: LaneVec2 { x: 0.0, y: 0.0 },
         delta_rotation: LaneRot { c: 1.0, s: 0.0 },
     };
+
+    /// Begins a step: the body has not moved.
+    pub(crate) fn stand_still(&mut self) {
+        self.delta_position = Self::REST.delta_position;
+        self.delta_rotation = Self::REST.delta_rotation;
+    }
 }
 
 impl<L: Lane> BodyState<L> {

@@ -55,7 +55,7 @@ impl Sweep {
         let substeps = list_or(self.substeps.as_ref(), self.base.substeps, "substeps")?;
         let iterations = list_or(self.iterations.as_ref(), self.base.iterations, "iterations")?;
         let adaptive = list_or(self.adaptive.as_ref(), self.base.adaptive, "adaptive")?;
-        let names_iterations = iterations.len() > 1;
+        let (names_iterations, names_adaptive) = (iterations.len() > 1, adaptive.len() > 1);
         let mut variants = Vec::new();
         for (&adaptive, &iterations) in adaptive.iter().flat_map(|a| iterations.iter().map(move |i| (a, i))) {
             for (&substeps, &tick_rate) in
@@ -67,7 +67,7 @@ impl Sweep {
                     _ = write!(series, ", {}", counted(iterations, "iteration"));
                     _ = write!(label, " × {iterations}");
                 }
-                if adaptive {
+                if adaptive && names_adaptive {
                     series += ", adaptive";
                     label += " adaptive";
                 }

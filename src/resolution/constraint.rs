@@ -168,8 +168,16 @@ impl ContactConstraint<f32> {
 pub(crate) struct StepResidual {
     /// Deepest overlap, m.
     pub(crate) penetration: f32,
-    /// Deepest overlap of a contact under load, m, not counting bodies that were put into each other.
-    pub(crate) loaded_penetration: f32,
     /// Largest speed with which two touching points still approach each other, m/s.
     pub(crate) approach_speed: f32,
+}
+
+impl StepResidual {
+    /// The larger of both, number by number.
+    pub(crate) fn max(self, other: Self) -> Self {
+        Self {
+            penetration: self.penetration.max(other.penetration),
+            approach_speed: self.approach_speed.max(other.approach_speed),
+        }
+    }
 }

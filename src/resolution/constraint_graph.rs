@@ -6,11 +6,12 @@
 //! (E. Catto, "Simulation Islands", 2023). Contacts with the ground take the last colours: solved last, they
 //! have the last word, and the ground gives no way.
 
-use crate::body::Bodies;
+use crate::body::{Bodies, Effort};
 use crate::collision::Contacts;
 use crate::compute::{self, BodyState, COLUMN, Job, Lane, Width};
 use crate::resolution::constraint::{ContactConstraint, StepResidual};
 use crate::resolution::contact_block::{ContactBlock, PointEnds};
+use crate::resolution::effort::Loads;
 use crate::resolution::kernel::Kernel;
 use crate::store::BitSet;
 
@@ -24,6 +25,9 @@ const FIRST_GROUND_COLOUR: usize = 18;
 /// The place of contacts that found no colour: solved one after the other, before all colours.
 const OVERFLOW: usize = COLOURS;
 
+/// How many places each effort has: the colours, then the overflow.
+const SECTION: usize = COLOURS + 1;
+
 /// Contacts that share no movable body.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Colour {
@@ -35,21 +39,26 @@ pub(crate) struct Colour {
     blocks: Vec<ContactBlock>,
 }
 
-/// All contacts with points, by colour.
+/// All contacts with points, by effort and colour.
 #[derive(Clone, Debug)]
 pub(crate) struct ConstraintGraph {
-    /// The colours, then the overflow.
+    /// For each effort the colours, then the overflow.
     colours: Vec<Colour>,
     len: usize,
 }
 
 impl Default for ConstraintGraph {
     fn default() -> Self {
-        Self { colours: vec![Colour::default(); COLOURS + 1], len: 0 }
+        Self { colours: vec![Colour::default(); Effort::ALL.len() * SECTION], len: 0 }
     }
 }
 
 impl ConstraintGraph {
+    /// The colour of a place in the graph, the same for all efforts.
+    pub(crate) fn colour((number, _): (u32, u32)) -> u32 {
+        number % SECTION as u32
+    }
+
     /// How many contacts there are.
     pub(crate) fn len(&self) -> usize {
         self.len
@@ -57,39 +66,50 @@ impl ConstraintGraph {
 
     /// How many colours have contacts, and how many contacts overflow.
     pub(crate) fn occupancy(&self) -> (usize, usize) {
-        let used = self.colours[..COLOURS].iter().filter(|colour| !colour.contacts.is_empty()).count();
-        (used, self.colours[OVERFLOW].contacts.len())
+        let used = |section: &[Colour]| section[..COLOURS].iter().filter(|colour| !colour.is_empty()).count();
+        let overflow = |section: &[Colour]| section[OVERFLOW].contacts.len();
+        let sections = || self.colours.chunks(SECTION);
+        (sections().map(used).max().unwrap_or_default(), sections().map(overflow).sum())
     }
 
-    /// The overflow, then the colours: the order in which they are solved.
-    pub(crate) fn in_order(&mut self) -> impl Iterator<Item = &mut Colour> {
-        let (colours, overflow) = self.colours.split_at_mut(COLOURS);
-        overflow.iter_mut().chain(colours).filter(|colour| !colour.contacts.is_empty())
+    fn section(&self, effort: Effort) -> &[Colour] {
+        &self.colours[effort as usize * SECTION..][..SECTION]
     }
 
-    /// Indices of all contacts, in the order in which they are solved.
-    pub(crate) fn contacts(&self) -> impl Iterator<Item = u32> {
-        let (colours, overflow) = self.colours.split_at(COLOURS);
+    fn section_mut(&mut self, effort: Effort) -> &mut [Colour] {
+        &mut self.colours[effort as usize * SECTION..][..SECTION]
+    }
+
+    /// Indices of all contacts of an effort, in the order in which they are solved: the overflow, then the colours.
+    pub(crate) fn contacts_of(&self, effort: Effort) -> impl Iterator<Item = u32> {
+        let (colours, overflow) = self.section(effort).split_at(COLOURS);
         overflow.iter().chain(colours).flat_map(|colour| colour.contacts.iter().copied())
     }
 
-    /// Enters the contact with this index into a colour, if it is in none.
+    /// Indices of all contacts.
+    pub(crate) fn contacts(&self) -> impl Iterator<Item = u32> {
+        Effort::ALL.into_iter().flat_map(|effort| self.contacts_of(effort))
+    }
+
+    /// Enters the contact with this index into a colour of the greater effort of its bodies, if it is in none.
     pub(crate) fn enter(&mut self, contacts: &mut Contacts, bodies: &Bodies, index: u32) {
         if contacts[index].graph_place.is_some() {
             return;
         }
         let slots = contacts[index].slots;
         let [a_moves, b_moves] = slots.map(|slot| bodies.is_dynamic(slot));
+        let effort = effort_of(bodies, slots);
         let is_free = |colour: &Colour| {
             !(a_moves && colour.bodies.contains(slots[0]) || b_moves && colour.bodies.contains(slots[1]))
         };
+        let section = self.section_mut(effort);
         let colour = if a_moves && b_moves {
-            self.colours[..FIRST_GROUND_COLOUR].iter().position(is_free)
+            section[..FIRST_GROUND_COLOUR].iter().position(is_free)
         } else {
-            self.colours[..COLOURS].iter().rposition(is_free)
+            section[..COLOURS].iter().rposition(is_free)
         }
         .unwrap_or(OVERFLOW);
-        let entered = &mut self.colours[colour];
+        let entered = &mut section[colour];
         if colour != OVERFLOW {
             for (slot, moves) in slots.into_iter().zip([a_moves, b_moves]) {
                 if moves {
@@ -97,9 +117,32 @@ impl ConstraintGraph {
                 }
             }
         }
-        contacts[index].graph_place = Some((colour as u32, entered.contacts.len() as u32));
+        let number = effort as usize * SECTION + colour;
+        contacts[index].graph_place = Some((number as u32, entered.contacts.len() as u32));
         entered.contacts.push(index);
         self.len += 1;
+    }
+
+    /// Moves the contact with this index, which is in a colour, to the effort that its bodies have now. Its impulses,
+    /// which are those of a substep, become those of a substep there. What the direct solve has found is forgotten:
+    /// light bodies between heavy ones would be thrown about by the part of it that sweeps give back.
+    pub(crate) fn rehome(&mut self, contacts: &mut Contacts, bodies: &Bodies, index: u32) {
+        let Some((colour, _)) = contacts[index].graph_place else { return };
+        let from = Effort::ALL[colour as usize / SECTION];
+        let to = effort_of(bodies, contacts[index].slots);
+        if from == to {
+            return;
+        }
+        self.leave(contacts, index);
+        self.enter(contacts, bodies, index);
+        let scale = match from {
+            Effort::Direct => 0.0,
+            _ => from.substep_factor() as f32 / to.substep_factor() as f32,
+        };
+        for point in contacts[index].manifold.points_mut() {
+            point.normal_impulse *= scale;
+            point.tangent_impulse *= scale;
+        }
     }
 
     /// Takes the contact with this index out of its colour, if it is in one.
@@ -110,7 +153,7 @@ impl ConstraintGraph {
         if let Some(&moved) = left.contacts.get(place as usize) {
             contacts[moved].graph_place = Some((colour, place));
         }
-        if colour as usize != OVERFLOW {
+        if colour as usize % SECTION != OVERFLOW {
             // Fixed and kinematic bodies were never entered; taking them out does nothing.
             for slot in contacts[index].slots {
                 left.bodies.remove(slot);
@@ -120,26 +163,34 @@ impl ConstraintGraph {
     }
 
     /// Makes the constraints of a step from the contacts; stored impulses are multiplied by `scale`.
-    pub(crate) fn prepare(&mut self, width: Width, contacts: &Contacts, bodies: &Bodies, scale: f32) {
-        compute::run(width, Prepare { graph: self, contacts, bodies, scale });
+    pub(crate) fn prepare(
+        &mut self,
+        (effort, width): (Effort, Width),
+        contacts: &Contacts,
+        bodies: &Bodies,
+        scale: f32,
+    ) {
+        compute::run(width, Prepare { section: self.section_mut(effort), contacts, bodies, scale });
     }
 
     /// Writes impulses and separations back into the contacts; returns what is left wrong.
     pub(crate) fn finish(
-        &mut self,
-        width: Width,
+        &self,
+        (effort, width): (Effort, Width),
         states: &[BodyState],
         contacts: &mut Contacts,
+        loads: &mut Loads,
     ) -> StepResidual {
         let mut residual = StepResidual::default();
-        compute::run(width, Finish { graph: self, states, contacts, residual: &mut residual });
+        let section = self.section(effort);
+        compute::run(width, Finish { section, states, contacts, residual: &mut residual, loads });
         residual
     }
 
-    /// Does something to every constraint, colour by colour: as many at a time as `width` says, but for the
-    /// overflow, whose contacts may share bodies.
-    pub(crate) fn for_each(&mut self, width: Width, kernel: impl Kernel) {
-        compute::run(width, Pass { graph: self, kernel });
+    /// Does something to every constraint of an effort, colour by colour: as many at a time as the width says, but
+    /// for the overflow, whose contacts may share bodies.
+    pub(crate) fn for_each(&mut self, (effort, width): (Effort, Width), kernel: impl Kernel) {
+        compute::run(width, Pass { section: self.section_mut(effort), kernel });
     }
 
     /// Does something to the constraint of the contact at a place of the graph.
@@ -187,6 +238,12 @@ impl ConstraintGraph {
         block.store_geometry(place, constraint);
     }
 
+    /// Changes the impulses of a point of the contact at a place of the graph, N s, along normal and tangent.
+    pub(crate) fn set_impulses(&mut self, place: (u32, u32), point: usize, impulses: [f32; 2]) {
+        let (block, place) = self.block_mut(place);
+        block.set_impulses(place, point, impulses);
+    }
+
     /// Changes what the first point of the contact at a place of the graph bears, N s: its impulses along normal and
     /// tangent, and the share of the warm start along the normal.
     pub(crate) fn set_load(&mut self, place: (u32, u32), load: [f32; 3]) {
@@ -207,11 +264,15 @@ impl ConstraintGraph {
             let mut seen = BitSet::default();
             for (place, &index) in colour.contacts.iter().enumerate() {
                 found += 1;
+                let effort = effort_of(bodies, contacts[index].slots);
+                if effort as usize != number / SECTION {
+                    return Err(format!("contact {index} is not solved with the effort of its bodies"));
+                }
                 if contacts[index].graph_place != Some((number as u32, place as u32)) {
                     return Err(format!("contact {index} is not where the constraint graph holds it"));
                 }
                 for slot in contacts[index].slots {
-                    if number != OVERFLOW && bodies.is_dynamic(slot) && !seen.insert(slot) {
+                    if number % SECTION != OVERFLOW && bodies.is_dynamic(slot) && !seen.insert(slot) {
                         return Err(format!("colour {number} holds body {slot} twice"));
                     }
                 }
@@ -227,14 +288,14 @@ impl ConstraintGraph {
 
 /// One pass over the graph.
 struct Pass<'a, K> {
-    graph: &'a mut ConstraintGraph,
+    section: &'a mut [Colour],
     kernel: K,
 }
 
 impl<K: Kernel> Job for Pass<'_, K> {
     #[inline(always)]
     fn run<L: Lane>(mut self) {
-        let (colours, overflow) = self.graph.colours.split_at_mut(COLOURS);
+        let (colours, overflow) = self.section.split_at_mut(COLOURS);
         for colour in overflow {
             colour.pass::<f32>(&mut self.kernel);
         }
@@ -246,7 +307,7 @@ impl<K: Kernel> Job for Pass<'_, K> {
 
 /// Makes the constraints of a step.
 struct Prepare<'a> {
-    graph: &'a mut ConstraintGraph,
+    section: &'a mut [Colour],
     contacts: &'a Contacts,
     bodies: &'a Bodies,
     scale: f32,
@@ -255,7 +316,7 @@ struct Prepare<'a> {
 impl Job for Prepare<'_> {
     #[inline(always)]
     fn run<L: Lane>(self) {
-        for colour in &mut self.graph.colours {
+        for colour in self.section {
             colour.blocks.resize(colour.contacts.len().div_ceil(COLUMN), ContactBlock::default());
             for (block, indices) in colour.blocks.iter_mut().zip(colour.contacts.chunks(COLUMN)) {
                 block.fill(indices, self.contacts, self.bodies, self.scale);
@@ -269,30 +330,43 @@ impl Job for Prepare<'_> {
 
 /// Writes a step back into the contacts.
 struct Finish<'a> {
-    graph: &'a ConstraintGraph,
+    section: &'a [Colour],
     states: &'a [BodyState],
     contacts: &'a mut Contacts,
     residual: &'a mut StepResidual,
+    loads: &'a mut Loads,
 }
 
 impl Job for Finish<'_> {
     #[inline(always)]
     fn run<L: Lane>(self) {
         let mut ends = [PointEnds::default(); 2];
-        for colour in &self.graph.colours {
+        for colour in self.section {
             for (block, indices) in colour.blocks.iter().zip(colour.contacts.chunks(COLUMN)) {
                 for place in (0..indices.len()).step_by(L::WIDTH) {
                     block.end::<L>(place, self.states, &mut ends);
                 }
                 for (place, &index) in indices.iter().enumerate() {
-                    block.finish(place, &ends, &mut self.contacts[index], self.residual);
+                    let contact = &mut self.contacts[index];
+                    let speed = block.finish(place, &ends, contact, self.residual);
+                    self.loads.note(index, contact, speed);
                 }
             }
         }
     }
 }
 
+/// The greater effort of two bodies.
+fn effort_of(bodies: &Bodies, slots: [u32; 2]) -> Effort {
+    let [a, b] = slots.map(|slot| bodies.motions[slot as usize].effort);
+    a.max(b)
+}
+
 impl Colour {
+    fn is_empty(&self) -> bool {
+        self.contacts.is_empty()
+    }
+
     #[inline(always)]
     fn pass<L: Lane>(&mut self, kernel: &mut impl Kernel) {
         for place in (0..self.contacts.len()).step_by(L::WIDTH) {

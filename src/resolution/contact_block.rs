@@ -5,7 +5,6 @@ use crate::body::Bodies;
 use crate::collision::{Contact, Contacts, ManifoldPoint};
 use crate::compute::{BodyState, COLUMN, Column, GROUND_ROW, Lane, RowPairs};
 use crate::resolution::constraint::{ConstraintPoint, ContactConstraint, StepResidual, THERE};
-use crate::resolution::softness::FULL_PUSH_DEPTH;
 use crate::shape::Shape;
 
 /// Eight contacts. Those of one colour share no movable body; a block that is not full ends with contacts of the
@@ -92,14 +91,16 @@ impl ContactBlock {
         }
     }
 
-    /// Writes impulses and separations back into a contact; adds what is left wrong to `residual`.
+    /// Writes impulses and separations back into a contact; adds what is left wrong to `residual`. Returns the
+    /// greatest k λ of its points, m/s.
     pub(crate) fn finish(
         &self,
         place: usize,
         ends: &[PointEnds; 2],
         contact: &mut Contact,
         residual: &mut StepResidual,
-    ) {
+    ) -> f32 {
+        let mut load: f32 = 0.0;
         for (index, stored) in contact.manifold.points_mut().iter_mut().enumerate() {
             let (point, end) = (&self.columns.points[index], &ends[index]);
             let separation = end.separation.get(place);
@@ -107,13 +108,12 @@ impl ContactBlock {
             stored.normal_impulse = point.normal_impulse.get(place);
             stored.tangent_impulse = point.tangent_impulse.get(place);
             residual.penetration = residual.penetration.max(-separation);
-            if stored.normal_impulse > 0.0 && -separation < FULL_PUSH_DEPTH {
-                residual.loaded_penetration = residual.loaded_penetration.max(-separation);
-            }
+            load = load.max(point.normal_k.get(place) * stored.normal_impulse);
             if separation <= 0.0 && point.awaits_impact.get(place) == 0.0 {
                 residual.approach_speed = residual.approach_speed.max(end.approach_speed.get(place));
             }
         }
+        load
     }
 
     /// Whether a contact presses its bodies apart.
@@ -159,6 +159,12 @@ impl ContactBlock {
         for (to, point) in self.columns.points.iter_mut().zip(&constraint.points) {
             point.normal_share.store(&mut to.normal_share, place);
         }
+    }
+
+    /// Changes the impulses of a point of one contact, N s, along normal and tangent.
+    pub(crate) fn set_impulses(&mut self, place: usize, point: usize, [normal, tangent]: [f32; 2]) {
+        self.columns.points[point].normal_impulse.set(place, normal);
+        self.columns.points[point].tangent_impulse.set(place, tangent);
     }
 
     /// Changes what the first point of one contact bears, N s: its impulses along normal and tangent, and the share

@@ -3,11 +3,12 @@
 //! Sequential impulses in substeps over a coloured constraint graph, with soft contacts, a relax sweep and
 //! impacts as a stage of their own. [`solve`] is the substep loop; read it first.
 
-mod adaptive;
 mod block;
 mod constraint;
 mod constraint_graph;
 mod contact_block;
+mod direct;
+mod effort;
 mod follow;
 mod handover;
 mod impact_queue;
@@ -19,9 +20,9 @@ mod projection;
 mod softness;
 mod solver;
 
-pub(crate) use adaptive::Adaptive;
 pub(crate) use constraint::StepResidual;
 pub(crate) use constraint_graph::ConstraintGraph;
+pub(crate) use effort::{Allowance, EffortTables, Efforts, Loads};
 pub(crate) use integrate::SpeedLimits;
 pub(crate) use islands::Islands;
-pub(crate) use solver::{Acceleration, Scheme, Solver, solve};
+pub(crate) use solver::{Acceleration, Scheme, SolveTables, Solver, solve};

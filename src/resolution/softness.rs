@@ -40,9 +40,12 @@ const SHALLOW: f32 = 0.02;
 /// No overlap is driven out faster than this, m/s, so that bodies created in one place part without a bang.
 const PUSH_SPEED: f32 = 3.0;
 
-/// Overlap from which `PUSH_SPEED` limits the push, m: bodies that were put into each other, which more substeps
-/// part no faster.
-pub(crate) const FULL_PUSH_DEPTH: f32 = SHALLOW + (PUSH_SPEED - BIAS_RATE * SHALLOW) / DEEP_BIAS_RATE;
+/// Overlap at rest under a load, m, whose impulse times k is `speed`, m/s, per substep: there the bias makes up for
+/// the leak of the half of it that acts before the move.
+#[inline(always)]
+pub(crate) fn sag(speed: f32, per_substep: f32) -> f32 {
+    0.5 * LEAK * speed / BIAS_RATE.min(LARGEST_SHARE * per_substep)
+}
 
 /// Speed with which the contact wants to close (positive, while apart: it may close the gap s within one
 /// substep of length 1/`per_substep`) or to open (negative, where bodies overlap), m/s.

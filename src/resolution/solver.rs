@@ -1,11 +1,15 @@
 //! The substep loop.
 
-use crate::body::Bodies;
+use core::ops::Range;
+
+use crate::body::{Bodies, Effort};
 use crate::collision::Contacts;
 use crate::compute::{BodyState, Width};
 use crate::math::Vec2;
 use crate::resolution::constraint::StepResidual;
 use crate::resolution::constraint_graph::ConstraintGraph;
+use crate::resolution::direct::{Aim, DirectSolver};
+use crate::resolution::effort::{EffortClass, Loads};
 use crate::resolution::follow::Followers;
 use crate::resolution::handover::{HandoverScene, Handovers};
 use crate::resolution::impacts::{ImpactScene, Impacts, bounce_threshold};
@@ -26,6 +30,8 @@ pub(crate) struct Scheme {
     pub(crate) relax_iterations: u32,
     /// Half a kick before and half after the drift, rather than a whole one before it.
     pub(crate) split_kick: bool,
+    /// Whether islands under great load may be given more effort.
+    pub(crate) adapts: bool,
     pub(crate) warm_starting: bool,
     pub(crate) block_solve: bool,
     /// Iterations of position projection at the end of the step, instead of a bias in the sweeps.
@@ -65,7 +71,7 @@ pub(crate) trait Acceleration {
 /// as long as it slides. Two leave a tenth of that, four nothing.
 const NEWCOMER_SWEEPS: u32 = 4;
 
-/// Buffers of the solver, kept from step to step.
+/// Buffers of the solver for one effort, kept from step to step.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Solver {
     /// By row.
@@ -79,162 +85,232 @@ pub(crate) struct Solver {
     handovers: Handovers,
     /// Places in the constraint graph of contacts of two points that begin to bear load in this step.
     newcomers: Vec<(u32, u32)>,
-    /// Those of them that bear load in this substep.
-    loaded_newcomers: Vec<(u32, u32)>,
+    direct: DirectSolver,
     /// Length of the last substep, s; impulses are stored per substep.
     last_h: f32,
 }
 
-/// One step: moves the velocities and deltas of all rows, and the impulses of all contacts.
+/// The tables that a step changes.
+#[derive(Debug)]
+pub(crate) struct SolveTables<'a> {
+    pub(crate) bodies: &'a mut Bodies,
+    pub(crate) contacts: &'a mut Contacts,
+    pub(crate) graph: &'a mut ConstraintGraph,
+    pub(crate) loads: &'a mut Loads,
+}
+
+/// One step of the islands of one effort: moves the velocities and deltas of their rows, and the impulses of their
+/// contacts.
 ///
 /// ```text
 /// repeat substeps:
 ///     contacts of circles and loaded corners follow the surface
 ///     v += h/2 a(x);  impacts
-///     warm start with half of λ;  sweep (bias pushes overlaps apart)
-///     circles meet the next piece of the ground they roll on;  x += h v
-///     v += h/2 a(x);  the other half of λ;  sweep (relax: no bias), friction
+///     solve contacts (a bias pushes overlaps apart)
+///     x += h v
+///     v += h/2 a(x)
+///     solve contacts (without bias), friction
 /// ```
+///
+/// Contacts are solved by sweeps: half of the last impulses, a sweep, the move, the other half, a sweep. Or directly.
 pub(crate) fn solve(
     solver: &mut Solver,
     scheme: &Scheme,
-    bodies: &mut Bodies,
-    contacts: &mut Contacts,
-    graph: &mut ConstraintGraph,
+    class: &EffortClass<'_>,
+    tables: &mut SolveTables<'_>,
     acceleration: &impl Acceleration,
 ) -> StepResidual {
     let h = scheme.substep_time();
-    solver.prepare(scheme, h, bodies, contacts, graph, acceleration);
-    let part = match (scheme.warm_starting, scheme.split_kick) {
-        (false, _) => 0.0,
-        (true, false) => 1.0,
-        (true, true) => 0.5,
-    };
+    solver.prepare(scheme, class, tables, acceleration);
     let kick_time = scheme.kick_time();
-    let main_sweep = Sweep {
-        biased: scheme.projections.is_none(),
-        friction: scheme.relax_iterations == 0,
-        block: scheme.block_solve,
-        counts_share: false,
-    };
-    let relax_sweep = Sweep { biased: false, friction: true, ..main_sweep };
     for substep in 0..scheme.substeps {
         if substep > 0 {
-            solver.followers.follow(graph, contacts, bodies);
-            solver.handovers.release(graph);
+            solver.followers.follow(tables.graph, tables.contacts, tables.bodies);
+            solver.handovers.release(tables.graph);
         }
-        solver.kick(&mut bodies.states, kick_time, scheme.limits);
+        solver.kick(&mut tables.bodies.states, &class.rows, kick_time, scheme.limits);
         if solver.impacts.len() > 0 {
-            let kicks = &solver.kicks;
+            let (kicks, SolveTables { bodies, contacts, graph, .. }) = (&solver.kicks, &mut *tables);
             solver.impacts.run(&mut ImpactScene { bodies, contacts, kicks, graph, h });
         }
-        let states = &mut bodies.states;
-        solver.handovers.hold_back(graph, states);
-        solver.warm_start(scheme.width, graph, states, part);
-        for _ in 0..scheme.iterations {
-            graph.for_each(scheme.width, SweepOver { states, kind: main_sweep, per_substep: 1.0 / h });
+        match class.effort {
+            Effort::Direct => solver.direct.solve(tables.graph, &mut tables.bodies.states, Aim::Push, h),
+            _ => solver.sweep_before_move(scheme, class, tables),
         }
-        if !solver.handovers.is_empty() {
-            let shares = &mut solver.shares;
-            solver.handovers.run(&mut HandoverScene { bodies, contacts, graph, shares, h });
-        }
-        for state in &mut bodies.states[1..] {
+        let states = &mut tables.bodies.states;
+        for state in &mut states[class.rows.clone()] {
             drift(state, h);
         }
+        for &(_, row) in class.kinematic {
+            drift(&mut states[row as usize], h);
+        }
         if acceleration.varies() {
-            solver.accelerate(bodies, acceleration);
+            solver.accelerate(tables.bodies, &class.rows, acceleration);
         }
-        let states = &mut bodies.states;
+        let states = &mut tables.bodies.states;
+        if class.effort == Effort::Direct {
+            solver.direct.restore_free(states);
+        }
         if scheme.split_kick {
-            solver.kick(states, kick_time, scheme.limits);
-            solver.add_shares(states);
+            solver.kick(states, &class.rows, kick_time, scheme.limits);
         }
-        for iteration in 0..scheme.relax_iterations {
-            let kind = Sweep { counts_share: scheme.split_kick && iteration == 0, ..relax_sweep };
-            graph.for_each(scheme.width, SweepOver { states, kind, per_substep: 1.0 / h });
-        }
-        if scheme.relax_iterations > 0 {
-            solver.relax_newcomers(graph, states, relax_sweep, 1.0 / h);
+        match class.effort {
+            Effort::Direct => solver.direct.solve(tables.graph, states, Aim::Relax, h),
+            _ => solver.sweep_after_move(scheme, class, tables),
         }
     }
     for _ in 0..scheme.projections.unwrap_or(0) {
-        graph.for_each(Width::ONE, Project { states: &mut bodies.states });
+        tables.graph.for_each((class.effort, Width::ONE), Project { states: &mut tables.bodies.states });
     }
-    solver.finish(scheme.width, bodies, contacts, graph)
+    solver.finish(scheme, class, tables)
+}
+
+impl Scheme {
+    /// The sweeps before the bodies move.
+    fn main_sweep(&self) -> Sweep {
+        Sweep {
+            biased: self.projections.is_none(),
+            friction: self.relax_iterations == 0,
+            block: self.block_solve,
+            counts_share: false,
+        }
+    }
+
+    /// The sweeps after it.
+    fn relax_sweep(&self) -> Sweep {
+        Sweep { biased: false, friction: true, ..self.main_sweep() }
+    }
+
+    /// What of the last impulses is applied before the move, and again after it where the kick is split.
+    fn warm_part(&self) -> f32 {
+        match (self.warm_starting, self.split_kick) {
+            (false, _) => 0.0,
+            (true, false) => 1.0,
+            (true, true) => 0.5,
+        }
+    }
 }
 
 impl Solver {
+    /// Contacts by sweeps, before the bodies move.
+    fn sweep_before_move(&mut self, scheme: &Scheme, class: &EffortClass<'_>, tables: &mut SolveTables<'_>) {
+        let h = scheme.substep_time();
+        let SolveTables { bodies, contacts, graph, .. } = tables;
+        let states = &mut bodies.states;
+        self.handovers.hold_back(graph, states);
+        self.warm_start(scheme, class, graph, states);
+        for _ in 0..scheme.iterations {
+            let kind = scheme.main_sweep();
+            graph.for_each((class.effort, scheme.width), SweepOver { states, kind, per_substep: 1.0 / h });
+        }
+        if !self.handovers.is_empty() {
+            let shares = &mut self.shares;
+            self.handovers.run(&mut HandoverScene { bodies, contacts, graph, shares, h });
+        }
+    }
+
+    /// Contacts by sweeps, after the bodies have moved.
+    fn sweep_after_move(&mut self, scheme: &Scheme, class: &EffortClass<'_>, tables: &mut SolveTables<'_>) {
+        let per_substep = 1.0 / scheme.substep_time();
+        let (graph, states) = (&mut *tables.graph, &mut tables.bodies.states);
+        if scheme.split_kick {
+            self.add_shares(states, &class.rows);
+        }
+        let relax = scheme.relax_sweep();
+        for iteration in 0..scheme.relax_iterations {
+            let kind = Sweep { counts_share: scheme.split_kick && iteration == 0, ..relax };
+            graph.for_each((class.effort, scheme.width), SweepOver { states, kind, per_substep });
+        }
+        if scheme.relax_iterations > 0 {
+            self.relax_newcomers(graph, states, relax, per_substep);
+        }
+    }
+
     /// Fills the rows of kicks, the constraints, and the contacts that may bounce.
     fn prepare(
         &mut self,
         scheme: &Scheme,
-        h: f32,
+        class: &EffortClass<'_>,
+        tables: &mut SolveTables<'_>,
+        acceleration: &impl Acceleration,
+    ) {
+        self.prepare_kicks(scheme, class, tables.bodies, acceleration);
+        let h = scheme.substep_time();
+        let scale = if self.last_h > 0.0 { h / self.last_h } else { 1.0 };
+        self.last_h = h;
+        tables.graph.prepare((class.effort, scheme.width), tables.contacts, tables.bodies, scale);
+        self.gather_special(scheme, class.effort, tables);
+        self.direct.clear();
+        let mut start = 0;
+        for &end in class.direct_ends {
+            let island = &class.direct[start..end];
+            self.direct.add_island(island, tables.bodies, tables.contacts, tables.graph);
+            start = end;
+        }
+    }
+
+    fn prepare_kicks(
+        &mut self,
+        scheme: &Scheme,
+        class: &EffortClass<'_>,
         bodies: &Bodies,
-        contacts: &Contacts,
-        graph: &mut ConstraintGraph,
         acceleration: &impl Acceleration,
     ) {
         let kick_time = scheme.kick_time();
-        self.kicks.clear();
         self.damped.clear();
-        self.kicks.push(Kick::NONE);
-        for (row, &slot) in (0_u32..).zip(&bodies.slot_of_row).skip(1) {
-            let motion = &bodies.motions[slot as usize];
+        self.kicks.resize(bodies.states.len(), Kick::NONE);
+        for &(_, row) in class.kinematic {
+            self.kicks[row as usize] = Kick::NONE;
+        }
+        self.kicks[0] = Kick::NONE;
+        for row in class.rows.clone() {
+            let motion = &bodies.motions[bodies.slot_of_row[row] as usize];
             if motion.inverse_mass == 0.0 {
-                self.kicks.push(Kick::NONE);
+                self.kicks[row] = Kick::NONE;
                 continue;
             }
             let steady = acceleration.uniform() * motion.gravity_scale + motion.force * motion.inverse_mass;
-            self.kicks.push(Kick {
+            self.kicks[row] = Kick {
                 acceleration: steady,
                 steady,
                 carry: motion.velocity_carry,
                 angular_acceleration: motion.torque * motion.inverse_inertia,
-            });
+            };
             if motion.linear_damping > 0.0 || motion.angular_damping > 0.0 {
                 let linear = damping_loss(motion.linear_damping, kick_time);
                 let angular = damping_loss(motion.angular_damping, kick_time);
-                self.damped.push(Damping { row, linear, angular });
+                self.damped.push(Damping { row: row as u32, linear, angular });
             }
         }
         if acceleration.varies() {
-            self.accelerate(bodies, acceleration);
+            self.accelerate(bodies, &class.rows, acceleration);
         }
-        let scale = if self.last_h > 0.0 { h / self.last_h } else { 1.0 };
-        self.last_h = h;
-        graph.prepare(scheme.width, contacts, bodies, scale);
-        self.gather_special(scheme, h, bodies, contacts, graph);
     }
 
     /// Takes up the contacts that may bounce, and those that follow the surface within the step.
-    fn gather_special(
-        &mut self,
-        scheme: &Scheme,
-        h: f32,
-        bodies: &Bodies,
-        contacts: &Contacts,
-        graph: &mut ConstraintGraph,
-    ) {
+    fn gather_special(&mut self, scheme: &Scheme, effort: Effort, tables: &SolveTables<'_>) {
+        let (bodies, contacts) = (&*tables.bodies, &*tables.contacts);
+        let h = scheme.substep_time();
         self.impacts.clear();
         self.followers.clear();
         self.handovers.clear();
         self.newcomers.clear();
-        for colour in graph.in_order() {
-            for &index in &colour.contacts {
-                let contact = &contacts[index];
-                if contact.restitution > 0.0 {
-                    let kicks =
-                        contact.slots.map(|slot| &self.kicks[bodies.motions[slot as usize].row as usize]);
-                    let threshold = bounce_threshold(scheme.restitution_threshold, contact, kicks, h);
-                    let rows = contact.slots.map(|slot| bodies.motions[slot as usize].row);
-                    self.impacts.add(index, contact, rows, threshold);
-                }
-                if !contact.is_loaded() && contact.manifold.points().len() == 2 {
-                    self.newcomers.extend(contact.graph_place);
-                }
-                self.followers.consider(index, contact, bodies);
-                self.handovers.consider(index, contact, bodies);
+        for index in tables.graph.contacts_of(effort) {
+            let contact = &contacts[index];
+            if contact.restitution > 0.0 {
+                let rows = contact.slots.map(|slot| bodies.motions[slot as usize].row);
+                let kicks = rows.map(|row| &self.kicks[row as usize]);
+                let threshold = bounce_threshold(scheme.restitution_threshold, contact, kicks, h);
+                self.impacts.add(index, contact, rows, threshold);
             }
+            self.followers.consider(index, contact, bodies);
+            if effort == Effort::Direct {
+                continue;
+            }
+            if !contact.is_loaded() && contact.manifold.points().len() == 2 {
+                self.newcomers.extend(contact.graph_place);
+            }
+            self.handovers.consider(index, contact, bodies);
         }
         self.handovers.group();
     }
@@ -243,15 +319,22 @@ impl Solver {
     ///
     /// The contacts hold still in between, so the share after the move is the same: it is kept by row, which saves
     /// a pass over the contacts.
-    fn warm_start(&mut self, width: Width, graph: &mut ConstraintGraph, states: &mut [BodyState], part: f32) {
-        self.shares.clear();
+    fn warm_start(
+        &mut self,
+        scheme: &Scheme,
+        class: &EffortClass<'_>,
+        graph: &mut ConstraintGraph,
+        states: &mut [BodyState],
+    ) {
         self.shares.resize(states.len(), BodyState::REST);
-        graph.for_each(width, WarmStart { shares: &mut self.shares, part });
-        self.add_shares(states);
+        self.shares[class.rows.clone()].fill(BodyState::REST);
+        let (shares, part) = (&mut self.shares, scheme.warm_part());
+        graph.for_each((class.effort, scheme.width), WarmStart { shares, part });
+        self.add_shares(states, &class.rows);
     }
 
-    fn add_shares(&self, states: &mut [BodyState]) {
-        for (state, share) in states.iter_mut().zip(&self.shares) {
+    fn add_shares(&self, states: &mut [BodyState], rows: &Range<usize>) {
+        for (state, share) in states[rows.clone()].iter_mut().zip(&self.shares[rows.clone()]) {
             state.velocity = state.velocity + share.velocity;
             state.angular_velocity += share.angular_velocity;
         }
@@ -259,37 +342,34 @@ impl Solver {
 
     /// Sweeps over the contacts that begin to bear load a few more times.
     fn relax_newcomers(
-        &mut self,
+        &self,
         graph: &mut ConstraintGraph,
         states: &mut [BodyState],
-        relax_sweep: Sweep,
+        kind: Sweep,
         per_substep: f32,
     ) {
-        // What carries no load is left alone, and so gets none.
-        self.loaded_newcomers.clear();
-        self.loaded_newcomers.extend(self.newcomers.iter().filter(|&&place| graph.is_loaded(place)));
         for _ in 0..NEWCOMER_SWEEPS {
-            for &place in &self.loaded_newcomers {
+            for &place in &self.newcomers {
                 if graph.is_loaded(place) {
-                    graph.for_one(place, SweepOver { states, kind: relax_sweep, per_substep });
+                    graph.for_one(place, SweepOver { states, kind, per_substep });
                 }
             }
         }
     }
 
     /// Finds the accelerations that depend on the place anew.
-    fn accelerate(&mut self, bodies: &Bodies, acceleration: &impl Acceleration) {
-        for ((kick, state), &slot) in
-            self.kicks.iter_mut().zip(&bodies.states).zip(&bodies.slot_of_row).skip(1)
-        {
+    fn accelerate(&mut self, bodies: &Bodies, rows: &Range<usize>, acceleration: &impl Acceleration) {
+        for row in rows.clone() {
+            let (slot, state) = (bodies.slot_of_row[row], &bodies.states[row]);
             if bodies.is_dynamic(slot) {
-                kick.acceleration = kick.steady + acceleration.at(bodies, slot, state.delta_position.into());
+                let varying = acceleration.at(bodies, slot, state.delta_position.into());
+                self.kicks[row].acceleration = self.kicks[row].steady + varying;
             }
         }
     }
 
-    fn kick(&mut self, states: &mut [BodyState], time: f32, limits: SpeedLimits) {
-        for (state, this) in states.iter_mut().zip(&mut self.kicks).skip(1) {
+    fn kick(&mut self, states: &mut [BodyState], rows: &Range<usize>, time: f32, limits: SpeedLimits) {
+        for (state, this) in states[rows.clone()].iter_mut().zip(&mut self.kicks[rows.clone()]) {
             kick(state, this, time, limits);
         }
         for &Damping { row, linear, angular } in &self.damped {
@@ -300,16 +380,14 @@ impl Solver {
     }
 
     /// Writes impulses back into the contacts and carries back into the bodies.
-    fn finish(
-        &self,
-        width: Width,
-        bodies: &mut Bodies,
-        contacts: &mut Contacts,
-        graph: &mut ConstraintGraph,
-    ) -> StepResidual {
-        let residual = graph.finish(width, &bodies.states, contacts);
-        for (kick, &slot) in self.kicks.iter().zip(&bodies.slot_of_row).skip(1) {
-            bodies.motions[slot as usize].velocity_carry = kick.carry;
+    fn finish(&self, scheme: &Scheme, class: &EffortClass<'_>, tables: &mut SolveTables<'_>) -> StepResidual {
+        let SolveTables { bodies, contacts, graph, loads } = tables;
+        loads.begin(scheme.adapts, class.effort, 1.0 / scheme.substep_time());
+        loads.unsolved.extend(self.direct.unsolved_rows().map(|row| bodies.slot_of_row[row as usize]));
+        let residual = graph.finish((class.effort, scheme.width), &bodies.states, contacts, loads);
+        for row in class.rows.clone() {
+            let slot = bodies.slot_of_row[row];
+            bodies.motions[slot as usize].velocity_carry = self.kicks[row].carry;
         }
         residual
     }

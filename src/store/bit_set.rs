@@ -12,6 +12,11 @@ impl BitSet {
         self.words.get(number as usize / 64).is_some_and(|word| word >> (number % 64) & 1 == 1)
     }
 
+    /// Takes all numbers out.
+    pub(crate) fn clear(&mut self) {
+        self.words.fill(0);
+    }
+
     /// Adds `number`; returns whether it is new.
     pub(crate) fn insert(&mut self, number: u32) -> bool {
         let (index, bit) = (number as usize / 64, 1 << (number % 64));

@@ -88,6 +88,11 @@ impl<T> Slots<T> {
         if slot.generation == key.generation { slot.value.as_mut() } else { None }
     }
 
+    /// The value at a place, if it is filled.
+    pub(crate) fn at(&self, index: u32) -> Option<&T> {
+        self.slots.get(index as usize)?.value.as_ref()
+    }
+
     /// The key of the value at a place that is filled.
     pub(crate) fn key_at(&self, index: u32) -> Key {
         let slot = &self.slots[index as usize];

@@ -4,7 +4,7 @@ use crate::body::description::{
     check_damping, check_friction, check_gravity_scale, check_place, check_restitution, check_strength,
     check_vector,
 };
-use crate::body::{Body, BodyError, BodyId, BodyType, Material, Motion, NONE, Record};
+use crate::body::{Body, BodyError, BodyId, BodyType, Effort, Material, Motion, NONE, Record};
 use crate::compute::BodyState;
 use crate::math::{Aabb, Point, Pose, Rot, Vec2};
 use crate::shape::Shape;
@@ -86,6 +86,11 @@ impl<'a> BodyRef<'a> {
     /// Moment of inertia about the centre of mass, kg m²; infinite for bodies that contacts cannot turn.
     pub fn inertia(&self) -> f32 {
         if self.motion.inverse_inertia > 0.0 { self.record.inertia } else { f32::INFINITY }
+    }
+
+    /// How hard the last step worked on it and all that contacts connect with it.
+    pub fn effort(&self) -> Effort {
+        self.motion.effort
     }
 
     /// Whether it is dynamic, fixed or kinematic.

@@ -3,6 +3,7 @@
 use crate::body::BodyId;
 use crate::collision::{Contact, Manifold, ManifoldPoint};
 use crate::math::{Point, Vec2};
+use crate::resolution::ConstraintGraph;
 use crate::world::World;
 
 /// Two bodies that touch or are about to, as of the end of the last step.
@@ -56,7 +57,7 @@ impl<'a> ContactRef<'a> {
     /// The colour of the constraint graph that the contact is solved in, `None` while it sleeps. Contacts of one
     /// colour share no body that moves; the highest number holds what found no colour.
     pub fn colour(&self) -> Option<u32> {
-        self.contact.graph_place.map(|(colour, _)| colour)
+        self.contact.graph_place.map(ConstraintGraph::colour)
     }
 
     /// Coefficient of friction of the contact.

@@ -26,11 +26,11 @@ pub use profile::{Clock, Counters, Profile, Stage, StageReport};
 pub use query::RayHit;
 pub use settings::{PositionCorrection, Settings, SettingsError};
 
-use crate::body::{Bodies, BodyId};
+use crate::body::{Bodies, BodyId, Effort};
 use crate::collision::Contacts;
 use crate::collision::broad_phase::BroadPhase;
 use crate::math::{Aabb, Vec2};
-use crate::resolution::{Adaptive, ConstraintGraph, Islands, Solver, StepResidual};
+use crate::resolution::{ConstraintGraph, Efforts, Islands, Loads, Solver, StepResidual};
 use crate::store::Slots;
 use crate::world::attractor::Field;
 use crate::world::sleep::{SleepTables, Sleepers};
@@ -65,13 +65,13 @@ pub struct World {
     /// The sum of all forces, m/s².
     acceleration: Vec2,
     attractors: Slots<Attractor>,
-    solver: Solver,
+    /// By effort.
+    solvers: [Solver; Effort::ALL.len()],
+    efforts: Efforts,
+    loads: Loads,
     events: Events,
     profile: Profile,
     residual: StepResidual,
-    adaptive: Adaptive,
-    /// Substeps of the last step.
-    substeps: u32,
     /// Awake bodies that have been at rest for long enough to sleep.
     resting: usize,
     ticks: u64,
@@ -118,12 +118,12 @@ impl World {
             forces: Slots::default(),
             acceleration: Vec2::ZERO,
             attractors: Slots::default(),
-            solver: Solver::default(),
+            solvers: Default::default(),
+            efforts: Efforts::default(),
+            loads: Loads::default(),
             events: Events::default(),
             profile: Profile::default(),
             residual: StepResidual::default(),
-            adaptive: Adaptive::default(),
-            substeps: 0,
             resting: 0,
             ticks: 0,
             unused_time: 0.0,

@@ -76,8 +76,12 @@ pub struct Counters {
     pub colours: usize,
     /// Contacts that found no colour.
     pub overflow: usize,
-    /// Substeps.
+    /// Substeps, the most of any island.
     pub substeps: u32,
+    /// Awake bodies of islands with more than plain [effort](crate::Effort).
+    pub raised_bodies: usize,
+    /// Islands that were solved directly.
+    pub direct_islands: usize,
 }
 
 impl Profile {

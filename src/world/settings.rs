@@ -4,7 +4,7 @@ use core::fmt;
 
 use crate::body::{Mix, Number};
 use crate::compute::Lanes;
-use crate::resolution::{Scheme, SpeedLimits};
+use crate::resolution::{Allowance, Scheme, SpeedLimits};
 
 /// How overlapping bodies are parted.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -33,8 +33,8 @@ pub struct Settings {
     pub tick_rate: f32,
     /// Substeps per tick, 1 to 256. The error of contacts falls as their number grows. Default 4.
     pub substeps: u32,
-    /// Whether a step may take more substeps, up to 16, where contacts under load overlap by more than 8 mm: heavy
-    /// bodies on light ones, tall stacks. All bodies of the world share the number, and pay for it. Default false.
+    /// Whether islands under great load, heavy bodies on light ones or tall stacks, are solved with more
+    /// [effort](Effort): directly, or in up to 8 times as many substeps. The others pay nothing. Default true.
     pub adaptive: bool,
     /// Sequential-impulse sweeps over all contacts before the bodies move, per substep, 1 to 1000. Default 1.
     pub iterations: u32,
@@ -78,7 +78,7 @@ impl Default for Settings {
         Self {
             tick_rate: 60.0,
             substeps: 4,
-            adaptive: false,
+            adaptive: true,
             iterations: 1,
             relax_iterations: 1,
             split_kick: true,
@@ -105,6 +105,7 @@ impl Settings {
     pub fn classic() -> Self {
         Self {
             substeps: 1,
+            adaptive: false,
             iterations: 10,
             relax_iterations: 0,
             split_kick: false,
@@ -153,6 +154,12 @@ impl Settings {
         Ok(())
     }
 
+    /// What islands may be given beyond the plain effort.
+    pub(crate) fn allowance(&self) -> Allowance {
+        let is_biased = self.position_correction == PositionCorrection::Bias;
+        Allowance { adapts: self.adaptive, direct: self.split_kick && is_biased }
+    }
+
     /// What the solver needs to know for a step of so many substeps.
     pub(crate) fn scheme(&self, substeps: u32) -> Scheme {
         Scheme {
@@ -161,6 +168,7 @@ impl Settings {
             iterations: self.iterations,
             relax_iterations: self.relax_iterations,
             split_kick: self.split_kick,
+            adapts: self.adaptive,
             warm_starting: self.warm_starting,
             block_solve: self.block_solve,
             projections: match self.position_correction {

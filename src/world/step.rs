@@ -1,10 +1,10 @@
 //! One step, as a table of stages.
 
-use crate::body::{BodyId, BodyType, NONE};
+use crate::body::{BodyId, BodyType, Effort, NONE};
 use crate::collision::{Refresh, refresh};
 use crate::compute::BodyState;
 use crate::math::{Rot, Vec2};
-use crate::resolution::{StepResidual, solve};
+use crate::resolution::{EffortTables, SolveTables, StepResidual, solve};
 use crate::world::World;
 use crate::world::attractor::Field;
 use crate::world::events::{ContactEvent, HitEvent};
@@ -29,7 +29,9 @@ impl World {
         if self.bodies.awake_count() == 0 {
             // The solver will not run; what it found last is no longer so.
             self.residual = StepResidual::default();
-            self.solver.impacts.clear();
+            for solver in &mut self.solvers {
+                solver.impacts.clear();
+            }
         }
         profile.run_stage(Stage::Pairs, self.broad_phase.moved_count(), || self.find_pairs());
         profile.run_stage(Stage::Contacts, self.contacts.awake().len(), || self.refresh_contacts());
@@ -112,18 +114,36 @@ impl World {
         }
     }
 
-    /// The substep loop.
+    /// The substep loop, for the islands of each effort.
     fn solve(&mut self) {
-        self.substeps = self.adaptive.substeps(self.settings.adaptive, self.settings.substeps);
-        let scheme = self.settings.scheme(self.substeps);
+        let settings = &self.settings;
+        let allowance = settings.allowance();
+        let Self { bodies, contacts, graph, .. } = self;
+        self.efforts.decide(allowance, &self.loads, EffortTables { bodies, contacts, graph });
+        self.loads.clear();
         let field = Field {
             uniform: self.acceleration,
             attractors: &self.attractors,
-            gravitational_constant: self.settings.gravitational_constant,
+            gravitational_constant: settings.gravitational_constant,
         };
-        self.residual =
-            solve(&mut self.solver, &scheme, &mut self.bodies, &mut self.contacts, &mut self.graph, &field);
-        self.adaptive.learn(&self.residual);
+        self.residual = StepResidual::default();
+        // Plain effort last, which moves all kinematic bodies.
+        for effort in Effort::ALL.into_iter().rev() {
+            let class = self.efforts.class(effort, bodies);
+            let solver = &mut self.solvers[effort as usize];
+            if class.rows.is_empty() {
+                solver.impacts.clear();
+                continue;
+            }
+            let scheme = settings.scheme(settings.substeps * effort.substep_factor());
+            let mut tables = SolveTables { bodies, contacts, graph, loads: &mut self.loads };
+            let residual = solve(solver, &scheme, &class, &mut tables, &field);
+            self.residual = self.residual.max(residual);
+            // They move through the step once more with the next class.
+            for &(_, row) in class.kinematic {
+                bodies.states[row as usize].stand_still();
+            }
+        }
     }
 
     /// Adds the motion of the step to the poses, lets boxes follow, and counts the time at rest.
@@ -138,8 +158,7 @@ impl World {
             motion.pose.rotation = (turn * motion.pose.rotation).normalized();
             motion.force = Vec2::ZERO;
             motion.torque = 0.0;
-            state.delta_position = BodyState::REST.delta_position;
-            state.delta_rotation = BodyState::REST.delta_rotation;
+            state.stand_still();
             let velocity = Vec2::from(state.velocity);
             let speed = velocity.length() + state.angular_velocity.abs() * motion.extent;
             // A kinematic body rests only when it does not move at all: it keeps what it touches awake.
@@ -155,7 +174,7 @@ impl World {
 
     /// Reports which contacts began, ended or hit.
     fn report_events(&mut self) {
-        for (index, speed) in self.solver.impacts.bounced() {
+        for (index, speed) in self.solvers.iter().flat_map(|solver| solver.impacts.bounced()) {
             let contact = &mut self.contacts[index];
             contact.has_bounced = true;
             contact.approach_speed = contact.approach_speed.max(speed);
@@ -200,11 +219,13 @@ impl World {
             awake_bodies: self.bodies.awake_count(),
             contacts: self.graph.len(),
             pairs: self.contacts.len(),
-            bouncy_contacts: self.solver.impacts.len(),
-            impacts: self.solver.impacts.count(),
+            bouncy_contacts: self.solvers.iter().map(|solver| solver.impacts.len()).sum(),
+            impacts: self.solvers.iter().map(|solver| solver.impacts.count()).sum(),
             colours,
             overflow,
-            substeps: self.substeps,
+            substeps: self.settings.substeps * self.efforts.most_substeps(),
+            raised_bodies: self.bodies.raised_count(),
+            direct_islands: self.efforts.direct_count(),
         }
     }
 }

@@ -65,8 +65,12 @@ fn study(cli: &Cli) -> Result<Report, StudyError> {
         .tick_rates(tick_rates.iter().copied())
         .substeps(substeps.iter().copied())
         .also(
-            "adaptive",
-            tick_rates.iter().map(|&tick_rate| Settings { tick_rate, adaptive: true, ..Settings::default() }),
+            "plain",
+            tick_rates.iter().map(|&tick_rate| Settings {
+                tick_rate,
+                adaptive: false,
+                ..Settings::default()
+            }),
         )
         .also("classic", tick_rates.iter().map(|&tick_rate| Settings { tick_rate, ..Settings::classic() }))
         .repeats(repeats)

@@ -1,0 +1,267 @@
+//! A contact point of the direct solve: its rows of the Jacobian, and how it answers velocities.
+
+use crate::body::NONE;
+use crate::compute::BodyState;
+use crate::math::Vec2;
+use crate::resolution::constraint::ContactConstraint;
+use crate::resolution::direct::Aim;
+use crate::resolution::direct::skyline::Skyline;
+use crate::resolution::softness::{bias, gap_bias};
+
+/// Velocities that a point wants are found to this much, m/s.
+pub(super) const TOLERANCE: f64 = 1e-5;
+
+/// A gap below this is rounding, m: closing it within a substep would ask for ten times the tolerance.
+const SMALLEST_GAP: f32 = 1e-6;
+
+/// Points that may approach by less than this are held in the first Newton step, m/s.
+const HELD: f64 = 0.1;
+
+/// A contact point with what it does to its two bodies.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct DirectPoint {
+    pub(super) graph_place: (u32, u32),
+    /// Which of the points of its contact it is.
+    pub(super) index: usize,
+    /// Indices of the movers, `NONE` for what contacts do not move.
+    pub(super) movers: [u32; 2],
+    /// Rows of the Jacobian: what vn and vt are of the velocities of a, then of b.
+    normal: [[f64; 3]; 2],
+    tangent: [[f64; 3]; 2],
+    /// Part of vn and vt that the solve does not change: of kinematic bodies, and the bias in vn.
+    given: [f64; 2],
+    /// Velocity that a unit of impulse gives the point by itself, 1/kg.
+    inverse_mass: [f64; 2],
+    /// Velocity per impulse that the point yields, 1/kg, along the normal and along the tangent.
+    compliance: [f64; 2],
+    pub(super) friction: f64,
+    /// What it yields to is the change from these impulses, N s, along the normal and along the tangent.
+    pub(super) prior: [f64; 2],
+    /// N s, along the normal and along the tangent.
+    pub(super) impulse: [f64; 2],
+    /// The impulses that were found last.
+    found: [f64; 2],
+    /// Greatest impulse of friction in this Newton step, N s.
+    pub(super) limit: f64,
+}
+
+impl DirectPoint {
+    pub(super) fn new(graph_place: (u32, u32), index: usize, movers: [u32; 2]) -> Self {
+        Self {
+            graph_place,
+            index,
+            movers,
+            normal: Default::default(),
+            tangent: Default::default(),
+            given: [0.0; 2],
+            inverse_mass: [1.0; 2],
+            compliance: [1.0; 2],
+            friction: 0.0,
+            prior: [0.0; 2],
+            found: [0.0; 2],
+            impulse: [0.0; 2],
+            limit: 0.0,
+        }
+    }
+
+    /// Takes geometry and bias over from the constraint.
+    pub(super) fn take_up(
+        &mut self,
+        constraint: &ContactConstraint<f32>,
+        [a, b]: [&BodyState; 2],
+        aim: Aim,
+        per_substep: f32,
+    ) {
+        let point = &constraint.points[self.index];
+        let separation = constraint.separation(point, a, b) + point.awaits_impact;
+        let bias = match aim {
+            _ if (0.0..SMALLEST_GAP).contains(&separation) => 0.0,
+            Aim::Push => bias(separation, per_substep),
+            Aim::Relax => gap_bias(separation, per_substep),
+        };
+        let normal = Vec2::from(constraint.normal);
+        let turns = [constraint.inverse_inertia_a, constraint.inverse_inertia_b].map(|inverse| inverse > 0.0);
+        let anchors = [Vec2::from(point.anchor_a), Vec2::from(point.anchor_b)];
+        let row = |axis: Vec2| {
+            [0, 1].map(|side| {
+                let sign = if side == 0 { -1.0 } else { 1.0 };
+                let arm = if turns[side] { anchors[side].cross(axis) } else { 0.0 };
+                [axis.x, axis.y, arm].map(|entry| sign * f64::from(entry))
+            })
+        };
+        self.normal = row(normal);
+        self.tangent = row(normal.perp());
+        self.given = [f64::from(bias), 0.0];
+        for (side, state) in [a, b].into_iter().enumerate() {
+            if self.movers[side] == NONE {
+                let velocity = [state.velocity.x, state.velocity.y, state.angular_velocity].map(f64::from);
+                let arm = |axis: Vec2, sign: f64| sign * f64::from(anchors[side].cross(axis)) * velocity[2];
+                let sign = if side == 0 { -1.0 } else { 1.0 };
+                for (given, (row, axis)) in
+                    self.given.iter_mut().zip([(self.normal, normal), (self.tangent, normal.perp())])
+                {
+                    *given += row[side][0] * velocity[0] + row[side][1] * velocity[1] + arm(axis, sign);
+                }
+            }
+        }
+        self.inverse_mass = [f64::from(point.normal_k), f64::from(point.tangent_mass).recip()];
+        self.friction = f64::from(constraint.friction);
+        self.impulse = [point.normal_impulse, point.tangent_impulse].map(f64::from);
+    }
+
+    /// Begins to look for impulses, from those of now.
+    pub(super) fn begin(&mut self) {
+        self.prior = self.impulse;
+        self.found = self.impulse;
+        self.limit = self.friction * self.impulse[0];
+    }
+
+    /// Lets the point give back this share of a change of its impulses.
+    pub(super) fn yield_by(&mut self, compliance: f64) {
+        self.compliance = self.inverse_mass.map(|k| compliance * k);
+    }
+
+    /// Keeps the impulses of now, or goes back to those found before.
+    pub(super) fn settle(&mut self, is_solved: bool) {
+        if is_solved {
+            self.found = self.impulse;
+        } else {
+            self.impulse = self.found;
+        }
+    }
+
+    /// Gives the point by itself the velocities that it wants, as a sweep does.
+    pub(super) fn sweep(&mut self, velocities: &mut [f64], masses: impl Fn(usize) -> [f64; 3]) {
+        let before = self.impulse;
+        let approach = self.along(&self.normal, velocities) + self.given[0];
+        self.impulse[0] = (before[0] - approach / self.inverse_mass[0]).max(0.0);
+        self.limit = self.friction * self.impulse[0];
+        let slip = self.along(&self.tangent, velocities) + self.given[1];
+        self.impulse[1] = (before[1] - slip / self.inverse_mass[1]).clamp(-self.limit, self.limit);
+        self.apply([0, 1].map(|axis| self.impulse[axis] - before[axis]), velocities, masses);
+    }
+
+    /// Sum over both sides of the row times the velocities.
+    fn along(&self, row: &[[f64; 3]; 2], velocities: &[f64]) -> f64 {
+        let mut sum = 0.0;
+        for (row, &mover) in row.iter().zip(&self.movers) {
+            if mover != NONE {
+                let place = 3 * mover as usize;
+                sum += row[0] * velocities[place]
+                    + row[1] * velocities[place + 1]
+                    + row[2] * velocities[place + 2];
+            }
+        }
+        sum
+    }
+
+    /// The impulses that the point answers an approach and a slip with.
+    fn answer(&self, approach: f64, slip: f64) -> [f64; 2] {
+        [
+            (self.prior[0] - approach / self.compliance[0]).max(0.0),
+            (self.prior[1] - slip / self.compliance[1]).clamp(-self.limit, self.limit),
+        ]
+    }
+
+    /// Whether these velocities, which its impulses have brought about, are what the point wants, to the tolerance.
+    pub(super) fn is_content(&self, velocities: &[f64]) -> bool {
+        let approach = self.along(&self.normal, velocities) + self.given[0];
+        let slip = self.along(&self.tangent, velocities) + self.given[1];
+        let [k, tangent_k] = self.inverse_mass;
+        let [normal, tangent] = self.impulse;
+        let wanted = (normal - approach / k).max(0.0);
+        let wanted_tangent = (tangent - slip / tangent_k).clamp(-self.limit, self.limit);
+        k * (wanted - normal).abs() <= TOLERANCE && tangent_k * (wanted_tangent - tangent).abs() <= TOLERANCE
+    }
+
+    /// Takes up the impulses that the point answers these velocities with.
+    pub(super) fn respond(&mut self, velocities: &[f64]) {
+        let approach = self.along(&self.normal, velocities) + self.given[0];
+        let slip = self.along(&self.tangent, velocities) + self.given[1];
+        self.impulse = self.answer(approach, slip);
+    }
+
+    /// The normal impulse after a step in which the point is held.
+    pub(super) fn held_impulse(&self, velocities: &[f64], step: &[f64]) -> f64 {
+        let [approach, gain, ..] = self.way(velocities, step);
+        (self.prior[0] - (approach + gain) / self.compliance[0]).max(0.0)
+    }
+
+    /// Approach and slip, each with what the step adds.
+    pub(super) fn way(&self, velocities: &[f64], step: &[f64]) -> [f64; 4] {
+        [
+            self.along(&self.normal, velocities) + self.given[0],
+            self.along(&self.normal, step),
+            self.along(&self.tangent, velocities) + self.given[1],
+            self.along(&self.tangent, step),
+        ]
+    }
+
+    /// How p + f change along a way, at a part of it.
+    pub(super) fn slope(&self, &[approach, gain, slip, slip_gain]: &[f64; 4], part: f64) -> f64 {
+        let [normal, tangent] = self.answer(approach + part * gain, slip + part * slip_gain);
+        -(normal * gain + tangent * slip_gain)
+    }
+
+    /// Adds Jᵀ λ to three numbers for each mover.
+    pub(super) fn push(&self, to: &mut [f64]) {
+        for side in 0..2 {
+            if self.movers[side] != NONE {
+                let place = 3 * self.movers[side] as usize;
+                for axis in 0..3 {
+                    to[place + axis] += self.normal[side][axis] * self.impulse[0]
+                        + self.tangent[side][axis] * self.impulse[1];
+                }
+            }
+        }
+    }
+
+    /// Adds M⁻¹ Jᵀ λ to the velocities, for the impulses λ.
+    pub(super) fn apply(
+        &self,
+        [normal, tangent]: [f64; 2],
+        velocities: &mut [f64],
+        masses: impl Fn(usize) -> [f64; 3],
+    ) {
+        for (side, &mover) in self.movers.iter().enumerate() {
+            if mover == NONE {
+                continue;
+            }
+            let masses = masses(mover as usize);
+            for axis in 0..3 {
+                let impulse = self.normal[side][axis] * normal + self.tangent[side][axis] * tangent;
+                velocities[3 * mover as usize + axis] += impulse / masses[axis];
+            }
+        }
+    }
+
+    /// Adds Jᵀ J/c of what responds to a change of velocity.
+    pub(super) fn stiffen(&self, matrix: &mut Skyline, first: u32, holds: bool) {
+        let is_held = holds && self.given[0] < HELD;
+        let presses = is_held || self.impulse[0] > 0.0;
+        let sticks = is_held || self.impulse[1].abs() < self.limit;
+        for (responds, row, compliance) in
+            [(presses, &self.normal, self.compliance[0]), (sticks, &self.tangent, self.compliance[1])]
+        {
+            if !responds {
+                continue;
+            }
+            for (side, &mover) in self.movers.iter().enumerate() {
+                for (other_side, &other) in self.movers.iter().enumerate() {
+                    if mover == NONE || other == NONE || other > mover {
+                        continue;
+                    }
+                    let (place, other_place) = (3 * (mover - first) as usize, 3 * (other - first) as usize);
+                    for (axis, value) in row[side].iter().enumerate() {
+                        for (other_axis, other_value) in row[other_side].iter().enumerate() {
+                            if other_place + other_axis <= place + axis {
+                                let entry = value * other_value / compliance;
+                                matrix.add(place + axis, other_place + other_axis, entry);
+                            }
+                        }
+                    }
+                }
+            }
+        }
+    }
+}
