@@ -24,11 +24,18 @@ pub(crate) struct Record {
     pub(crate) user_data: u64,
     /// First contact of the body, or `NONE`.
     pub(crate) first_contact: u32,
+    /// How hard the solver works on the body's island.
+    pub(crate) effort: Effort,
+    /// For how many steps less effort would have done.
+    pub(crate) calm_steps: u8,
+    /// The step from which on more effort may be thought of.
+    pub(crate) quiet_until: u32,
     /// The sleeping group the body belongs to, or `NONE` while it is awake or fixed.
     pub(crate) sleep_group: u32,
 }
 
-/// Warm: pose, mass and what acts on the body; touched a few times per step.
+/// Warm: pose, mass and size; touched a few times per step, by contacts in the order of their pairs. One cache line.
+#[repr(align(64))]
 #[derive(Clone, Debug)]
 pub(crate) struct Motion {
     pub(crate) pose: Pose,
@@ -36,6 +43,25 @@ pub(crate) struct Motion {
     pub(crate) inverse_mass: f32,
     /// 1/(moment of inertia), 1/(kg m²); 0 where the body cannot be turned.
     pub(crate) inverse_inertia: f32,
+    /// Greatest distance of the outline from the centre, m.
+    pub(crate) extent: f32,
+    /// Smallest width of the shape, m.
+    pub(crate) thickness: f32,
+    /// Whether the shape is a circle, whose outline does not turn with it.
+    pub(crate) is_round: bool,
+    /// The body's row of `Bodies::states`, `GROUND_ROW` while it is fixed or asleep.
+    pub(crate) row: u32,
+    /// What rounding has kept out of the velocity so far, m/s.
+    pub(crate) velocity_carry: Vec2,
+    /// How long the body has been nearly at rest, s.
+    pub(crate) still_time: f32,
+}
+
+const _: () = assert!(size_of::<Motion>() == 64);
+
+/// Warm: what acts on the body; touched once per step, in the order of rows.
+#[derive(Clone, Debug)]
+pub(crate) struct Forcing {
     /// Force during the next step, N.
     pub(crate) force: Vec2,
     /// Torque during the next step, N m.
@@ -46,22 +72,6 @@ pub(crate) struct Motion {
     pub(crate) linear_damping: f32,
     /// Damping, 1/s.
     pub(crate) angular_damping: f32,
-    /// What rounding has kept out of the velocity so far, m/s.
-    pub(crate) velocity_carry: Vec2,
-    /// Greatest distance of the outline from the centre, m.
-    pub(crate) extent: f32,
-    /// Smallest width of the shape, m.
-    pub(crate) thickness: f32,
-    /// How long the body has been nearly at rest, s.
-    pub(crate) still_time: f32,
-    /// How hard the solver works on the body's island.
-    pub(crate) effort: Effort,
-    /// For how many steps less effort would have done.
-    pub(crate) calm_steps: u8,
-    /// The step from which on more effort may be thought of.
-    pub(crate) quiet_until: u32,
-    /// The body's row of `Bodies::states`, `GROUND_ROW` while it is fixed or asleep.
-    pub(crate) row: u32,
 }
 
 /// All bodies of a world. A body keeps its slot for life; only the rows of the awake move.
@@ -70,6 +80,8 @@ pub(crate) struct Bodies {
     pub(crate) records: Slots<Record>,
     /// By slot; what stands in a free slot is left over.
     pub(crate) motions: Vec<Motion>,
+    /// By slot.
+    pub(crate) forcings: Vec<Forcing>,
     /// By slot.
     pub(crate) shapes: Vec<Shape>,
     /// By row: the ground, then every awake body that can move.
@@ -87,6 +99,7 @@ impl Default for Bodies {
         Self {
             records: Slots::default(),
             motions: Vec::new(),
+            forcings: Vec::new(),
             shapes: Vec::new(),
             states: vec![BodyState::REST],
             slot_of_row: vec![NONE],
@@ -109,6 +122,9 @@ impl Bodies {
             fixed_rotation: body.fixed_rotation,
             user_data: body.user_data,
             first_contact: NONE,
+            effort: Effort::Plain,
+            calm_steps: 0,
+            quiet_until: 0,
             sleep_group: NONE,
         };
         let is_dynamic = body.body_type == BodyType::Dynamic;
@@ -116,27 +132,29 @@ impl Bodies {
             pose: body.pose(),
             inverse_mass: if is_dynamic { 1.0 / mass } else { 0.0 },
             inverse_inertia: if is_dynamic && body.can_turn() { 1.0 / inertia } else { 0.0 },
+            velocity_carry: Vec2::ZERO,
+            extent: body.shape.extent(),
+            thickness: body.shape.thickness(),
+            still_time: 0.0,
+            row: GROUND_ROW,
+            is_round: matches!(body.shape, Shape::Circle(_)),
+        };
+        let forcing = Forcing {
             force: Vec2::ZERO,
             torque: 0.0,
             gravity_scale: body.gravity_scale,
             linear_damping: body.linear_damping,
             angular_damping: body.angular_damping,
-            velocity_carry: Vec2::ZERO,
-            extent: body.shape.extent(),
-            thickness: body.shape.thickness(),
-            still_time: 0.0,
-            effort: Effort::Plain,
-            calm_steps: 0,
-            quiet_until: 0,
-            row: GROUND_ROW,
         };
         let key = self.records.insert(record);
         let slot = key.index();
         if slot as usize == self.motions.len() {
             self.motions.push(motion);
+            self.forcings.push(forcing);
             self.shapes.push(body.shape);
         } else {
             self.motions[slot as usize] = motion;
+            self.forcings[slot as usize] = forcing;
             self.shapes[slot as usize] = body.shape;
         }
         if body.body_type != BodyType::Fixed {
@@ -161,6 +179,7 @@ impl Bodies {
         let record = self.records.get(key)?;
         let slot = key.index();
         let (motion, state) = (&self.motions[slot as usize], self.state(slot));
+        let forcing = &self.forcings[slot as usize];
         Some(Body {
             body_type: record.body_type,
             shape: self.shapes[slot as usize],
@@ -171,9 +190,9 @@ impl Bodies {
             material: record.material,
             mass: record.mass_override,
             fixed_rotation: record.fixed_rotation,
-            gravity_scale: motion.gravity_scale,
-            linear_damping: motion.linear_damping,
-            angular_damping: motion.angular_damping,
+            gravity_scale: forcing.gravity_scale,
+            linear_damping: forcing.linear_damping,
+            angular_damping: forcing.angular_damping,
             user_data: record.user_data,
         })
     }
@@ -186,7 +205,7 @@ impl Bodies {
         self.slot_of_row.push(slot);
         let motion = &mut self.motions[slot as usize];
         motion.row = row;
-        self.raised += usize::from(motion.effort != Effort::Plain);
+        self.raised += usize::from(self.records[slot].effort != Effort::Plain);
         row
     }
 
@@ -196,7 +215,7 @@ impl Bodies {
         if row == GROUND_ROW {
             return;
         }
-        self.raised -= usize::from(self.motions[slot as usize].effort != Effort::Plain);
+        self.raised -= usize::from(self.records[slot].effort != Effort::Plain);
         self.states.swap_remove(row as usize);
         self.slot_of_row.swap_remove(row as usize);
         if let Some(&moved) = self.slot_of_row.get(row as usize) {
@@ -212,14 +231,14 @@ impl Bodies {
     /// Sets how hard the solver works on the awake body in `slot`.
     pub(crate) fn set_effort(&mut self, slot: u32, effort: Effort) {
         debug_assert!(self.is_awake(slot));
-        let old = std::mem::replace(&mut self.motions[slot as usize].effort, effort);
+        let old = std::mem::replace(&mut self.records[slot].effort, effort);
         self.raised += usize::from(effort != Effort::Plain);
         self.raised -= usize::from(old != Effort::Plain);
     }
 
     /// Brings the rows into the order of their efforts, plain ones first; those of one effort keep theirs.
     pub(crate) fn sort_rows_by_effort(&mut self) {
-        let effort_of = |slot: &u32| self.motions[*slot as usize].effort;
+        let effort_of = |slot: &u32| self.records[*slot].effort;
         if self.slot_of_row[1..].is_sorted_by_key(effort_of) {
             return;
         }
@@ -232,9 +251,8 @@ impl Bodies {
         self.states.push(states[0]);
         for effort in Effort::ALL {
             for (&slot, &state) in slots.iter().zip(&states).skip(1) {
-                let motion = &mut self.motions[slot as usize];
-                if motion.effort == effort {
-                    motion.row = self.states.len() as u32;
+                if self.records[slot].effort == effort {
+                    self.motions[slot as usize].row = self.states.len() as u32;
                     self.slot_of_row.push(slot);
                     self.states.push(state);
                 }

@@ -1,8 +1,8 @@
 //! What a body is: its description ([`Body`]), its material, and how the engine keeps many of them.
 //!
-//! Data is split by how often it is touched. Hot: `BodyState`, 32 bytes, one row
-//! per awake body, read and written several times per substep. Warm: `Motion`, pose and mass, touched a few
-//! times per step. Cold: `Record`, touched when somebody asks or a contact begins.
+//! Data is split by how often it is touched. Hot: `BodyState`, 32 bytes, one row per awake body, read and written
+//! several times per substep. Warm: `Motion`, pose and mass, 64 bytes, touched a few times per step by each contact;
+//! `Forcing`, what acts on the body, touched once. Cold: `Record`, touched when somebody asks or a contact begins.
 
 mod bodies;
 pub(crate) mod description;
@@ -10,7 +10,7 @@ mod effort;
 mod error;
 mod material;
 
-pub(crate) use bodies::{Bodies, Motion, NONE, Record};
+pub(crate) use bodies::{Bodies, Forcing, Motion, NONE, Record};
 pub use description::{Body, BodyType};
 pub use effort::Effort;
 pub use error::BodyError;

@@ -6,6 +6,7 @@
 
 use crate::body::{Bodies, NONE};
 use crate::collision::Manifold;
+use crate::compute::prefetch;
 use crate::math::{Rot, Vec2};
 use crate::store::Slots;
 
@@ -20,6 +21,9 @@ pub(crate) struct Frozen {
     /// Separation of each point then, m.
     pub(crate) separations: [f32; 2],
 }
+
+/// How many contacts ahead memory is asked for: so many take about as long as memory does.
+const AHEAD: usize = 4;
 
 /// Neighbours in the list of one of the two bodies.
 #[derive(Clone, Copy, Debug)]
@@ -173,6 +177,32 @@ impl Contacts {
     /// Index and contact of every contact, by ascending index.
     pub(crate) fn iter(&self) -> impl Iterator<Item = (u32, &Contact)> {
         self.all.iter().map(|(key, contact)| (key.index(), contact))
+    }
+
+    /// Asks for the contact to be brought close: its place in memory has nothing to do with that of the one before
+    /// it.
+    #[inline(always)]
+    pub(crate) fn prefetch(&self, index: u32) {
+        self.all.prefetch(index);
+    }
+
+    /// Asks for what the bodies of the contact, which is close, are read for.
+    #[inline(always)]
+    pub(crate) fn prefetch_bodies(&self, index: u32, bodies: &Bodies) {
+        for slot in self[index].slots {
+            prefetch(&bodies.motions, slot as usize);
+        }
+    }
+
+    /// Asks for what the contacts further on in a list are read for; `ahead` names the one so many places ahead.
+    #[inline(always)]
+    pub(crate) fn prefetch_ahead(&self, bodies: &Bodies, ahead: impl Fn(usize) -> Option<u32>) {
+        if let Some(index) = ahead(AHEAD) {
+            self.prefetch_bodies(index, bodies);
+        }
+        if let Some(index) = ahead(2 * AHEAD) {
+            self.prefetch(index);
+        }
     }
 
     /// How many contacts there are.

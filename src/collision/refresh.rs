@@ -10,7 +10,7 @@
 //! collision, and an oblique blow would be answered along the wrong normal.
 
 use crate::body::{Bodies, Motion};
-use crate::collision::{Contact, Frozen, Manifold, detect_within, sweep};
+use crate::collision::{Contact, Frozen, Manifold, ManifoldPoint, detect_within, sweep};
 use crate::compute::LaneRot;
 use crate::math::{Rot, Vec2};
 use crate::shape::Shape;
@@ -57,99 +57,107 @@ pub(crate) fn refresh(contact: &mut Contact, bodies: &Bodies, settings: Refresh)
         pair.recycle(contact);
         return;
     }
-    let mut manifold = pair.find_manifold();
-    for point in manifold.points_mut() {
-        let same = |old: &&crate::collision::ManifoldPoint| old.feature == point.feature;
-        if let Some(old) = contact.manifold.points().iter().find(same) {
-            point.normal_impulse = old.normal_impulse;
-            point.tangent_impulse = old.tangent_impulse;
-        }
-    }
-    let mut separations = [0.0; 2];
-    for (separation, point) in separations.iter_mut().zip(manifold.points()) {
-        *separation = point.separation;
-    }
-    contact.frozen =
-        Frozen { offset: pair.offset, rotation_a: pair.rotation_a, rotation_b: pair.rotation_b, separations };
-    contact.approach_speed = -manifold.normal.dot(pair.motion) / settings.dt;
-    contact.manifold = manifold;
+    pair.find_anew(contact);
 }
 
 /// The two bodies of a contact as the narrow phase sees them: from the centre of a.
+///
+/// Most contacts keep their manifold or are out of reach, and need little of what there is to know: the rest is found
+/// when it is asked for.
 struct Pair<'a> {
+    bodies: &'a Bodies,
+    slots: [u32; 2],
+    motion_a: &'a Motion,
+    motion_b: &'a Motion,
     shape_a: &'a Shape,
     shape_b: &'a Shape,
     rotation_a: Rot,
     rotation_b: Rot,
     /// Centre of b from the centre of a, m.
     offset: Vec2,
-    /// Expected translation of b against a within the step, m.
+    /// Length of the step, s.
+    dt: f32,
+}
+
+/// What two bodies are expected to do within the step.
+#[derive(Clone, Copy)]
+struct Course {
+    /// Translation of b against a, m.
     motion: Vec2,
-    /// Farthest that the outlines can come closer by turning within the step, m.
+    /// Farthest that the outlines can come closer by turning, m.
     turning: f32,
-    /// Width of the thinner of the two, m.
-    thickness: f32,
-    /// Extent of the smaller of the two, m.
-    extent: f32,
-    /// Sum of the extents, m.
-    reach: f32,
 }
 
 impl<'a> Pair<'a> {
+    #[inline(always)]
     fn new(contact: &Contact, bodies: &'a Bodies, dt: f32) -> Self {
-        let [a, b] = contact.slots;
-        let (motion_a, motion_b) = (&bodies.motions[a as usize], &bodies.motions[b as usize]);
-        let (state_a, state_b) = (bodies.state(a), bodies.state(b));
-        let turning = |motion: &Motion, w: f32| (w.abs() * dt).min(2.0) * motion.extent;
+        let slots = contact.slots;
+        let [a, b] = slots.map(|slot| slot as usize);
+        let (motion_a, motion_b) = (&bodies.motions[a], &bodies.motions[b]);
         Self {
-            shape_a: &bodies.shapes[a as usize],
-            shape_b: &bodies.shapes[b as usize],
+            bodies,
+            slots,
+            motion_a,
+            motion_b,
+            shape_a: &bodies.shapes[a],
+            shape_b: &bodies.shapes[b],
             rotation_a: motion_a.pose.rotation,
             rotation_b: motion_b.pose.rotation,
             offset: motion_b.pose.center - motion_a.pose.center,
-            motion: Vec2::from(state_b.velocity - state_a.velocity) * dt,
-            turning: turning(motion_a, state_a.angular_velocity)
-                + turning(motion_b, state_b.angular_velocity),
-            thickness: motion_a.thickness.min(motion_b.thickness),
-            extent: motion_a.extent.min(motion_b.extent),
-            reach: motion_a.extent + motion_b.extent,
+            dt,
+        }
+    }
+
+    fn course(&self) -> Course {
+        let [state_a, state_b] = self.slots.map(|slot| self.bodies.state(slot));
+        let turning = |motion: &Motion, w: f32| (w.abs() * self.dt).min(2.0) * motion.extent;
+        Course {
+            motion: Vec2::from(state_b.velocity - state_a.velocity) * self.dt,
+            turning: turning(self.motion_a, state_a.angular_velocity)
+                + turning(self.motion_b, state_b.angular_velocity),
         }
     }
 
     /// Points this far apart are kept between bodies at rest, m.
     fn near(&self) -> f32 {
-        SPECULATIVE_MARGIN.min(0.1 * self.thickness)
+        // A tenth of the width of the thinner of the two.
+        SPECULATIVE_MARGIN.min(0.1 * self.motion_a.thickness.min(self.motion_b.thickness))
     }
 
     /// Whether the circles around the two shapes stay apart: half of the pairs of a pile, at a tenth of the
     /// cost of finding a manifold.
+    #[inline(always)]
     fn is_out_of_reach(&self) -> bool {
-        let reach = self.reach + self.near() + self.turning + self.motion.length();
-        self.offset.length_squared() > reach * reach
+        let distance_squared = self.offset.length_squared();
+        let reach = self.motion_a.extent + self.motion_b.extent;
+        if distance_squared <= reach * reach {
+            return false;
+        }
+        let Course { motion, turning } = self.course();
+        let reach = reach + self.near() + turning + motion.length();
+        distance_squared > reach * reach
     }
 
     fn has_circle(&self) -> bool {
-        is_circle(self.shape_a) || is_circle(self.shape_b)
+        self.motion_a.is_round || self.motion_b.is_round
     }
 
     /// How far the bodies may move against each other before their manifold is found anew, m.
     fn recycle_distance(&self) -> f32 {
+        let extent = self.motion_a.extent.min(self.motion_b.extent);
         if self.has_circle() {
-            ROUND_RECYCLE_DISTANCE.min(0.05 * self.extent)
+            ROUND_RECYCLE_DISTANCE.min(0.05 * extent)
         } else {
-            RECYCLE_DISTANCE.min(0.25 * self.extent)
+            RECYCLE_DISTANCE.min(0.25 * extent)
         }
     }
 
     /// Rotations of a and b since the manifold was found. The outline of a circle does not turn with it.
     fn turned_since(&self, then: &Frozen) -> [Rot; 2] {
-        let since = |shape: &Shape, now: Rot, then: Rot| {
-            if is_circle(shape) { Rot::IDENTITY } else { now * then.inverse() }
+        let since = |motion: &Motion, then: Rot| {
+            if motion.is_round { Rot::IDENTITY } else { motion.pose.rotation * then.inverse() }
         };
-        [
-            since(self.shape_a, self.rotation_a, then.rotation_a),
-            since(self.shape_b, self.rotation_b, then.rotation_b),
-        ]
+        [since(self.motion_a, then.rotation_a), since(self.motion_b, then.rotation_b)]
     }
 
     /// Whether the manifold may be kept: it carries load, and the bodies are nearly where they were. Not that of
@@ -177,29 +185,51 @@ impl<'a> Pair<'a> {
         }
     }
 
-    fn find_manifold(&self) -> Manifold {
+    /// Finds the manifold; impulses stay with their feature.
+    fn find_anew(&self, contact: &mut Contact) {
+        let course = self.course();
+        let mut manifold = self.find_manifold(course);
+        for point in manifold.points_mut() {
+            let same = |old: &&ManifoldPoint| old.feature == point.feature;
+            if let Some(old) = contact.manifold.points().iter().find(same) {
+                point.normal_impulse = old.normal_impulse;
+                point.tangent_impulse = old.tangent_impulse;
+            }
+        }
+        let mut separations = [0.0; 2];
+        for (separation, point) in separations.iter_mut().zip(manifold.points()) {
+            *separation = point.separation;
+        }
+        let [rotation_a, rotation_b] = [self.rotation_a, self.rotation_b];
+        contact.frozen = Frozen { offset: self.offset, rotation_a, rotation_b, separations };
+        contact.approach_speed = -manifold.normal.dot(course.motion) / self.dt;
+        contact.manifold = manifold;
+    }
+
+    fn find_manifold(&self, course: Course) -> Manifold {
+        let Course { motion, turning } = course;
         let near = self.near();
-        let margin = near + self.motion.length() + self.turning;
+        let margin = near + motion.length() + turning;
         let Some(manifold) = self.detect_at(self.offset, margin) else { return Manifold::default() };
         let gap = manifold.points().iter().fold(f32::INFINITY, |gap, point| gap.min(point.separation));
-        let closing = -manifold.normal.dot(self.motion);
+        let closing = -manifold.normal.dot(motion);
         if gap <= 0.0 || closing <= gap {
-            let in_reach = gap <= near + self.turning + closing.max(0.0);
+            let in_reach = gap <= near + turning + closing.max(0.0);
             return if in_reach { manifold } else { Manifold::default() };
         }
-        match self.find_where_they_meet(margin) {
+        match self.find_where_they_meet(motion, margin) {
             Some(meeting) => meeting,
-            None if gap <= near + self.turning => manifold,
+            None if gap <= near + turning => manifold,
             None => Manifold::default(),
         }
     }
 
     /// The manifold of the moment in which the bodies first touch, if they do within the step; separations
     /// are those of now along its normal.
-    fn find_where_they_meet(&self, margin: f32) -> Option<Manifold> {
+    fn find_where_they_meet(&self, motion: Vec2, margin: f32) -> Option<Manifold> {
         let (a, b) = (self.shape_a, self.shape_b);
-        let fraction = sweep(a, self.rotation_a, b, self.rotation_b, self.offset, self.motion, 0.0)?;
-        let advance = self.motion * fraction;
+        let fraction = sweep(a, self.rotation_a, b, self.rotation_b, self.offset, motion, 0.0)?;
+        let advance = motion * fraction;
         let mut manifold = self.detect_at(self.offset + advance, margin)?;
         let closed = manifold.normal.dot(advance);
         for point in manifold.points_mut() {
@@ -211,8 +241,4 @@ impl<'a> Pair<'a> {
     fn detect_at(&self, offset: Vec2, margin: f32) -> Option<Manifold> {
         detect_within(self.shape_a, self.rotation_a, self.shape_b, self.rotation_b, offset, margin)
     }
-}
-
-fn is_circle(shape: &Shape) -> bool {
-    matches!(shape, Shape::Circle(_))
 }

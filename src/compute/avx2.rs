@@ -11,7 +11,8 @@
 use core::arch::x86_64::*;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
-use crate::compute::{BodyState, Column, Lane, LaneRot, LaneVec2, RowPairs};
+use crate::compute::{BodyState, Column, Lane, LaneRot, LaneVec2, RowPairs, each_alone};
+use crate::math::trig;
 
 #[derive(Clone, Copy, Debug)]
 #[repr(transparent)]
@@ -51,6 +52,45 @@ impl Neg for F32x8 {
         // SAFETY: there is an F32x8 only where there is AVX2; `splat` and `load` check it in debug.
         Self(unsafe { _mm256_xor_ps(self.0, _mm256_set1_ps(-0.0)) })
     }
+}
+
+/// Four numbers of double precision.
+#[derive(Clone, Copy)]
+struct F64x4(__m256d);
+
+macro_rules! double_operator {
+    ($trait:ident, $name:ident, $intrinsic:ident) => {
+        impl $trait for F64x4 {
+            type Output = Self;
+            #[inline(always)]
+            fn $name(self, other: Self) -> Self {
+                // SAFETY: there is an F64x4 only where there is AVX2: it is made of an F32x8.
+                Self(unsafe { $intrinsic(self.0, other.0) })
+            }
+        }
+    };
+}
+
+double_operator!(Add, add, _mm256_add_pd);
+double_operator!(Sub, sub, _mm256_sub_pd);
+double_operator!(Mul, mul, _mm256_mul_pd);
+
+impl From<f64> for F64x4 {
+    #[inline(always)]
+    fn from(value: f64) -> Self {
+        debug_check();
+        // SAFETY: AVX2 is there, see the module.
+        Self(unsafe { _mm256_set1_pd(value) })
+    }
+}
+
+/// Sine and cosine of four small angles.
+#[inline(always)]
+fn sin_cos_of_small(angles: __m128) -> [__m128; 2] {
+    // SAFETY: AVX2 is there, see the module.
+    let (sin, cos) = trig::sin_cos_of_small(F64x4(unsafe { _mm256_cvtps_pd(angles) }));
+    // SAFETY: AVX2 is there, see the module.
+    unsafe { [_mm256_cvtpd_ps(sin.0), _mm256_cvtpd_ps(cos.0)] }
 }
 
 /// Numbers of two rows, four each: the first four for `OFFSET` 0, the second four for 4.
@@ -205,6 +245,19 @@ impl Lane for F32x8 {
     }
 
     #[inline(always)]
+    fn sin_cos(self) -> (Self, Self) {
+        if Self::bits(Self::splat(trig::SMALL).greater(self.abs())) != 0xFF {
+            return each_alone(self);
+        }
+        // SAFETY: AVX2 is there, see the module.
+        let halves = unsafe { [_mm256_castps256_ps128(self.0), _mm256_extractf128_ps::<1>(self.0)] };
+        let [[low_sin, low_cos], [high_sin, high_cos]] =
+            [sin_cos_of_small(halves[0]), sin_cos_of_small(halves[1])];
+        // SAFETY: AVX2 is there, see the module.
+        unsafe { (Self(_mm256_set_m128(high_sin, low_sin)), Self(_mm256_set_m128(high_cos, low_cos))) }
+    }
+
+    #[inline(always)]
     fn greater(self, other: Self) -> Mask8 {
         // SAFETY: AVX2 is there, see the module.
         Mask8(unsafe { _mm256_cmp_ps::<_CMP_GT_OQ>(self.0, other.0) })
@@ -220,6 +273,37 @@ impl Lane for F32x8 {
     fn select(mask: Mask8, yes: Self, no: Self) -> Self {
         // SAFETY: AVX2 is there, see the module.
         Self(unsafe { _mm256_blendv_ps(no.0, yes.0, mask.0) })
+    }
+
+    #[inline(always)]
+    fn bits(mask: Mask8) -> u32 {
+        // SAFETY: AVX2 is there, see the module.
+        unsafe { _mm256_movemask_ps(mask.0) as u32 }
+    }
+
+    #[inline(always)]
+    fn load_rows(states: &[BodyState], first: usize) -> BodyState<Self> {
+        let states: &[BodyState; 8] = states[first..].first_chunk().expect("eight rows");
+        // SAFETY: these are the rows of eight states.
+        unsafe { gather(states, &[0, 1, 2, 3, 4, 5, 6, 7]) }
+    }
+
+    #[inline(always)]
+    fn store_rows(states: &mut [BodyState], first: usize, state: &BodyState<Self>) {
+        let states: &mut [BodyState; 8] = states[first..].first_chunk_mut().expect("eight rows");
+        let BodyState { velocity, angular_velocity, padding, delta_position, delta_rotation } = *state;
+        let firsts = transpose([velocity.x.0, velocity.y.0, angular_velocity.0, padding.0]);
+        let seconds =
+            transpose([delta_position.x.0, delta_position.y.0, delta_rotation.c.0, delta_rotation.s.0]);
+        for (place, (first, second)) in firsts.into_iter().zip(seconds).enumerate() {
+            // SAFETY: AVX2 is there, see the module. There are eight states of eight numbers, aligned to 32 bytes.
+            unsafe {
+                let low: *mut f32 = states.as_mut_ptr().add(place).cast();
+                let high: *mut f32 = states.as_mut_ptr().add(place + 4).cast();
+                _mm256_store_ps(low, _mm256_permute2f128_ps::<0x20>(first, second));
+                _mm256_store_ps(high, _mm256_permute2f128_ps::<0x31>(first, second));
+            }
+        }
     }
 
     #[inline(always)]

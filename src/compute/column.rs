@@ -13,9 +13,14 @@ pub(crate) const COLUMN: usize = 8;
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct Column([f32; COLUMN]);
 
-const _: () = assert!(size_of::<Column>() == 32 && size_of::<RowPairs>() == 96);
+const _: () = assert!(size_of::<Column>() == 32);
 
 impl Column {
+    /// The same number in every place.
+    pub(crate) const fn splat(value: f32) -> Self {
+        Self([value; COLUMN])
+    }
+
     /// What stands at `place`, below [`COLUMN`].
     #[inline(always)]
     pub(crate) fn get(&self, place: usize) -> f32 {
@@ -47,7 +52,7 @@ impl Column {
 }
 
 /// Which rows of [`BodyState`](crate::compute::BodyState) eight pairs of bodies have.
-#[repr(C, align(32))]
+#[repr(C)]
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct RowPairs {
     a: [u32; COLUMN],

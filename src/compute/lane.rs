@@ -4,6 +4,7 @@ use core::fmt::Debug;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
 use crate::compute::{BodyState, Column, RowPairs};
+use crate::math::trig;
 
 /// `WIDTH` numbers that are computed with at once. Every operation rounds as IEEE 754 says for each number
 /// on its own, so results do not depend on the width.
@@ -32,14 +33,34 @@ pub(crate) trait Lane:
     fn min(self, other: Self) -> Self;
     /// `self` where it is larger, else `other`: also where one of them is NaN or both are zeros.
     fn max(self, other: Self) -> Self;
+    /// Without its sign.
+    #[inline(always)]
+    fn abs(self) -> Self {
+        self.max(-self)
+    }
     /// Square root.
     fn sqrt(self) -> Self;
+    /// Sine and cosine, as [`trig::sin_cos`] finds them, bit for bit.
+    fn sin_cos(self) -> (Self, Self);
     /// Where `self > other`.
     fn greater(self, other: Self) -> Self::Mask;
     /// Where both hold.
     fn both(a: Self::Mask, b: Self::Mask) -> Self::Mask;
     /// `yes` where the mask holds, `no` elsewhere.
     fn select(mask: Self::Mask, yes: Self, no: Self) -> Self;
+    /// One bit per number, the first the lowest: set where the mask holds.
+    fn bits(mask: Self::Mask) -> u32;
+
+    /// Reads the states in as many rows, from `first` on.
+    ///
+    /// # Panics
+    /// If there are fewer rows.
+    fn load_rows(states: &[BodyState], first: usize) -> BodyState<Self>;
+    /// Writes the states of as many rows, from `first` on.
+    ///
+    /// # Panics
+    /// If there are fewer rows.
+    fn store_rows(states: &mut [BodyState], first: usize, state: &BodyState<Self>);
 
     /// Reads the states of the pairs from `place` on, a multiple of `WIDTH`.
     ///
@@ -100,6 +121,11 @@ impl Lane for f32 {
     }
 
     #[inline(always)]
+    fn sin_cos(self) -> (Self, Self) {
+        trig::sin_cos(self)
+    }
+
+    #[inline(always)]
     fn greater(self, other: Self) -> bool {
         self > other
     }
@@ -112,6 +138,21 @@ impl Lane for f32 {
     #[inline(always)]
     fn select(mask: bool, yes: Self, no: Self) -> Self {
         if mask { yes } else { no }
+    }
+
+    #[inline(always)]
+    fn bits(mask: bool) -> u32 {
+        u32::from(mask)
+    }
+
+    #[inline(always)]
+    fn load_rows(states: &[BodyState], first: usize) -> BodyState {
+        states[first]
+    }
+
+    #[inline(always)]
+    fn store_rows(states: &mut [BodyState], first: usize, state: &BodyState) {
+        states[first] = *state;
     }
 
     #[inline(always)]
@@ -146,4 +187,17 @@ impl Lane for f32 {
             }
         }
     }
+}
+
+/// Sine and cosine of one number after the other.
+#[inline(always)]
+pub(super) fn each_alone<L: Lane>(angles: L) -> (L, L) {
+    let (mut sin, mut cos) = (Column::default(), Column::default());
+    angles.store(&mut sin, 0);
+    for place in 0..L::WIDTH {
+        let of_one = trig::sin_cos(sin.get(place));
+        sin.set(place, of_one.0);
+        cos.set(place, of_one.1);
+    }
+    (L::load(&sin, 0), L::load(&cos, 0))
 }

@@ -17,6 +17,7 @@ mod lane;
 mod neon;
 #[cfg(any(test, not(any(target_arch = "x86_64", target_arch = "aarch64"))))]
 mod portable;
+mod prefetch;
 #[cfg(target_arch = "x86_64")]
 mod sse2;
 mod state;
@@ -35,5 +36,7 @@ pub(crate) use column::{COLUMN, Column, RowPairs};
 pub use dispatch::Lanes;
 pub(crate) use dispatch::{Job, Width, run};
 pub(crate) use lane::Lane;
+use lane::each_alone;
+pub(crate) use prefetch::prefetch;
 pub(crate) use state::{BodyState, GROUND_ROW};
 pub(crate) use vector::{LaneRot, LaneVec2};

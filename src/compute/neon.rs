@@ -8,7 +8,7 @@
 use core::arch::aarch64::*;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
-use crate::compute::{BodyState, Column, Lane, LaneRot, LaneVec2, RowPairs};
+use crate::compute::{BodyState, Column, Lane, LaneRot, LaneVec2, RowPairs, each_alone};
 
 #[derive(Clone, Copy, Debug)]
 #[repr(transparent)]
@@ -178,6 +178,11 @@ impl Lane for F32x4 {
     }
 
     #[inline(always)]
+    fn sin_cos(self) -> (Self, Self) {
+        each_alone(self)
+    }
+
+    #[inline(always)]
     fn greater(self, other: Self) -> Mask4 {
         // SAFETY: NEON is part of the target.
         Mask4(unsafe { vcgtq_f32(self.0, other.0) })
@@ -193,6 +198,38 @@ impl Lane for F32x4 {
     fn select(mask: Mask4, yes: Self, no: Self) -> Self {
         // SAFETY: NEON is part of the target.
         Self(unsafe { vbslq_f32(mask.0, yes.0, no.0) })
+    }
+
+    #[inline(always)]
+    fn bits(mask: Mask4) -> u32 {
+        let mut all = [0; 4];
+        // SAFETY: NEON is part of the target; there is room for four numbers.
+        unsafe { vst1q_u32(all.as_mut_ptr(), mask.0) };
+        (0..4).fold(0, |bits, place| bits | (all[place] & 1) << place)
+    }
+
+    #[inline(always)]
+    fn load_rows(states: &[BodyState], first: usize) -> BodyState<Self> {
+        let states: &[BodyState; 4] = states[first..].first_chunk().expect("four rows");
+        // SAFETY: these are the rows of four states.
+        unsafe { gather(states, &[0, 1, 2, 3]) }
+    }
+
+    #[inline(always)]
+    fn store_rows(states: &mut [BodyState], first: usize, state: &BodyState<Self>) {
+        let states: &mut [BodyState; 4] = states[first..].first_chunk_mut().expect("four rows");
+        let BodyState { velocity, angular_velocity, padding, delta_position, delta_rotation } = *state;
+        let firsts = transpose([velocity.x.0, velocity.y.0, angular_velocity.0, padding.0]);
+        let seconds =
+            transpose([delta_position.x.0, delta_position.y.0, delta_rotation.c.0, delta_rotation.s.0]);
+        for (state, (first, second)) in states.iter_mut().zip(firsts.into_iter().zip(seconds)) {
+            let row: *mut BodyState = &raw mut *state;
+            // SAFETY: NEON is part of the target; a state is eight numbers, aligned to 32 bytes.
+            unsafe {
+                vst1q_f32(row.cast(), first);
+                vst1q_f32(row.cast::<f32>().add(4), second);
+            }
+        }
     }
 
     #[inline(always)]

@@ -2,7 +2,7 @@
 
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
-use crate::compute::{BodyState, Column, Lane, LaneRot, LaneVec2, RowPairs};
+use crate::compute::{BodyState, Column, Lane, LaneRot, LaneVec2, RowPairs, each_alone};
 
 #[derive(Clone, Copy, Debug)]
 #[repr(C, align(16))]
@@ -96,6 +96,11 @@ impl Lane for F32x4 {
     }
 
     #[inline(always)]
+    fn sin_cos(self) -> (Self, Self) {
+        each_alone(self)
+    }
+
+    #[inline(always)]
     fn greater(self, other: Self) -> Mask4 {
         core::array::from_fn(|place| self.0[place] > other.0[place])
     }
@@ -108,6 +113,28 @@ impl Lane for F32x4 {
     #[inline(always)]
     fn select(mask: Mask4, yes: Self, no: Self) -> Self {
         Self(core::array::from_fn(|place| f32::select(mask[place], yes.0[place], no.0[place])))
+    }
+
+    #[inline(always)]
+    fn bits(mask: Mask4) -> u32 {
+        (0..4).fold(0, |bits, place| bits | u32::from(mask[place]) << place)
+    }
+
+    #[inline(always)]
+    fn load_rows(states: &[BodyState], first: usize) -> BodyState<Self> {
+        gather(&states[first..], &[0, 1, 2, 3])
+    }
+
+    #[inline(always)]
+    fn store_rows(states: &mut [BodyState], first: usize, state: &BodyState<Self>) {
+        for (number, to) in states[first..first + 4].iter_mut().enumerate() {
+            to.velocity = LaneVec2 { x: state.velocity.x.0[number], y: state.velocity.y.0[number] };
+            to.angular_velocity = state.angular_velocity.0[number];
+            let LaneVec2 { x, y } = state.delta_position;
+            to.delta_position = LaneVec2 { x: x.0[number], y: y.0[number] };
+            let LaneRot { c, s } = state.delta_rotation;
+            to.delta_rotation = LaneRot { c: c.0[number], s: s.0[number] };
+        }
     }
 
     #[inline(always)]

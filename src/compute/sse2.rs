@@ -8,7 +8,7 @@
 use core::arch::x86_64::*;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
-use crate::compute::{BodyState, Column, Lane, LaneRot, LaneVec2, RowPairs};
+use crate::compute::{BodyState, Column, Lane, LaneRot, LaneVec2, RowPairs, each_alone};
 
 #[derive(Clone, Copy, Debug)]
 #[repr(transparent)]
@@ -177,6 +177,11 @@ impl Lane for F32x4 {
     }
 
     #[inline(always)]
+    fn sin_cos(self) -> (Self, Self) {
+        each_alone(self)
+    }
+
+    #[inline(always)]
     fn greater(self, other: Self) -> Mask4 {
         // SAFETY: SSE2 is part of the target.
         Mask4(unsafe { _mm_cmpgt_ps(self.0, other.0) })
@@ -192,6 +197,36 @@ impl Lane for F32x4 {
     fn select(mask: Mask4, yes: Self, no: Self) -> Self {
         // SAFETY: SSE2 is part of the target.
         Self(unsafe { _mm_or_ps(_mm_and_ps(mask.0, yes.0), _mm_andnot_ps(mask.0, no.0)) })
+    }
+
+    #[inline(always)]
+    fn bits(mask: Mask4) -> u32 {
+        // SAFETY: SSE2 is part of the target.
+        unsafe { _mm_movemask_ps(mask.0) as u32 }
+    }
+
+    #[inline(always)]
+    fn load_rows(states: &[BodyState], first: usize) -> BodyState<Self> {
+        let states: &[BodyState; 4] = states[first..].first_chunk().expect("four rows");
+        // SAFETY: these are the rows of four states.
+        unsafe { gather(states, &[0, 1, 2, 3]) }
+    }
+
+    #[inline(always)]
+    fn store_rows(states: &mut [BodyState], first: usize, state: &BodyState<Self>) {
+        let states: &mut [BodyState; 4] = states[first..].first_chunk_mut().expect("four rows");
+        let BodyState { velocity, angular_velocity, padding, delta_position, delta_rotation } = *state;
+        let firsts = transpose([velocity.x.0, velocity.y.0, angular_velocity.0, padding.0]);
+        let seconds =
+            transpose([delta_position.x.0, delta_position.y.0, delta_rotation.c.0, delta_rotation.s.0]);
+        for (state, (first, second)) in states.iter_mut().zip(firsts.into_iter().zip(seconds)) {
+            let row: *mut BodyState = &raw mut *state;
+            // SAFETY: SSE2 is part of the target; a state is eight numbers, aligned to 32 bytes.
+            unsafe {
+                _mm_store_ps(row.cast(), first);
+                _mm_store_ps(row.cast::<f32>().add(4), second);
+            }
+        }
     }
 
     #[inline(always)]

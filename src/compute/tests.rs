@@ -4,6 +4,7 @@ use crate::compute::{
     BodyState, COLUMN, Column, GROUND_ROW, Job, Lane, LaneRot, LaneVec2, Lanes, RowPairs, Width, portable,
     run,
 };
+use crate::math::trig;
 
 /// Numbers on which operations differ if they differ at all.
 const SPECIAL: [f32; 16] = [
@@ -82,6 +83,12 @@ impl Job for Operations {
                     column(core::array::from_fn(|place| SPECIAL[(start + place + shift) % SPECIAL.len()]));
                 for first in (0..COLUMN).step_by(L::WIDTH) {
                     let found = operations(L::load(&a, first), L::load(&b, first));
+                    let bits = L::bits(L::load(&a, first).greater(L::load(&b, first)));
+                    for place in 0..L::WIDTH {
+                        let is_greater = a.get(first + place) > b.get(first + place);
+                        assert_eq!(bits >> place & 1, u32::from(is_greater), "bits");
+                    }
+                    assert_eq!(u64::from(bits) >> L::WIDTH, 0, "bits");
                     for (number, (what, lane)) in found.into_iter().enumerate() {
                         let mut result = Column::default();
                         lane.store(&mut result, first);
@@ -109,6 +116,37 @@ fn max_and_min_of_zeros_and_of_nan_are_the_second() {
     assert_same(Lane::min(-0.0_f32, 0.0), 0.0, "min");
     assert_same(Lane::max(f32::NAN, 1.0), 1.0, "max");
     assert!(Lane::max(1.0, f32::NAN).is_nan());
+}
+
+/// Angles in every part of the turn, and the special numbers.
+#[derive(Clone, Copy)]
+struct SinCos;
+
+impl Job for SinCos {
+    #[inline(always)]
+    fn run<L: Lane>(self) {
+        let turn = |number: usize| (number as f32 - 2000.0) * 0.001_9;
+        let angles: Vec<f32> = (0..4000).map(turn).chain(SPECIAL).collect();
+        for part in angles.chunks(COLUMN) {
+            let angles = column(core::array::from_fn(|place| part[place]));
+            for first in (0..COLUMN).step_by(L::WIDTH) {
+                let (sin, cos) = L::load(&angles, first).sin_cos();
+                let (mut sines, mut cosines) = (Column::default(), Column::default());
+                sin.store(&mut sines, first);
+                cos.store(&mut cosines, first);
+                for place in first..first + L::WIDTH {
+                    let (sin, cos) = trig::sin_cos(angles.get(place));
+                    assert_same(sines.get(place), sin, &format!("sine of {}", angles.get(place)));
+                    assert_same(cosines.get(place), cos, &format!("cosine of {}", angles.get(place)));
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn sine_and_cosine_are_the_same_bits_in_lanes_as_alone() {
+    at_every_width(SinCos);
 }
 
 /// States whose numbers all differ.
@@ -177,6 +215,39 @@ impl Job for Gather {
 #[test]
 fn a_gathered_state_is_that_of_its_row() {
     at_every_width(Gather);
+}
+
+/// Turns rows into lanes and back.
+#[derive(Clone, Copy)]
+struct Rows;
+
+impl Job for Rows {
+    #[inline(always)]
+    fn run<L: Lane>(self) {
+        let states = states();
+        for first in 0..=states.len() - L::WIDTH {
+            let loaded = L::load_rows(&states, first);
+            for (number, lane) in lanes_of(&loaded).into_iter().enumerate() {
+                let mut found = Column::default();
+                lane.store(&mut found, 0);
+                for place in 0..L::WIDTH {
+                    assert_same(found.get(place), numbers(&states[first + place])[number], "loaded");
+                }
+            }
+            let mut copy = vec![BodyState::REST; states.len()];
+            L::store_rows(&mut copy, first, &loaded);
+            for (row, (found, state)) in copy.iter().zip(&states).enumerate() {
+                let is_written = (first..first + L::WIDTH).contains(&row);
+                let expected = if is_written { state } else { &BodyState::REST };
+                assert_eq!(numbers(found), numbers(expected), "row {row}");
+            }
+        }
+    }
+}
+
+#[test]
+fn rows_are_loaded_and_stored_as_they_are() {
+    at_every_width(Rows);
 }
 
 /// Scatters velocities with every pattern of bodies that move, the others being the ground or twice the same, and

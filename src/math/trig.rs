@@ -5,6 +5,7 @@
 //! `f64` × 1e-9, so results are within one unit in the last place of `f32`.
 
 use core::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI, TAU};
+use core::ops::{Add, Mul, Sub};
 
 /// Beyond this, rad, whole turns are taken off first (the remainder is exact), so that quarter turns stay small
 /// numbers; an `f32` that large has no digits left that say where in the turn it is.
@@ -19,13 +20,7 @@ pub fn sin_cos(angle: f32) -> (f32, f32) {
     let angle = if angle.abs() > LARGE { f64::from(angle) % TAU } else { f64::from(angle) };
     // angle = quarter_turns·π/2 + x with |x| <= π/4
     let quarter_turns = round(angle * (1.0 / FRAC_PI_2));
-    let x = angle - quarter_turns * FRAC_PI_2;
-    let x2 = x * x;
-    let sin =
-        x * (1.0 + x2 * (-1.0 / 6.0 + x2 * (1.0 / 120.0 + x2 * (-1.0 / 5040.0 + x2 * (1.0 / 362_880.0)))));
-    let cos = 1.0
-        + x2 * (-0.5
-            + x2 * (1.0 / 24.0 + x2 * (-1.0 / 720.0 + x2 * (1.0 / 40_320.0 - x2 * (1.0 / 3_628_800.0)))));
+    let (sin, cos) = sin_cos_of_small(angle - quarter_turns * FRAC_PI_2);
     let (sin, cos) = match quarter_turns as i64 & 3 {
         0 => (sin, cos),
         1 => (cos, -sin),
@@ -33,6 +28,29 @@ pub fn sin_cos(angle: f32) -> (f32, f32) {
         _ => (-cos, sin),
     };
     (sin as f32, cos as f32)
+}
+
+/// Angles up to this, rad, are small: they are within an eighth of a turn.
+pub(crate) const SMALL: f32 = 0.75;
+
+/// Sine and cosine of an angle of an eighth of a turn at most, rad: all there is to do for a small one. `X` is `f64`
+/// or lanes of it.
+#[inline(always)]
+pub(crate) fn sin_cos_of_small<X>(x: X) -> (X, X)
+where
+    X: Copy + From<f64> + Add<Output = X> + Sub<Output = X> + Mul<Output = X>,
+{
+    let n = X::from;
+    let x2 = x * x;
+    let sin = x
+        * (n(1.0)
+            + x2 * (n(-1.0 / 6.0)
+                + x2 * (n(1.0 / 120.0) + x2 * (n(-1.0 / 5040.0) + x2 * n(1.0 / 362_880.0)))));
+    let cos = n(1.0)
+        + x2 * (n(-0.5)
+            + x2 * (n(1.0 / 24.0)
+                + x2 * (n(-1.0 / 720.0) + x2 * (n(1.0 / 40_320.0) - x2 * n(1.0 / 3_628_800.0)))));
+    (sin, cos)
 }
 
 /// Angle of the vector (x, y), rad, in (-π, π]; 0 for the zero vector.

@@ -32,17 +32,20 @@ pub(crate) struct ConstraintPoint<C> {
     pub(crate) separation: C,
     /// Inverse effective mass k along the normal, 1/kg; 0 for a point that is not there.
     pub(crate) normal_k: C,
-    /// Effective mass along the tangent, kg.
-    pub(crate) tangent_mass: C,
     /// Impulse along the normal in this substep, N s, 0 or more.
     pub(crate) normal_impulse: C,
+}
+
+/// What the sweep before the bodies move does not look at of a point, kept apart from what it does.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct PointFriction<C> {
+    /// Effective mass along the tangent, kg.
+    pub(crate) mass: C,
     /// Impulse along the tangent in this substep, N s.
-    pub(crate) tangent_impulse: C,
+    pub(crate) impulse: C,
     /// What the warm start of this substep applies twice along the normal, N s.
     pub(crate) normal_share: C,
-    /// Added to the separation, m: 0, or so much that the sweeps leave the point alone, because it
-    /// approaches fast enough to bounce and its impact is not due in this substep.
-    pub(crate) awaits_impact: C,
 }
 
 /// What the sweeps see as the separation of a point that awaits its impact, m.
@@ -59,16 +62,39 @@ pub(crate) struct ContactConstraint<C> {
     pub(crate) inverse_mass_b: C,
     pub(crate) inverse_inertia_a: C,
     pub(crate) inverse_inertia_b: C,
+    /// From a to b.
+    pub(crate) normal: LaneVec2<C>,
+    /// Coupling of the two points along the normal, 1/kg: what a unit impulse at one does to the other's vn.
+    pub(crate) coupling: C,
+    pub(crate) points: [ConstraintPoint<C>; 2],
+    /// Coefficient of friction.
+    pub(crate) friction: C,
+    /// By point.
+    pub(crate) frictions: [PointFriction<C>; 2],
+    /// What most contacts have alike.
+    pub(crate) special: Special<C>,
+}
+
+/// What most contacts have alike, so that blocks need not load it.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Special<C> {
     /// 1 where the outline of a turns with it, 0 where it is a circle.
     pub(crate) turns_a: C,
     /// The same for b.
     pub(crate) turns_b: C,
-    /// From a to b.
-    pub(crate) normal: LaneVec2<C>,
-    pub(crate) friction: C,
-    /// Coupling of the two points along the normal, 1/kg: what a unit impulse at one does to the other's vn.
-    pub(crate) coupling: C,
-    pub(crate) points: [ConstraintPoint<C>; 2],
+    /// Added to the separation of each point, m: 0, or so much that the sweeps leave the point alone, because it
+    /// approaches fast enough to bounce and its impact is not due in this substep.
+    pub(crate) awaits_impact: [C; 2],
+}
+
+impl<L: Lane> Special<L> {
+    /// Outlines that turn, and points that await nothing.
+    #[inline(always)]
+    pub(crate) fn none() -> Self {
+        let (zero, one) = (L::splat(0.0), L::splat(1.0));
+        Self { turns_a: one, turns_b: one, awaits_impact: [zero; 2] }
+    }
 }
 
 /// |k12| may be at most this share of √(k11 k22). Two points that all but coincide would otherwise ask for
@@ -89,8 +115,8 @@ impl<L: Lane> ContactConstraint<L> {
     /// Separation of a point now, m.
     #[inline(always)]
     pub(crate) fn separation(&self, point: &ConstraintPoint<L>, a: &BodyState<L>, b: &BodyState<L>) -> L {
-        let tip_a = a.delta_position + a.delta_rotation.displacement(point.anchor_a) * self.turns_a;
-        let tip_b = b.delta_position + b.delta_rotation.displacement(point.anchor_b) * self.turns_b;
+        let tip_a = a.delta_position + a.delta_rotation.displacement(point.anchor_a) * self.special.turns_a;
+        let tip_b = b.delta_position + b.delta_rotation.displacement(point.anchor_b) * self.special.turns_b;
         point.separation + self.normal.dot(tip_b - tip_a)
     }
 
@@ -129,7 +155,7 @@ impl<L: Lane> ContactConstraint<L> {
             let tangent_arm = [point.anchor_a.cross(tangent), point.anchor_b.cross(tangent)];
             arms[index] = arm;
             point.normal_k = L::select(is_there[index], k(arm, arm), zero);
-            point.tangent_mass =
+            self.frictions[index].mass =
                 L::select(is_there[index], L::splat(1.0) / k(tangent_arm, tangent_arm), zero);
         }
         let limit = L::splat(LARGEST_COUPLING) * (k(arms[0], arms[0]) * k(arms[1], arms[1])).sqrt();

@@ -37,6 +37,8 @@ pub(crate) struct Colour {
     pub(crate) contacts: Vec<u32>,
     /// The contacts as the solver sees them during a step, in the same order.
     blocks: Vec<ContactBlock>,
+    /// How many blocks the colours before this one have.
+    first_block: usize,
 }
 
 /// All contacts with points, by effort and colour.
@@ -199,6 +201,17 @@ impl ConstraintGraph {
         kernel.run::<f32>(block, place as usize % COLUMN);
     }
 
+    /// All blocks of an effort, colour by colour.
+    #[inline(always)]
+    pub(crate) fn blocks(&self, effort: Effort) -> impl Iterator<Item = &ContactBlock> {
+        self.section(effort).iter().flat_map(|colour| &colour.blocks)
+    }
+
+    /// The number of a place of the graph: [`COLUMN`] times that of its block in `blocks` of its effort, and where it is in it.
+    pub(crate) fn number(&self, (colour, place): (u32, u32)) -> usize {
+        self.colours[colour as usize].first_block * COLUMN + place as usize
+    }
+
     fn block(&self, (colour, place): (u32, u32)) -> (&ContactBlock, usize) {
         (&self.colours[colour as usize].blocks[place as usize / COLUMN], place as usize % COLUMN)
     }
@@ -305,6 +318,11 @@ impl<K: Kernel> Job for Pass<'_, K> {
     }
 }
 
+/// Those of a colour's contacts that are in its block of a number; none where there is no such block.
+fn part(contacts: &[u32], block: usize) -> &[u32] {
+    contacts.chunks(COLUMN).nth(block).unwrap_or_default()
+}
+
 /// Makes the constraints of a step.
 struct Prepare<'a> {
     section: &'a mut [Colour],
@@ -316,9 +334,19 @@ struct Prepare<'a> {
 impl Job for Prepare<'_> {
     #[inline(always)]
     fn run<L: Lane>(self) {
+        let mut first_block = 0;
         for colour in self.section {
+            colour.first_block = first_block;
+            first_block += colour.contacts.len().div_ceil(COLUMN);
             colour.blocks.resize(colour.contacts.len().div_ceil(COLUMN), ContactBlock::default());
-            for (block, indices) in colour.blocks.iter_mut().zip(colour.contacts.chunks(COLUMN)) {
+            for (number, block) in colour.blocks.iter_mut().enumerate() {
+                for &index in part(&colour.contacts, number + 2) {
+                    self.contacts.prefetch(index);
+                }
+                for &index in part(&colour.contacts, number + 1) {
+                    self.contacts.prefetch_bodies(index, self.bodies);
+                }
+                let indices = part(&colour.contacts, number);
                 block.fill(indices, self.contacts, self.bodies, self.scale);
                 for place in (0..indices.len()).step_by(L::WIDTH) {
                     block.find_masses::<L>(place);
@@ -342,7 +370,11 @@ impl Job for Finish<'_> {
     fn run<L: Lane>(self) {
         let mut ends = [PointEnds::default(); 2];
         for colour in self.section {
-            for (block, indices) in colour.blocks.iter().zip(colour.contacts.chunks(COLUMN)) {
+            for (number, block) in colour.blocks.iter().enumerate() {
+                for &index in part(&colour.contacts, number + 1) {
+                    self.contacts.prefetch(index);
+                }
+                let indices = part(&colour.contacts, number);
                 for place in (0..indices.len()).step_by(L::WIDTH) {
                     block.end::<L>(place, self.states, &mut ends);
                 }
@@ -358,7 +390,7 @@ impl Job for Finish<'_> {
 
 /// The greater effort of two bodies.
 fn effort_of(bodies: &Bodies, slots: [u32; 2]) -> Effort {
-    let [a, b] = slots.map(|slot| bodies.motions[slot as usize].effort);
+    let [a, b] = slots.map(|slot| bodies.records[slot].effort);
     a.max(b)
 }
 

@@ -4,17 +4,30 @@
 use crate::body::Bodies;
 use crate::collision::{Contact, Contacts, ManifoldPoint};
 use crate::compute::{BodyState, COLUMN, Column, GROUND_ROW, Lane, RowPairs};
-use crate::resolution::constraint::{ConstraintPoint, ContactConstraint, StepResidual, THERE};
-use crate::shape::Shape;
+use crate::resolution::constraint::{
+    ConstraintPoint, ContactConstraint, PointFriction, Special, StepResidual, THERE,
+};
 
 /// Eight contacts. Those of one colour share no movable body; a block that is not full ends with contacts of the
 /// ground with itself, without points.
-#[repr(C)]
+///
+/// What every pass reads comes first, in whole cache lines; then what the sweep before the bodies move does not read;
+/// then what only blocks with something special are read for.
+#[repr(C, align(64))]
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct ContactBlock {
     rows: RowPairs,
+    /// Whether any of the contacts has something special.
+    is_special: bool,
     columns: ContactConstraint<Column>,
 }
+
+const _: () = {
+    let columns = core::mem::offset_of!(ContactBlock, columns);
+    // Twelve cache lines, then sixteen.
+    assert!(columns + core::mem::offset_of!(ContactConstraint<Column>, friction) == 12 * 64);
+    assert!(columns + core::mem::offset_of!(ContactConstraint<Column>, special) <= 16 * 64);
+};
 
 /// One of the points of eight contacts at the end of the step.
 #[derive(Clone, Copy, Debug, Default)]
@@ -33,6 +46,8 @@ impl ContactBlock {
             *self = Self::default();
         }
         self.rows = RowPairs::default();
+        self.is_special = false;
+        self.columns.special.awaits_impact = Default::default();
         for (place, &index) in indices.iter().enumerate() {
             self.put(place, &contacts[index], bodies, scale);
         }
@@ -40,30 +55,27 @@ impl ContactBlock {
 
     fn put(&mut self, place: usize, contact: &Contact, bodies: &Bodies, scale: f32) {
         let [a, b] = contact.slots.map(|slot| &bodies.motions[slot as usize]);
-        let [turns_a, turns_b] = contact.slots.map(|slot| match bodies.shapes[slot as usize] {
-            Shape::Circle(_) => 0.0,
-            Shape::Aabb(_) | Shape::Obb(_) | Shape::Polygon(_) => 1.0,
-        });
         self.rows.set(place, [a.row, b.row]);
         let columns = &mut self.columns;
         columns.inverse_mass_a.set(place, a.inverse_mass);
         columns.inverse_mass_b.set(place, b.inverse_mass);
         columns.inverse_inertia_a.set(place, a.inverse_inertia);
         columns.inverse_inertia_b.set(place, b.inverse_inertia);
-        columns.turns_a.set(place, turns_a);
-        columns.turns_b.set(place, turns_b);
+        let special = &mut columns.special;
+        special.turns_a.set(place, if a.is_round { 0.0 } else { 1.0 });
+        special.turns_b.set(place, if b.is_round { 0.0 } else { 1.0 });
+        self.is_special |= a.is_round || b.is_round;
         columns.friction.set(place, contact.friction);
         columns.normal.store(place, contact.manifold.normal.into());
         let mut points = contact.manifold.points().iter();
-        for to in &mut columns.points {
+        for (to, friction) in columns.points.iter_mut().zip(&mut columns.frictions) {
             let (point, k) = points.next().map_or((ManifoldPoint::default(), 0.0), |point| (*point, THERE));
             to.anchor_a.store(place, point.anchor_a.into());
             to.anchor_b.store(place, point.anchor_b.into());
             to.separation.set(place, point.separation);
             to.normal_k.set(place, k);
             to.normal_impulse.set(place, scale * point.normal_impulse);
-            to.tangent_impulse.set(place, scale * point.tangent_impulse);
-            to.awaits_impact.set(place, 0.0);
+            friction.impulse.set(place, scale * point.tangent_impulse);
         }
     }
 
@@ -73,9 +85,9 @@ impl ContactBlock {
         let mut constraint = self.load::<L>(place);
         constraint.find_masses();
         constraint.coupling.store(&mut self.columns.coupling, place);
-        for (to, point) in self.columns.points.iter_mut().zip(&constraint.points) {
-            point.normal_k.store(&mut to.normal_k, place);
-            point.tangent_mass.store(&mut to.tangent_mass, place);
+        for index in 0..2 {
+            constraint.points[index].normal_k.store(&mut self.columns.points[index].normal_k, place);
+            constraint.frictions[index].mass.store(&mut self.columns.frictions[index].mass, place);
         }
     }
 
@@ -106,10 +118,10 @@ impl ContactBlock {
             let separation = end.separation.get(place);
             stored.separation = separation;
             stored.normal_impulse = point.normal_impulse.get(place);
-            stored.tangent_impulse = point.tangent_impulse.get(place);
+            stored.tangent_impulse = self.columns.frictions[index].impulse.get(place);
             residual.penetration = residual.penetration.max(-separation);
             load = load.max(point.normal_k.get(place) * stored.normal_impulse);
-            if separation <= 0.0 && point.awaits_impact.get(place) == 0.0 {
+            if separation <= 0.0 && self.columns.special.awaits_impact[index].get(place) == 0.0 {
                 residual.approach_speed = residual.approach_speed.max(end.approach_speed.get(place));
             }
         }
@@ -124,7 +136,8 @@ impl ContactBlock {
     /// The contacts from `place` on, a multiple of the lane's width.
     #[inline(always)]
     pub(crate) fn load<L: Lane>(&self, place: usize) -> ContactConstraint<L> {
-        self.columns.load(place)
+        let special = if self.is_special { self.columns.special.load(place) } else { Special::none() };
+        self.columns.load(place, special)
     }
 
     /// Writes normals and points back.
@@ -143,44 +156,44 @@ impl ContactBlock {
 
     /// Writes impulses along the tangent back.
     #[inline(always)]
-    pub(crate) fn store_tangent_impulses<L: Lane>(
+    pub(crate) fn store_friction_impulses<L: Lane>(
         &mut self,
         place: usize,
         constraint: &ContactConstraint<L>,
     ) {
-        for (to, point) in self.columns.points.iter_mut().zip(&constraint.points) {
-            point.tangent_impulse.store(&mut to.tangent_impulse, place);
+        for (to, friction) in self.columns.frictions.iter_mut().zip(&constraint.frictions) {
+            friction.impulse.store(&mut to.impulse, place);
         }
     }
 
     /// Writes the shares of the warm start.
     #[inline(always)]
     pub(crate) fn store_shares<L: Lane>(&mut self, place: usize, constraint: &ContactConstraint<L>) {
-        for (to, point) in self.columns.points.iter_mut().zip(&constraint.points) {
-            point.normal_share.store(&mut to.normal_share, place);
+        for (to, friction) in self.columns.frictions.iter_mut().zip(&constraint.frictions) {
+            friction.normal_share.store(&mut to.normal_share, place);
         }
     }
 
     /// Changes the impulses of a point of one contact, N s, along normal and tangent.
     pub(crate) fn set_impulses(&mut self, place: usize, point: usize, [normal, tangent]: [f32; 2]) {
         self.columns.points[point].normal_impulse.set(place, normal);
-        self.columns.points[point].tangent_impulse.set(place, tangent);
+        self.columns.frictions[point].impulse.set(place, tangent);
     }
 
     /// Changes what the first point of one contact bears, N s: its impulses along normal and tangent, and the share
     /// of the warm start along the normal.
     pub(crate) fn set_load(&mut self, place: usize, [normal, tangent, normal_share]: [f32; 3]) {
-        let point = &mut self.columns.points[0];
-        point.normal_impulse.set(place, normal);
-        point.tangent_impulse.set(place, tangent);
-        point.normal_share.set(place, normal_share);
+        self.columns.points[0].normal_impulse.set(place, normal);
+        self.columns.frictions[0].impulse.set(place, tangent);
+        self.columns.frictions[0].normal_share.set(place, normal_share);
     }
 
     /// Has the sweeps heed the points of one contact again or not.
     pub(crate) fn set_awaits_impact(&mut self, place: usize, awaits: [f32; 2]) {
-        for (to, awaits) in self.columns.points.iter_mut().zip(awaits) {
-            to.awaits_impact.set(place, awaits);
+        for (to, awaits) in self.columns.special.awaits_impact.iter_mut().zip(awaits) {
+            to.set(place, awaits);
         }
+        self.is_special = true;
     }
 
     /// The rows of the two bodies of one contact.
@@ -223,18 +236,18 @@ impl ContactBlock {
 
 impl ContactConstraint<Column> {
     #[inline(always)]
-    fn load<L: Lane>(&self, place: usize) -> ContactConstraint<L> {
+    fn load<L: Lane>(&self, place: usize, special: Special<L>) -> ContactConstraint<L> {
         ContactConstraint {
             inverse_mass_a: L::load(&self.inverse_mass_a, place),
             inverse_mass_b: L::load(&self.inverse_mass_b, place),
             inverse_inertia_a: L::load(&self.inverse_inertia_a, place),
             inverse_inertia_b: L::load(&self.inverse_inertia_b, place),
-            turns_a: L::load(&self.turns_a, place),
-            turns_b: L::load(&self.turns_b, place),
             normal: self.normal.load(place),
             friction: L::load(&self.friction, place),
             coupling: L::load(&self.coupling, place),
             points: [self.points[0].load(place), self.points[1].load(place)],
+            frictions: [self.frictions[0].load(place), self.frictions[1].load(place)],
+            special,
         }
     }
 
@@ -247,7 +260,32 @@ impl ContactConstraint<Column> {
             to.anchor_b.store(place, point.anchor_b);
             point.separation.store(&mut to.separation, place);
             point.normal_k.store(&mut to.normal_k, place);
-            point.tangent_mass.store(&mut to.tangent_mass, place);
+        }
+        for (to, friction) in self.frictions.iter_mut().zip(&constraint.frictions) {
+            friction.mass.store(&mut to.mass, place);
+        }
+    }
+}
+
+impl PointFriction<Column> {
+    #[inline(always)]
+    fn load<L: Lane>(&self, place: usize) -> PointFriction<L> {
+        PointFriction {
+            mass: L::load(&self.mass, place),
+            impulse: L::load(&self.impulse, place),
+            normal_share: L::load(&self.normal_share, place),
+        }
+    }
+}
+
+impl Special<Column> {
+    #[inline(always)]
+    fn load<L: Lane>(&self, place: usize) -> Special<L> {
+        let [first, second] = &self.awaits_impact;
+        Special {
+            turns_a: L::load(&self.turns_a, place),
+            turns_b: L::load(&self.turns_b, place),
+            awaits_impact: [L::load(first, place), L::load(second, place)],
         }
     }
 }
@@ -260,11 +298,7 @@ impl ConstraintPoint<Column> {
             anchor_b: self.anchor_b.load(place),
             separation: L::load(&self.separation, place),
             normal_k: L::load(&self.normal_k, place),
-            tangent_mass: L::load(&self.tangent_mass, place),
             normal_impulse: L::load(&self.normal_impulse, place),
-            tangent_impulse: L::load(&self.tangent_impulse, place),
-            normal_share: L::load(&self.normal_share, place),
-            awaits_impact: L::load(&self.awaits_impact, place),
         }
     }
 }

@@ -194,8 +194,9 @@ impl Efforts {
         self.most_substeps = 1;
         self.step = self.step.wrapping_add(1);
         for &slot in &loads.unsolved {
-            if let Some(motion) = tables.bodies.motions.get_mut(slot as usize) {
-                motion.quiet_until = self.step + QUIET_STEPS;
+            // It may have been removed since.
+            if tables.bodies.records.at(slot).is_some() {
+                tables.bodies.records[slot].quiet_until = self.step + QUIET_STEPS;
             }
         }
         if loads.lasting.is_empty() && tables.bodies.raised_count() == 0 {
@@ -210,7 +211,7 @@ impl Efforts {
         }
         for row in 1..tables.bodies.states.len() {
             let slot = tables.bodies.slot_of_row[row];
-            if tables.bodies.motions[slot as usize].effort != Effort::Plain {
+            if tables.bodies.records[slot].effort != Effort::Plain {
                 self.decide_island(slot, allowance, &mut tables);
             }
         }
@@ -229,7 +230,7 @@ impl Efforts {
             let all = 1..bodies.states.len();
             if effort == Effort::Plain { all } else { 0..0 }
         } else {
-            let effort_of = |slot: &u32| bodies.motions[*slot as usize].effort;
+            let effort_of = |slot: &u32| bodies.records[*slot].effort;
             let slots = &bodies.slot_of_row[1..];
             1 + slots.partition_point(|slot| effort_of(slot) < effort)
                 ..1 + slots.partition_point(|slot| effort_of(slot) <= effort)
@@ -261,16 +262,16 @@ impl Efforts {
         if slot == NONE || self.seen.contains(slot) || !tables.moves(slot) {
             return;
         }
-        let motion = &tables.bodies.motions[slot as usize];
-        if motion.effort == Effort::Plain && motion.quiet_until > self.step {
+        let record = &tables.bodies.records[slot];
+        if record.effort == Effort::Plain && record.quiet_until > self.step {
             return;
         }
         let load = self.walk(slot, tables);
-        let has = self.island.iter().map(|&slot| tables.bodies.motions[slot as usize].effort).max();
+        let has = self.island.iter().map(|&slot| tables.bodies.records[slot].effort).max();
         let has = has.unwrap_or_default();
-        let motion_of = |&slot: &u32| &tables.bodies.motions[slot as usize];
-        let calm = self.island.iter().map(|slot| motion_of(slot).calm_steps).min().unwrap_or_default();
-        let is_quiet = self.island.iter().any(|slot| motion_of(slot).quiet_until > self.step);
+        let record_of = |&slot: &u32| &tables.bodies.records[slot];
+        let calm = self.island.iter().map(|slot| record_of(slot).calm_steps).min().unwrap_or_default();
+        let is_quiet = self.island.iter().any(|slot| record_of(slot).quiet_until > self.step);
         let may_be_direct = allowance.direct && !is_quiet && self.is_little_work(tables);
         let wanted = if allowance.adapts { wanted(load, has, may_be_direct) } else { Effort::Plain };
         let can_go_on = allowance.adapts && (has != Effort::Direct || may_be_direct);
@@ -279,10 +280,10 @@ impl Efforts {
         let calm = if falls { calm.saturating_add(1) } else { 0 };
         for &slot in &self.island {
             tables.bodies.set_effort(slot, effort);
-            let motion = &mut tables.bodies.motions[slot as usize];
-            motion.calm_steps = calm;
+            let record = &mut tables.bodies.records[slot];
+            record.calm_steps = calm;
             if effort == Effort::Plain {
-                motion.quiet_until = self.step + QUIET_STEPS;
+                record.quiet_until = self.step + QUIET_STEPS;
             }
         }
         for &slot in &self.island {

@@ -11,7 +11,6 @@ use crate::collision::{Contact, Contacts, Manifold, detect_within};
 use crate::compute::BodyState;
 use crate::math::{Rot, Vec2};
 use crate::resolution::constraint_graph::ConstraintGraph;
-use crate::shape::Shape;
 
 /// Far enough that the nearest points of two bodies are found wherever they are, m.
 const ANY_DISTANCE: f32 = 1e9;
@@ -46,8 +45,8 @@ impl Followers {
     pub(crate) fn consider(&mut self, index: u32, contact: &Contact, bodies: &Bodies) {
         let is_corner = contact.manifold.points().len() == 1 && contact.is_loaded();
         if let (false, Some(place)) = (contact.is_kept, contact.graph_place) {
-            let is_circle = |slot: u32| matches!(bodies.shapes[slot as usize], Shape::Circle(_));
-            if is_corner || contact.slots.into_iter().any(is_circle) {
+            let is_round = |slot: u32| bodies.motions[slot as usize].is_round;
+            if is_corner || contact.slots.into_iter().any(is_round) {
                 self.contacts.push((index, place));
             }
         }
@@ -55,7 +54,9 @@ impl Followers {
 
     /// Brings the constraints up to where the bodies are now.
     pub(crate) fn follow(&self, graph: &mut ConstraintGraph, contacts: &Contacts, bodies: &Bodies) {
-        for &(index, place) in &self.contacts {
+        for (number, &(index, place)) in self.contacts.iter().enumerate() {
+            let ahead = |by: usize| self.contacts.get(number + by).map(|&(index, _)| index);
+            contacts.prefetch_ahead(bodies, ahead);
             let [a, b] = graph.rows(place).map(|row| &bodies.states[row as usize]);
             let contact = &contacts[index];
             let manifold = manifold_in(contact, bodies, [a, b]).restricted_to(&contact.manifold);

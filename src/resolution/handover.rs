@@ -131,7 +131,7 @@ impl Handovers {
             for piece in pieces {
                 let constraint = graph.constraint(piece.graph_place);
                 let point = &constraint.points[0];
-                let is_free = point.normal_impulse == 0.0 && point.awaits_impact == 0.0;
+                let is_free = point.normal_impulse == 0.0 && constraint.special.awaits_impact[0] == 0.0;
                 piece.level = level;
                 piece.be_ahead(is_free && piece.separation(&constraint, states) > level, graph);
             }
@@ -229,7 +229,8 @@ fn strike(constraint: &ContactConstraint<f32>, speed: f32, [a, b]: &mut [BodySta
     constraint.apply(point, constraint.normal * blow, a, b);
     let tangent: LaneVec2<f32> = constraint.normal.perp();
     let limit = constraint.friction * blow;
-    let friction = (-point.tangent_mass * tangent.dot(point.relative_velocity(a, b))).clamp(-limit, limit);
+    let friction =
+        (-constraint.frictions[0].mass * tangent.dot(point.relative_velocity(a, b))).clamp(-limit, limit);
     constraint.apply(point, tangent * friction, a, b);
 }
 
@@ -243,7 +244,8 @@ fn hand_over(pieces: &[Piece], met: usize, scene: &mut HandoverScene<'_>) {
         if number == met || point.normal_impulse == 0.0 || parting <= 0.0 {
             continue;
         }
-        let load = [point.normal_impulse, point.tangent_impulse, point.normal_share];
+        let friction = &constraint.frictions[0];
+        let load = [point.normal_impulse, friction.impulse, friction.normal_share];
         add_load(left, load.map(|part| -part), scene);
         add_load(&pieces[met], load, scene);
     }
@@ -254,8 +256,9 @@ fn hand_over(pieces: &[Piece], met: usize, scene: &mut HandoverScene<'_>) {
 fn add_load(piece: &Piece, [normal, tangent, normal_share]: [f32; 3], scene: &mut HandoverScene<'_>) {
     let constraint = scene.graph.constraint(piece.graph_place);
     let point = &constraint.points[0];
+    let friction = &constraint.frictions[0];
     let sums =
-        [point.normal_impulse + normal, point.tangent_impulse + tangent, point.normal_share + normal_share];
+        [point.normal_impulse + normal, friction.impulse + tangent, friction.normal_share + normal_share];
     scene.graph.set_load(piece.graph_place, sums);
     let impulse = constraint.normal * normal_share + constraint.normal.perp() * tangent;
     let mut shares = piece.states(scene.shares);

@@ -21,24 +21,20 @@
 //! something is pressed, not struck, and what still moves there is for the sweeps. A dense pile whose contacts
 //! all bounced would never bear its weight.
 //!
-//! Cost: one look at every bouncy contact per substep; a heap of the few that meet. Nothing where no contact
-//! has restitution.
+//! Cost: one look at every contact per substep, in lanes; a closer one at the few that approach fast, and a heap of
+//! those that meet. Nothing where no contact has restitution.
 
-use crate::body::Bodies;
+use crate::body::{Bodies, Effort};
 use crate::collision::{Contact, Contacts, Manifold};
-use crate::compute::{BodyState, GROUND_ROW, LaneVec2};
+use crate::compute::{BodyState, GROUND_ROW, LaneVec2, Width};
 use crate::math::Vec2;
+use crate::resolution::approach::{RESTING_SUBSTEPS, Watched, approach};
 use crate::resolution::block::solve_pair;
 use crate::resolution::constraint::{ContactConstraint, OUT_OF_REACH};
 use crate::resolution::constraint_graph::ConstraintGraph;
 use crate::resolution::follow::manifold_in;
 use crate::resolution::impact_queue::{ImpactQueue, Neighbours};
-use crate::resolution::integrate::{Kick, drift, turn};
-
-/// An approach slower than this many substeps' gain of speed, by forces or by the load of the contact, is no
-/// impact: a body that rests gains half a substep's before its support is applied, and a bounce that slow would
-/// be over within the substep.
-const RESTING_SUBSTEPS: f32 = 2.0;
+use crate::resolution::integrate::{Kicks, drift, turn};
 
 /// How often one contact may bounce within a substep. More happens only where bodies are wedged; the sweeps
 /// take what is left, as if there were no restitution.
@@ -94,6 +90,13 @@ struct Meeting {
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Impacts {
     contacts: Vec<BouncyContact>,
+    watched: Watched,
+    /// Numbers of the contacts that need a closer look at the start of a substep.
+    to_look_at: Vec<u32>,
+    /// Numbers of contacts that have been waiting for their impact; some may wait no longer.
+    waiting: Vec<u32>,
+    /// Numbers of contacts that bounced in this substep, each as often as it did.
+    met: Vec<u32>,
     queue: ImpactQueue,
     neighbours: Neighbours,
     neighbours_are_built: bool,
@@ -109,27 +112,33 @@ pub(crate) struct Impacts {
 pub(crate) struct ImpactScene<'a> {
     pub(crate) bodies: &'a mut Bodies,
     pub(crate) contacts: &'a Contacts,
-    pub(crate) kicks: &'a [Kick],
+    pub(crate) kicks: &'a Kicks,
     pub(crate) graph: &'a mut ConstraintGraph,
     /// Length of the substep, s.
     pub(crate) h: f32,
+    /// Which contacts, and how many are looked at together.
+    pub(crate) which: (Effort, Width),
 }
 
 impl Impacts {
     /// Forgets the contacts of the last step.
     pub(crate) fn clear(&mut self) {
         self.contacts.clear();
+        self.watched.clear();
+        self.waiting.clear();
+        self.met.clear();
         self.neighbours_are_built = false;
         self.count = 0;
     }
 
-    /// Takes up a contact that has points and restitution, between the bodies in `rows`.
-    pub(crate) fn add(&mut self, index: u32, contact: &Contact, rows: [u32; 2], threshold: f32) {
+    /// Takes up a contact that has points and restitution.
+    pub(crate) fn add(&mut self, index: u32, contact: &Contact, graph: &ConstraintGraph, threshold: f32) {
         let Some(graph_place) = contact.graph_place else { return };
+        self.watched.add(graph.number(graph_place), threshold, self.contacts.len() as u32);
         self.contacts.push(BouncyContact {
             contact: index,
             graph_place,
-            rows,
+            rows: graph.rows(graph_place),
             restitution: contact.restitution,
             threshold,
             greatest_speed: 0.0,
@@ -159,10 +168,10 @@ impl Impacts {
     /// Lets everything bounce that meets within this substep, in the order of time.
     pub(crate) fn run(&mut self, scene: &mut ImpactScene<'_>) {
         self.last_impact.resize(scene.bodies.states.len(), 0.0);
-        for number in 0..self.contacts.len() as u32 {
+        for number in self.met.drain(..) {
             self.contacts[number as usize].impacts = 0;
-            self.expect(number, scene);
         }
+        self.look_at_all(scene);
         while let Some((expected, number)) = self.queue.pop() {
             // Impacts since may have hastened, delayed or cancelled it.
             let approaching = self.contacts[number as usize].approaching(scene);
@@ -178,6 +187,20 @@ impl Impacts {
         }
     }
 
+    /// Expects the impacts of all contacts, looking closer at those that approach fast enough, and at those that were
+    /// told to wait.
+    fn look_at_all(&mut self, scene: &mut ImpactScene<'_>) {
+        let mut to_look_at = std::mem::take(&mut self.to_look_at);
+        to_look_at.append(&mut self.waiting);
+        self.watched.find(scene.which, scene.graph, &scene.bodies.states, &mut to_look_at);
+        to_look_at.sort_unstable();
+        to_look_at.dedup();
+        for number in to_look_at.drain(..) {
+            self.expect(number, scene);
+        }
+        self.to_look_at = to_look_at;
+    }
+
     /// Queues the next impact of a contact, if it comes within this substep, and tells the sweeps to leave
     /// alone the points that approach fast but are still apart.
     fn expect(&mut self, number: u32, scene: &mut ImpactScene<'_>) {
@@ -186,6 +209,9 @@ impl Impacts {
         let waits = approaching.map(|point| point.is_some_and(|point| point.separation > 0.0));
         if bouncy.is_waiting || waits[0] || waits[1] {
             bouncy.is_waiting = waits[0] || waits[1];
+            if bouncy.is_waiting {
+                self.waiting.push(number);
+            }
             let awaits = waits.map(|waits| if waits { OUT_OF_REACH } else { 0.0 });
             scene.graph.set_awaits_impact(bouncy.graph_place, awaits);
         }
@@ -219,6 +245,7 @@ impl Impacts {
     fn meet(&mut self, number: u32, time: f32, scene: &mut ImpactScene<'_>) {
         let bouncy = &mut self.contacts[number as usize];
         bouncy.impacts += 1;
+        self.met.push(number);
         let there = bouncy.states_at(time, scene);
         let contact = &scene.contacts[bouncy.contact];
         let manifold = manifold_in(contact, scene.bodies, [&there[0], &there[1]]);
@@ -292,21 +319,20 @@ impl BouncyContact {
     /// Per point: how it approaches, if fast enough to bounce.
     fn approaching(&self, scene: &ImpactScene<'_>) -> [Option<Approach>; 2] {
         let constraint = scene.graph.constraint(self.graph_place);
-        let [a, b] = self.states(scene);
+        let pair = self.states(scene);
         [0, 1].map(|index| {
-            let point = &constraint.points[index];
-            let speed = constraint.normal.dot(point.relative_velocity(&a, &b));
-            let bounces = speed < -self.threshold
-                && point.normal_k > 0.0
-                && speed < -RESTING_SUBSTEPS * point.normal_k * point.normal_impulse
-                && self.impacts < IMPACTS_PER_SUBSTEP;
-            bounces.then(|| Approach { separation: constraint.separation(point, &a, &b), speed })
+            let (speed, is_fast) = approach(&constraint, index, self.threshold, &pair);
+            let [a, b] = &pair;
+            (is_fast && self.impacts < IMPACTS_PER_SUBSTEP).then(|| Approach {
+                separation: constraint.separation(&constraint.points[index], a, b),
+                speed,
+            })
         })
     }
 
     /// Acceleration of b against a along the normal, m/s².
     fn acceleration(&self, scene: &ImpactScene<'_>) -> f32 {
-        let [a, b] = self.rows.map(|row| scene.kicks[row as usize].acceleration);
+        let [a, b] = self.rows.map(|row| scene.kicks.acceleration(row));
         Vec2::from(scene.graph.constraint(self.graph_place).normal).dot(b - a)
     }
 
@@ -316,7 +342,7 @@ impl BouncyContact {
         self.rows.map(|row| {
             let mut state = scene.bodies.states[row as usize];
             drift(&mut state, time);
-            let bend = scene.kicks[row as usize].acceleration * (0.5 * time * (time - scene.h));
+            let bend = scene.kicks.acceleration(row) * (0.5 * time * (time - scene.h));
             state.delta_position = state.delta_position + bend.into();
             state
         })
@@ -333,7 +359,7 @@ impl BouncyContact {
         let mut constraint = scene.graph.constraint(self.graph_place);
         constraint.points = Default::default();
         constraint.set_geometry(manifold);
-        let [k_a, k_b] = self.rows.map(|row| scene.kicks[row as usize].acceleration);
+        let [k_a, k_b] = self.rows.map(|row| scene.kicks.acceleration(row));
         let gained = manifold.normal.dot(k_b - k_a) * (time - 0.5 * scene.h);
         let speeds = [0, 1].map(|index| {
             let point = &constraint.points[index];
@@ -369,10 +395,11 @@ impl BouncyContact {
             constraint.apply(point, constraint.normal * impulse, a, b);
         }
         let tangent: LaneVec2<f32> = constraint.normal.perp();
-        for (point, impulse) in constraint.points.iter().zip(impulses) {
+        for ((point, impulse), friction) in constraint.points.iter().zip(impulses).zip(&constraint.frictions)
+        {
             let slip = tangent.dot(point.relative_velocity(a, b));
             let limit = constraint.friction * impulse;
-            let friction = (-point.tangent_mass * slip).clamp(-limit, limit);
+            let friction = (-friction.mass * slip).clamp(-limit, limit);
             constraint.apply(point, tangent * friction, a, b);
         }
         self.greatest_speed = self.greatest_speed.max(meeting.speed);
@@ -395,8 +422,8 @@ fn time_of_impact(s: f32, v: f32, a: f32, h: f32) -> Option<f32> {
     (time >= 0.0 && time <= h).then_some(time)
 }
 
-/// Approach speed, m/s, from which a contact bounces: the setting, or what support makes up for anyway.
-pub(crate) fn bounce_threshold(setting: f32, contact: &Contact, kicks: [&Kick; 2], h: f32) -> f32 {
-    let [a, b] = kicks.map(|kick| kick.acceleration);
+/// Approach speed, m/s, from which a contact bounces: the setting, or what support makes up for anyway, given the
+/// accelerations of a and b.
+pub(crate) fn bounce_threshold(setting: f32, contact: &Contact, [a, b]: [Vec2; 2], h: f32) -> f32 {
     setting.max(RESTING_SUBSTEPS * h * contact.manifold.normal.dot(b - a).abs())
 }

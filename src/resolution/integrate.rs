@@ -4,32 +4,71 @@
 //! one kick costs, as the accelerations of the second half serve the first half of the next substep, and is
 //! of second order: bodies under constant forces fall exactly.
 
-use crate::compute::{BodyState, LaneVec2};
-use crate::math::{Vec2, trig};
+use core::ops::Range;
 
-/// What acts on the body of a row, in 32 bytes.
-#[repr(C, align(32))]
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Kick {
+use crate::compute::{self, BodyState, COLUMN, Column, Job, Lane, LaneVec2, Width};
+use crate::math::Vec2;
+
+/// What acts on a body, or on as many as a lane holds.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Kick<C> {
     /// Acceleration of the centre where the body is now, m/s².
-    pub(crate) acceleration: Vec2,
-    /// The part of it that stays the same during the step, m/s².
-    pub(crate) steady: Vec2,
+    pub(crate) acceleration: LaneVec2<C>,
     /// What rounding has kept out of the velocity so far, m/s. At 240 Hz and four substeps half a kick of
     /// gravity is 5e-3 m/s; a velocity of 20 m/s in `f32` would lose up to 1e-6 of it, each time to the
     /// same side.
-    pub(crate) carry: Vec2,
+    pub(crate) carry: LaneVec2<C>,
     /// Angular acceleration, rad/s².
-    pub(crate) angular_acceleration: f32,
+    pub(crate) angular_acceleration: C,
 }
 
-impl Kick {
-    /// Nothing acts.
-    pub(crate) const NONE: Self =
-        Self { acceleration: Vec2::ZERO, steady: Vec2::ZERO, carry: Vec2::ZERO, angular_acceleration: 0.0 };
+impl Kick<Column> {
+    #[inline(always)]
+    fn load<L: Lane>(&self, place: usize) -> Kick<L> {
+        Kick {
+            acceleration: self.acceleration.load(place),
+            carry: self.carry.load(place),
+            angular_acceleration: L::load(&self.angular_acceleration, place),
+        }
+    }
 }
 
-const _: () = assert!(size_of::<Kick>() == 32);
+/// What acts on the bodies, by row.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Kicks {
+    columns: Vec<Kick<Column>>,
+}
+
+impl Kicks {
+    /// Makes room for so many rows; nothing acts on them.
+    pub(crate) fn reset(&mut self, rows: usize) {
+        self.columns.clear();
+        self.columns.resize(rows.div_ceil(COLUMN), Kick::default());
+    }
+
+    /// Writes what acts on the body of a row.
+    pub(crate) fn set(&mut self, row: usize, kick: &Kick<f32>) {
+        let (columns, place) = (&mut self.columns[row / COLUMN], row % COLUMN);
+        columns.acceleration.store(place, kick.acceleration);
+        columns.carry.store(place, kick.carry);
+        columns.angular_acceleration.set(place, kick.angular_acceleration);
+    }
+
+    /// Acceleration of the body of a row, m/s².
+    pub(crate) fn acceleration(&self, row: u32) -> Vec2 {
+        self.columns[row as usize / COLUMN].acceleration.load::<f32>(row as usize % COLUMN).into()
+    }
+
+    /// Writes the acceleration of the body of a row, m/s².
+    pub(crate) fn set_acceleration(&mut self, row: usize, acceleration: Vec2) {
+        self.columns[row / COLUMN].acceleration.store(row % COLUMN, acceleration.into());
+    }
+
+    /// What rounding has kept out of the velocity of the body of a row, m/s.
+    pub(crate) fn carry(&self, row: usize) -> Vec2 {
+        self.columns[row / COLUMN].carry.load::<f32>(row % COLUMN).into()
+    }
+}
 
 /// Damping of the body of a row, for one half kick.
 #[derive(Clone, Copy, Debug)]
@@ -58,16 +97,72 @@ pub(crate) fn damping_loss(c: f32, t: f32) -> f32 {
     gain / (1.0 + gain)
 }
 
+/// A pass over some rows: the drift, if there is a time for it, then the kick, if there is a time for it.
+#[derive(Debug)]
+pub(crate) struct Integrate<'a> {
+    pub(crate) rows: Range<usize>,
+    pub(crate) states: &'a mut [BodyState],
+    pub(crate) kicks: &'a mut Kicks,
+    /// How long the bodies drift, s.
+    pub(crate) drift: Option<f32>,
+    /// How long the forces act, s.
+    pub(crate) kick: Option<f32>,
+    pub(crate) limits: SpeedLimits,
+}
+
+impl Integrate<'_> {
+    pub(crate) fn run(self, width: Width) {
+        if self.drift.is_some() || self.kick.is_some() {
+            compute::run(width, self);
+        }
+    }
+
+    #[inline(always)]
+    fn together<L: Lane>(&mut self, first: usize) {
+        let mut state = L::load_rows(self.states, first);
+        if let Some(h) = self.drift {
+            drift(&mut state, h);
+        }
+        if let Some(t) = self.kick {
+            let (columns, place) = (&mut self.kicks.columns[first / COLUMN], first % COLUMN);
+            let mut this = columns.load::<L>(place);
+            kick(&mut state, &mut this, t, self.limits);
+            columns.carry.store(place, this.carry);
+        }
+        L::store_rows(self.states, first, &state);
+    }
+}
+
+impl Job for Integrate<'_> {
+    #[inline(always)]
+    fn run<L: Lane>(mut self) {
+        let Range { start, end } = self.rows;
+        let first_whole = start.next_multiple_of(L::WIDTH).min(end);
+        let after_whole = (end / L::WIDTH * L::WIDTH).max(first_whole);
+        for row in start..first_whole {
+            self.together::<f32>(row);
+        }
+        for first in (first_whole..after_whole).step_by(L::WIDTH) {
+            self.together::<L>(first);
+        }
+        for row in after_whole..end {
+            self.together::<f32>(row);
+        }
+    }
+}
+
 /// v += t·a, with what rounding loses carried to the next kick (Kahan, 1965; sum by Knuth's two-sum).
 #[inline(always)]
-pub(crate) fn kick(state: &mut BodyState, kick: &mut Kick, t: f32, limits: SpeedLimits) {
-    let v = Vec2::from(state.velocity);
+fn kick<L: Lane>(state: &mut BodyState<L>, kick: &mut Kick<L>, t: f32, limits: SpeedLimits) {
+    let (t, zero, infinity) = (L::splat(t), L::splat(0.0), L::splat(f32::INFINITY));
+    let v = state.velocity;
     let gain = kick.acceleration * t + kick.carry;
     let sum = v + gain;
     let gained = sum - v;
     let lost = (v - (sum - gained)) + (gain - gained);
     // A speed so great that the sum overflows leaves nothing to carry.
-    kick.carry = if lost.is_finite() { lost } else { Vec2::ZERO };
+    let is_finite = L::both(infinity.greater(lost.x.abs()), infinity.greater(lost.y.abs()));
+    kick.carry = LaneVec2 { x: L::select(is_finite, lost.x, zero), y: L::select(is_finite, lost.y, zero) };
     state.velocity = LaneVec2 { x: clamp(sum.x, limits.speed), y: clamp(sum.y, limits.speed) };
     let w = state.angular_velocity + kick.angular_acceleration * t;
     state.angular_velocity = clamp(w, limits.spin);
@@ -75,24 +170,26 @@ pub(crate) fn kick(state: &mut BodyState, kick: &mut Kick, t: f32, limits: Speed
 
 /// x += h·v, and the rotation turns by exactly h·w.
 #[inline(always)]
-pub(crate) fn drift(state: &mut BodyState, h: f32) {
+pub(crate) fn drift<L: Lane>(state: &mut BodyState<L>, h: f32) {
+    let h = L::splat(h);
     state.delta_position = state.delta_position + state.velocity * h;
     turn(state, state.angular_velocity * h);
 }
 
-/// Turns the body by `angle`, rad.
+/// Turns the body by `angle`, rad. What does not turn stays as it is, to the bit.
 #[inline(always)]
-pub(crate) fn turn(state: &mut BodyState, angle: f32) {
-    if angle == 0.0 {
-        return;
-    }
-    let (sin, cos) = trig::sin_cos(angle);
+pub(crate) fn turn<L: Lane>(state: &mut BodyState<L>, angle: L) {
+    let turns = angle.abs().greater(L::splat(0.0));
+    let (sin, cos) = angle.sin_cos();
     let q = state.delta_rotation;
-    state.delta_rotation.c = q.c * cos - q.s * sin;
-    state.delta_rotation.s = q.s * cos + q.c * sin;
+    state.delta_rotation.c = L::select(turns, q.c * cos - q.s * sin, q.c);
+    state.delta_rotation.s = L::select(turns, q.s * cos + q.c * sin, q.s);
 }
 
 /// `value` cut to [-limit, limit]; 0 for NaN.
-fn clamp(value: f32, limit: f32) -> f32 {
-    if value.is_nan() { 0.0 } else { value.clamp(-limit, limit) }
+#[inline(always)]
+fn clamp<L: Lane>(value: L, limit: f32) -> L {
+    let (zero, limit) = (L::splat(0.0), L::splat(limit));
+    let beyond = L::select(value.greater(zero), limit, L::select(zero.greater(value), -limit, zero));
+    L::select(L::both(limit.greater(value), value.greater(-limit)), value, beyond)
 }

@@ -35,16 +35,15 @@ impl Kernel for WarmStart<'_> {
         let tangent = normal.perp();
         let part = L::splat(self.part);
         for index in 0..2 {
-            let point = &mut constraint.points[index];
-            point.normal_share = point.normal_impulse * part;
-            point.normal_impulse = point.normal_share;
-            point.tangent_impulse = point.tangent_impulse * part;
-            let point = &constraint.points[index];
-            let impulse = normal * point.normal_impulse + tangent * point.tangent_impulse;
-            constraint.apply(point, impulse, &mut a, &mut b);
+            let (point, friction) = (&mut constraint.points[index], &mut constraint.frictions[index]);
+            point.normal_impulse = point.normal_impulse * part;
+            friction.normal_share = point.normal_impulse;
+            friction.impulse = friction.impulse * part;
+            let impulse = normal * point.normal_impulse + tangent * friction.impulse;
+            constraint.apply(&constraint.points[index], impulse, &mut a, &mut b);
         }
         block.store_normal_impulses(place, &constraint);
-        block.store_tangent_impulses(place, &constraint);
+        block.store_friction_impulses(place, &constraint);
         block.store_shares(place, &constraint);
         block.scatter(self.shares, place, &[a, b]);
     }
@@ -98,9 +97,9 @@ impl SweepOver<'_> {
     fn sweep<L: Lane>(&mut self, block: &mut ContactBlock, place: usize, kind: Sweep) {
         let mut constraint = block.load::<L>(place);
         if kind.counts_share {
-            for point in &mut constraint.points {
-                point.normal_impulse = point.normal_impulse + point.normal_share;
-                point.tangent_impulse = point.tangent_impulse + point.tangent_impulse;
+            for (point, friction) in constraint.points.iter_mut().zip(&mut constraint.frictions) {
+                point.normal_impulse = point.normal_impulse + friction.normal_share;
+                friction.impulse = friction.impulse + friction.impulse;
             }
         }
         let [mut a, mut b] = block.gather(self.states, place);
@@ -118,7 +117,7 @@ impl SweepOver<'_> {
             }
         }
         if kind.friction || kind.counts_share {
-            block.store_tangent_impulses(place, &constraint);
+            block.store_friction_impulses(place, &constraint);
         }
         block.scatter(self.states, place, &[a, b]);
     }
@@ -135,7 +134,7 @@ fn violation<L: Lane>(
     per_substep: f32,
 ) -> (L, L) {
     let point = &constraint.points[index];
-    let separation = constraint.separation(point, a, b) + point.awaits_impact;
+    let separation = constraint.separation(point, a, b) + constraint.special.awaits_impact[index];
     let vn = constraint.normal.dot(point.relative_velocity(a, b));
     if biased {
         let leak = leak(separation, point.normal_k, point.normal_impulse);
@@ -215,8 +214,9 @@ fn solve_friction<L: Lane>(
     let tangent: LaneVec2<L> = constraint.normal.perp();
     let slip = tangent.dot(point.relative_velocity(a, b));
     let limit = constraint.friction * point.normal_impulse;
-    let before = point.tangent_impulse;
-    let after = (before - point.tangent_mass * slip).min(limit).max(-limit);
-    constraint.points[index].tangent_impulse = after;
+    let friction = &mut constraint.frictions[index];
+    let before = friction.impulse;
+    let after = (before - friction.mass * slip).min(limit).max(-limit);
+    friction.impulse = after;
     constraint.apply(&constraint.points[index], tangent * (after - before), a, b);
 }

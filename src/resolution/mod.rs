@@ -3,6 +3,7 @@
 //! Sequential impulses in substeps over a coloured constraint graph, with soft contacts, a relax sweep and
 //! impacts as a stage of their own. [`solve`] is the substep loop; read it first.
 
+mod approach;
 mod block;
 mod constraint;
 mod constraint_graph;

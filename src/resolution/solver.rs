@@ -13,7 +13,7 @@ use crate::resolution::effort::{EffortClass, Loads};
 use crate::resolution::follow::Followers;
 use crate::resolution::handover::{HandoverScene, Handovers};
 use crate::resolution::impacts::{ImpactScene, Impacts, bounce_threshold};
-use crate::resolution::integrate::{Damping, Kick, SpeedLimits, damping_loss, drift, kick};
+use crate::resolution::integrate::{Damping, Integrate, Kick, Kicks, SpeedLimits, damping_loss, drift};
 use crate::resolution::kernel::{Sweep, SweepOver, WarmStart};
 use crate::resolution::projection::Project;
 
@@ -74,8 +74,9 @@ const NEWCOMER_SWEEPS: u32 = 4;
 /// Buffers of the solver for one effort, kept from step to step.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Solver {
-    /// By row.
-    kicks: Vec<Kick>,
+    kicks: Kicks,
+    /// By row: the part of its acceleration that stays the same during the step, m/s²; empty where all of it does.
+    steady: Vec<Vec2>,
     /// Rows with damping.
     damped: Vec<Damping>,
     /// By row: the velocities that one share of the warm start gives.
@@ -128,34 +129,19 @@ pub(crate) fn solve(
             solver.followers.follow(tables.graph, tables.contacts, tables.bodies);
             solver.handovers.release(tables.graph);
         }
-        solver.kick(&mut tables.bodies.states, &class.rows, kick_time, scheme.limits);
+        solver.integrate(scheme, &class.rows, &mut tables.bodies.states, None, Some(kick_time));
         if solver.impacts.len() > 0 {
             let (kicks, SolveTables { bodies, contacts, graph, .. }) = (&solver.kicks, &mut *tables);
-            solver.impacts.run(&mut ImpactScene { bodies, contacts, kicks, graph, h });
+            let which = (class.effort, scheme.width);
+            solver.impacts.run(&mut ImpactScene { bodies, contacts, kicks, graph, h, which });
         }
         match class.effort {
             Effort::Direct => solver.direct.solve(tables.graph, &mut tables.bodies.states, Aim::Push, h),
             _ => solver.sweep_before_move(scheme, class, tables),
         }
-        let states = &mut tables.bodies.states;
-        for state in &mut states[class.rows.clone()] {
-            drift(state, h);
-        }
-        for &(_, row) in class.kinematic {
-            drift(&mut states[row as usize], h);
-        }
-        if acceleration.varies() {
-            solver.accelerate(tables.bodies, &class.rows, acceleration);
-        }
-        let states = &mut tables.bodies.states;
-        if class.effort == Effort::Direct {
-            solver.direct.restore_free(states);
-        }
-        if scheme.split_kick {
-            solver.kick(states, &class.rows, kick_time, scheme.limits);
-        }
+        solver.drift_and_kick(scheme, class, tables.bodies, acceleration);
         match class.effort {
-            Effort::Direct => solver.direct.solve(tables.graph, states, Aim::Relax, h),
+            Effort::Direct => solver.direct.solve(tables.graph, &mut tables.bodies.states, Aim::Relax, h),
             _ => solver.sweep_after_move(scheme, class, tables),
         }
     }
@@ -192,6 +178,33 @@ impl Scheme {
 }
 
 impl Solver {
+    /// The move, and the second kick.
+    fn drift_and_kick(
+        &mut self,
+        scheme: &Scheme,
+        class: &EffortClass<'_>,
+        bodies: &mut Bodies,
+        acceleration: &impl Acceleration,
+    ) {
+        let (h, rows) = (scheme.substep_time(), &class.rows);
+        let kick = scheme.split_kick.then_some(scheme.kick_time());
+        for &(_, row) in class.kinematic {
+            drift(&mut bodies.states[row as usize], h);
+        }
+        if !acceleration.varies() && class.effort != Effort::Direct {
+            self.integrate(scheme, rows, &mut bodies.states, Some(h), kick);
+            return;
+        }
+        self.integrate(scheme, rows, &mut bodies.states, Some(h), None);
+        if acceleration.varies() {
+            self.accelerate(bodies, rows, acceleration);
+        }
+        if class.effort == Effort::Direct {
+            self.direct.restore_free(&mut bodies.states);
+        }
+        self.integrate(scheme, rows, &mut bodies.states, None, kick);
+    }
+
     /// Contacts by sweeps, before the bodies move.
     fn sweep_before_move(&mut self, scheme: &Scheme, class: &EffortClass<'_>, tables: &mut SolveTables<'_>) {
         let h = scheme.substep_time();
@@ -257,28 +270,30 @@ impl Solver {
         acceleration: &impl Acceleration,
     ) {
         let kick_time = scheme.kick_time();
+        self.kicks.reset(bodies.states.len());
         self.damped.clear();
-        self.kicks.resize(bodies.states.len(), Kick::NONE);
-        for &(_, row) in class.kinematic {
-            self.kicks[row as usize] = Kick::NONE;
-        }
-        self.kicks[0] = Kick::NONE;
+        self.steady.clear();
+        self.steady.resize(if acceleration.varies() { bodies.states.len() } else { 0 }, Vec2::ZERO);
         for row in class.rows.clone() {
-            let motion = &bodies.motions[bodies.slot_of_row[row] as usize];
+            let slot = bodies.slot_of_row[row];
+            let motion = &bodies.motions[slot as usize];
             if motion.inverse_mass == 0.0 {
-                self.kicks[row] = Kick::NONE;
                 continue;
             }
-            let steady = acceleration.uniform() * motion.gravity_scale + motion.force * motion.inverse_mass;
-            self.kicks[row] = Kick {
-                acceleration: steady,
-                steady,
-                carry: motion.velocity_carry,
-                angular_acceleration: motion.torque * motion.inverse_inertia,
+            let forcing = &bodies.forcings[slot as usize];
+            let steady = acceleration.uniform() * forcing.gravity_scale + forcing.force * motion.inverse_mass;
+            let kick = Kick {
+                acceleration: steady.into(),
+                carry: motion.velocity_carry.into(),
+                angular_acceleration: forcing.torque * motion.inverse_inertia,
             };
-            if motion.linear_damping > 0.0 || motion.angular_damping > 0.0 {
-                let linear = damping_loss(motion.linear_damping, kick_time);
-                let angular = damping_loss(motion.angular_damping, kick_time);
+            self.kicks.set(row, &kick);
+            if let Some(to) = self.steady.get_mut(row) {
+                *to = steady;
+            }
+            if forcing.linear_damping > 0.0 || forcing.angular_damping > 0.0 {
+                let linear = damping_loss(forcing.linear_damping, kick_time);
+                let angular = damping_loss(forcing.angular_damping, kick_time);
                 self.damped.push(Damping { row: row as u32, linear, angular });
             }
         }
@@ -298,10 +313,10 @@ impl Solver {
         for index in tables.graph.contacts_of(effort) {
             let contact = &contacts[index];
             if contact.restitution > 0.0 {
-                let rows = contact.slots.map(|slot| bodies.motions[slot as usize].row);
-                let kicks = rows.map(|row| &self.kicks[row as usize]);
-                let threshold = bounce_threshold(scheme.restitution_threshold, contact, kicks, h);
-                self.impacts.add(index, contact, rows, threshold);
+                let accelerations =
+                    contact.slots.map(|slot| self.kicks.acceleration(bodies.motions[slot as usize].row));
+                let threshold = bounce_threshold(scheme.restitution_threshold, contact, accelerations, h);
+                self.impacts.add(index, contact, tables.graph, threshold);
             }
             self.followers.consider(index, contact, bodies);
             if effort == Effort::Direct {
@@ -363,14 +378,24 @@ impl Solver {
             let (slot, state) = (bodies.slot_of_row[row], &bodies.states[row]);
             if bodies.is_dynamic(slot) {
                 let varying = acceleration.at(bodies, slot, state.delta_position.into());
-                self.kicks[row].acceleration = self.kicks[row].steady + varying;
+                self.kicks.set_acceleration(row, self.steady[row] + varying);
             }
         }
     }
 
-    fn kick(&mut self, states: &mut [BodyState], rows: &Range<usize>, time: f32, limits: SpeedLimits) {
-        for (state, this) in states[rows.clone()].iter_mut().zip(&mut self.kicks[rows.clone()]) {
-            kick(state, this, time, limits);
+    /// Lets the bodies of some rows drift, and then the forces act, for the times given, s.
+    fn integrate(
+        &mut self,
+        scheme: &Scheme,
+        rows: &Range<usize>,
+        states: &mut [BodyState],
+        drift: Option<f32>,
+        kick: Option<f32>,
+    ) {
+        let Scheme { limits, width, .. } = *scheme;
+        Integrate { rows: rows.clone(), states, kicks: &mut self.kicks, drift, kick, limits }.run(width);
+        if kick.is_none() {
+            return;
         }
         for &Damping { row, linear, angular } in &self.damped {
             let state = &mut states[row as usize];
@@ -387,7 +412,7 @@ impl Solver {
         let residual = graph.finish((class.effort, scheme.width), &bodies.states, contacts, loads);
         for row in class.rows.clone() {
             let slot = bodies.slot_of_row[row];
-            bodies.motions[slot as usize].velocity_carry = self.kicks[row].carry;
+            bodies.motions[slot as usize].velocity_carry = self.kicks.carry(row);
         }
         residual
     }

@@ -3,6 +3,8 @@
 use core::num::NonZeroU32;
 use core::ops::{Index, IndexMut};
 
+use crate::compute::prefetch;
+
 /// Place and generation of a value in [`Slots`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub(crate) struct Key {
@@ -51,6 +53,12 @@ impl<T> Default for Slots<T> {
 }
 
 impl<T> Slots<T> {
+    /// Asks for the value at a place to be brought close.
+    #[inline(always)]
+    pub(crate) fn prefetch(&self, index: u32) {
+        prefetch(&self.slots, index as usize);
+    }
+
     /// How many values there are.
     pub(crate) fn len(&self) -> usize {
         self.slots.len() - self.free.len()

@@ -4,7 +4,7 @@ use crate::body::description::{
     check_damping, check_friction, check_gravity_scale, check_place, check_restitution, check_strength,
     check_vector,
 };
-use crate::body::{Body, BodyError, BodyId, BodyType, Effort, Material, Motion, NONE, Record};
+use crate::body::{Body, BodyError, BodyId, BodyType, Effort, Forcing, Material, Motion, NONE, Record};
 use crate::compute::BodyState;
 use crate::math::{Aabb, Point, Pose, Rot, Vec2};
 use crate::shape::Shape;
@@ -16,6 +16,7 @@ pub struct BodyRef<'a> {
     id: BodyId,
     record: &'a Record,
     motion: &'a Motion,
+    forcing: &'a Forcing,
     state: &'a BodyState,
     shape: &'a Shape,
 }
@@ -28,6 +29,7 @@ impl<'a> BodyRef<'a> {
             id,
             record,
             motion: &world.bodies.motions[slot as usize],
+            forcing: &world.bodies.forcings[slot as usize],
             state: world.bodies.state(slot),
             shape: &world.bodies.shapes[slot as usize],
         })
@@ -90,7 +92,7 @@ impl<'a> BodyRef<'a> {
 
     /// How hard the last step worked on it and all that contacts connect with it.
     pub fn effort(&self) -> Effort {
-        self.motion.effort
+        self.record.effort
     }
 
     /// Whether it is dynamic, fixed or kinematic.
@@ -119,17 +121,17 @@ impl<'a> BodyRef<'a> {
 
     /// Factor on the world's forces.
     pub fn gravity_scale(&self) -> f32 {
-        self.motion.gravity_scale
+        self.forcing.gravity_scale
     }
 
     /// Linear damping, 1/s.
     pub fn linear_damping(&self) -> f32 {
-        self.motion.linear_damping
+        self.forcing.linear_damping
     }
 
     /// Angular damping, 1/s.
     pub fn angular_damping(&self) -> f32 {
-        self.motion.angular_damping
+        self.forcing.angular_damping
     }
 
     /// The caller's own number.
@@ -170,6 +172,7 @@ impl<'a> BodyMut<'a> {
             id: self.id,
             record: &bodies.records[slot],
             motion: &bodies.motions[slot as usize],
+            forcing: &bodies.forcings[slot as usize],
             state: bodies.state(slot),
             shape: &bodies.shapes[slot as usize],
         }
@@ -187,6 +190,11 @@ impl<'a> BodyMut<'a> {
     fn motion(&mut self) -> &mut Motion {
         let slot = self.slot();
         &mut self.world.bodies.motions[slot as usize]
+    }
+
+    fn forcing(&mut self) -> &mut Forcing {
+        let slot = self.slot();
+        &mut self.world.bodies.forcings[slot as usize]
     }
 
     /// The row of the body, woken; `None` for a fixed body, which has none.
@@ -353,11 +361,11 @@ impl<'a> BodyMut<'a> {
 
     fn add_force(&mut self, force: Vec2, torque: f32) {
         self.wake();
-        let motion = self.motion();
+        let forcing = self.forcing();
         let cut = |value: f32| value.clamp(-STRONGEST_SUM, STRONGEST_SUM);
-        let sum = motion.force + force;
-        motion.force = Vec2::new(cut(sum.x), cut(sum.y));
-        motion.torque = cut(motion.torque + torque);
+        let sum = forcing.force + force;
+        forcing.force = Vec2::new(cut(sum.x), cut(sum.y));
+        forcing.torque = cut(forcing.torque + torque);
     }
 
     /// Sets the coefficient of friction, 0 or more.
@@ -395,7 +403,7 @@ impl<'a> BodyMut<'a> {
     /// [`BodyError`], if it is not finite or beyond ±10⁶.
     pub fn set_gravity_scale(&mut self, scale: f32) -> Result<(), BodyError> {
         check_gravity_scale(scale)?;
-        self.motion().gravity_scale = scale;
+        self.forcing().gravity_scale = scale;
         self.wake();
         Ok(())
     }
@@ -406,7 +414,7 @@ impl<'a> BodyMut<'a> {
     /// [`BodyError`], if it is negative, not finite or beyond 10⁶ 1/s.
     pub fn set_linear_damping(&mut self, damping: f32) -> Result<(), BodyError> {
         check_damping("the linear damping", damping)?;
-        self.motion().linear_damping = damping;
+        self.forcing().linear_damping = damping;
         self.wake();
         Ok(())
     }
@@ -417,7 +425,7 @@ impl<'a> BodyMut<'a> {
     /// [`BodyError`], if it is negative, not finite or beyond 10⁶ 1/s.
     pub fn set_angular_damping(&mut self, damping: f32) -> Result<(), BodyError> {
         check_damping("the angular damping", damping)?;
-        self.motion().angular_damping = damping;
+        self.forcing().angular_damping = damping;
         self.wake();
         Ok(())
     }

@@ -1,6 +1,6 @@
 //! Energy and momentum of the whole world, summed in `f64`.
 
-use crate::body::{BodyType, Motion};
+use crate::body::{BodyType, Forcing, Motion};
 use crate::compute::BodyState;
 use crate::math::Vec2;
 use crate::world::World;
@@ -27,8 +27,8 @@ impl World {
     pub fn potential_energy(&self) -> f64 {
         let field = self.field();
         self.dynamic_bodies()
-            .map(|Moving { mass, motion, .. }| {
-                mass * field.potential(motion.pose.center, motion.gravity_scale)
+            .map(|Moving { mass, motion, forcing, .. }| {
+                mass * field.potential(motion.pose.center, forcing.gravity_scale)
             })
             .sum()
     }
@@ -44,7 +44,7 @@ impl World {
     /// Σ m x × v + I w over all dynamic bodies, kg m²/s, about the origin.
     pub fn angular_momentum(&self) -> f64 {
         self.dynamic_bodies()
-            .map(|Moving { mass, inertia, motion, state }| {
+            .map(|Moving { mass, inertia, motion, state, .. }| {
                 let (vx, vy) = (f64::from(state.velocity.x), f64::from(state.velocity.y));
                 let center = motion.pose.center;
                 mass * (center.x * vy - center.y * vx) + inertia * f64::from(state.angular_velocity)
@@ -58,6 +58,7 @@ impl World {
                 mass: f64::from(record.mass),
                 inertia: f64::from(record.inertia),
                 motion: &self.bodies.motions[key.index() as usize],
+                forcing: &self.bodies.forcings[key.index() as usize],
                 state: self.bodies.state(key.index()),
             },
         )
@@ -69,5 +70,6 @@ struct Moving<'a> {
     mass: f64,
     inertia: f64,
     motion: &'a Motion,
+    forcing: &'a Forcing,
     state: &'a BodyState,
 }

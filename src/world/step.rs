@@ -74,6 +74,8 @@ impl World {
         let how = Refresh { dt: self.settings.tick_seconds() as f32, recycling: self.settings.recycling };
         let mut changed = std::mem::take(&mut self.changed_contacts);
         for place in 0..self.contacts.awake().len() {
+            let ahead = |by: usize| self.contacts.awake().get(place + by).copied();
+            self.contacts.prefetch_ahead(&self.bodies, ahead);
             let index = self.contacts.awake()[place];
             let contact = &mut self.contacts[index];
             refresh(contact, &self.bodies, how);
@@ -156,8 +158,9 @@ impl World {
             let turn = Rot { c: state.delta_rotation.c, s: state.delta_rotation.s };
             motion.pose.center += state.delta_position.into();
             motion.pose.rotation = (turn * motion.pose.rotation).normalized();
-            motion.force = Vec2::ZERO;
-            motion.torque = 0.0;
+            let forcing = &mut bodies.forcings[slot as usize];
+            forcing.force = Vec2::ZERO;
+            forcing.torque = 0.0;
             state.stand_still();
             let velocity = Vec2::from(state.velocity);
             let speed = velocity.length() + state.angular_velocity.abs() * motion.extent;

@@ -72,8 +72,8 @@ impl DirectPoint {
         aim: Aim,
         per_substep: f32,
     ) {
-        let point = &constraint.points[self.index];
-        let separation = constraint.separation(point, a, b) + point.awaits_impact;
+        let (point, friction) = (&constraint.points[self.index], &constraint.frictions[self.index]);
+        let separation = constraint.separation(point, a, b) + constraint.special.awaits_impact[self.index];
         let bias = match aim {
             _ if (0.0..SMALLEST_GAP).contains(&separation) => 0.0,
             Aim::Push => bias(separation, per_substep),
@@ -104,9 +104,9 @@ impl DirectPoint {
                 }
             }
         }
-        self.inverse_mass = [f64::from(point.normal_k), f64::from(point.tangent_mass).recip()];
+        self.inverse_mass = [f64::from(point.normal_k), f64::from(friction.mass).recip()];
         self.friction = f64::from(constraint.friction);
-        self.impulse = [point.normal_impulse, point.tangent_impulse].map(f64::from);
+        self.impulse = [point.normal_impulse, friction.impulse].map(f64::from);
     }
 
     /// Begins to look for impulses, from those of now.
