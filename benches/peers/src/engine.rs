@@ -1,0 +1,56 @@
+//! What an engine must be able to do here.
+
+use crate::scene::Scene;
+
+/// How fine a run is.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Fineness {
+    /// 1/s.
+    pub tick_rate: f64,
+    /// Substeps, or what the engine has in their place.
+    pub substeps: u32,
+}
+
+/// Where a body is and how it moves.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(crate) struct State {
+    /// Of the centre of mass, m.
+    pub position: [f64; 2],
+    /// rad, counter-clockwise; whole turns may be missing.
+    pub angle: f64,
+    /// m/s.
+    pub velocity: [f64; 2],
+    /// rad/s.
+    pub spin: f64,
+}
+
+/// A world of some engine.
+pub(crate) trait Simulation {
+    /// One tick, on one thread.
+    fn step(&mut self);
+
+    /// The state of the body with this index in [`Scene::bodies`].
+    fn state(&self, body: usize) -> State;
+
+    /// Mass, kg, and moment of inertia about the centre of mass, kg m²; infinite for bodies that are not dynamic.
+    fn mass(&self, body: usize) -> [f64; 2];
+
+    /// How many contact points the engine's solver had in the last step, those of bodies that are about to touch
+    /// included. Takes a look at every contact.
+    fn contact_points(&self) -> usize;
+}
+
+/// A physics engine.
+pub(crate) trait Engine {
+    /// As it is called in tables.
+    fn name(&self) -> &'static str;
+
+    /// Its version and how it was built.
+    fn version(&self) -> String;
+
+    /// A world of the scene.
+    ///
+    /// # Panics
+    /// If the engine does not take one of the bodies.
+    fn simulate(&self, scene: &Scene, fineness: Fineness) -> Box<dyn Simulation>;
+}

@@ -1,0 +1,50 @@
+//! The engines, each behind the same trait, set up to solve the same problem.
+//!
+//! What a [`Scene`](crate::scene::Scene) says holds in all of them. For the rest:
+//!
+//! | | rustycs | Box2D | Rapier |
+//! |---|---|---|---|
+//! | sleeping | off | off | off |
+//! | friction of a pair | geometric mean | geometric mean (its default) | geometric mean |
+//! | restitution of a pair | larger | larger (its default) | larger |
+//! | slowest approach that bounces | 0.1 m/s (default) | 0 (default 1 m/s) | has none |
+//! | what [`Fineness::substeps`](crate::engine::Fineness::substeps) sets | substeps | substeps | solver iterations, each a substep |
+//! | continuous collision | has none | default: against what is fixed | default: against what is fixed |
+//! | softness of contacts, warm starting, top speed | default | default | default |
+//! | numbers | `f32`, centres `f64` | `f32` | `f32` |
+//! | threads | 1 | 1 | 1 |
+//!
+//! That all of this reaches the engines is proved by [`check`](crate::check).
+
+#[allow(unsafe_code, reason = "Box2D is a C library; all calls into it are in this module")]
+mod box2d;
+mod rapier;
+mod rustycs;
+
+use crate::engine::Engine;
+
+/// The engines, in the order of tables.
+pub(crate) fn all() -> Vec<Box<dyn Engine>> {
+    vec![Box::new(rustycs::Rustycs), Box::new(box2d::Box2d), Box::new(rapier::Rapier)]
+}
+
+/// Whether the engines are built for a fair race.
+///
+/// # Errors
+/// What is wrong with the build, and what to do.
+pub(crate) fn fair_build() -> Result<(), String> {
+    if cfg!(debug_assertions) {
+        return Err("This is a debug build, in which rustycs and Rapier are slow and Box2D is not. \
+                    Add --release to the command."
+            .to_owned());
+    }
+    fair_box2d()
+}
+
+/// Whether Box2D is built for a fair race.
+///
+/// # Errors
+/// What is wrong with the build, and what to do.
+pub(crate) fn fair_box2d() -> Result<(), String> {
+    box2d::fair_build()
+}

@@ -1,0 +1,101 @@
+//! rustycs.
+
+use rustycs::prelude::*;
+
+use crate::engine::{Engine, Fineness, Simulation, State};
+use crate::scene::{BodySpec, Kind, Outline, Pull, SOFTENING, Scene};
+
+/// rustycs at its defaults, with the mixing rules of Box2D.
+#[derive(Debug)]
+pub(crate) struct Rustycs;
+
+impl Engine for Rustycs {
+    fn name(&self) -> &'static str {
+        "rustycs"
+    }
+
+    fn version(&self) -> String {
+        format!("rustycs {}, f32 with centres in f64", env!("CARGO_PKG_VERSION"))
+    }
+
+    fn simulate(&self, scene: &Scene, fineness: Fineness) -> Box<dyn Simulation> {
+        let mut world = World::new(Settings {
+            tick_rate: fineness.tick_rate as f32,
+            substeps: fineness.substeps,
+            friction_mix: Mix::GeometricMean,
+            restitution_mix: Mix::Max,
+            sleep: false,
+            ..Settings::default()
+        });
+        if scene.gravity != [0.0; 2] {
+            world.add_force(Force::new("gravity", scene.gravity.map(|g| g as f32)));
+        }
+        if let Some(Pull { center, strength }) = scene.pull {
+            // The gravitational constant is 1 by default.
+            let attractor = Attractor::global(center, strength as f32).with_min_distance(SOFTENING as f32);
+            world.add_attractor(attractor.expect("the distance is one that attractors take"));
+        }
+        let add = |spec| world.add(body(spec)).unwrap_or_else(|error| panic!("{spec:?}: {error}"));
+        let bodies = scene.bodies.iter().map(add).collect();
+        Box::new(RustycsWorld { world, bodies })
+    }
+}
+
+fn body(spec: &BodySpec) -> Body {
+    let shape = match &spec.outline {
+        Outline::Circle { radius } => Shape::circle(*radius as f32),
+        Outline::Box { width, height } => Shape::obb(*width as f32, *height as f32),
+        Outline::Polygon(corners) => Shape::polygon(corners.iter().map(|corner| corner.map(|x| x as f32)))
+            .unwrap_or_else(|error| panic!("{spec:?}: {error}")),
+    };
+    let body = match spec.kind {
+        Kind::Fixed => Body::fixed(shape),
+        Kind::Kinematic => Body::kinematic(shape),
+        Kind::Dynamic => Body::dynamic(shape),
+    };
+    body.at(spec.position)
+        .angle(spec.angle as f32)
+        .velocity(spec.velocity.map(|v| v as f32))
+        .angular_velocity(spec.spin as f32)
+        .density(spec.density as f32)
+        .friction(spec.friction as f32)
+        .restitution(spec.restitution as f32)
+}
+
+#[derive(Debug)]
+struct RustycsWorld {
+    world: World,
+    bodies: Vec<BodyId>,
+}
+
+impl RustycsWorld {
+    fn body(&self, index: usize) -> BodyRef<'_> {
+        self.world.body(self.bodies[index]).expect("nobody removes a body")
+    }
+}
+
+impl Simulation for RustycsWorld {
+    fn step(&mut self) {
+        self.world.step();
+    }
+
+    fn state(&self, body: usize) -> State {
+        let body = self.body(body);
+        let velocity = body.velocity();
+        State {
+            position: body.position_f64(),
+            angle: f64::from(body.angle()),
+            velocity: [velocity.x, velocity.y].map(f64::from),
+            spin: f64::from(body.angular_velocity()),
+        }
+    }
+
+    fn mass(&self, body: usize) -> [f64; 2] {
+        let body = self.body(body);
+        [body.mass(), body.inertia()].map(f64::from)
+    }
+
+    fn contact_points(&self) -> usize {
+        self.world.contacts().map(|contact| contact.points().len()).sum()
+    }
+}
