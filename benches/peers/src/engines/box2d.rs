@@ -89,8 +89,8 @@ static ASSERTIONS_ARE_ON: LazyLock<bool> = LazyLock::new(|| {
     static OBJECTED: AtomicBool = AtomicBool::new(false);
 
     unsafe extern "C" fn object(_condition: *const c_char, _file: *const c_char, _line: c_int) -> c_int {
-        OBJECTED.store(true, Ordering::Relaxed);
-        0 // Go on; the default would end the program.
+        // 0: go on. Any later assertion ends the program, as Box2D's own callback does.
+        c_int::from(OBJECTED.swap(true, Ordering::Relaxed))
     }
 
     let _only_one = worlds();
