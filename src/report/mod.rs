@@ -68,7 +68,9 @@
 //! Work-precision diagrams: Hairer, Nørsett, Wanner, "Solving Ordinary Differential Equations I" (1993),
 //! section II.10.
 
+mod chart;
 mod error;
+mod front;
 mod measure;
 mod order;
 mod plot;
@@ -82,8 +84,12 @@ mod text;
 mod track;
 mod watch;
 
+pub use chart::{Axis, Chart, Mark, Point, Series};
 pub use error::StudyError;
+pub use front::front;
 pub use measure::{Custom, Invariants, Measure};
+pub use order::order;
+pub use quantity::Unit;
 pub use result::{Reference, Report, Row, RunTime};
 pub use study::{Progress, Study};
 pub use track::Exact;

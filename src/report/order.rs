@@ -7,38 +7,54 @@ use crate::report::result::Row;
 /// between 4h and 8h.
 const WELL_ABOVE: f64 = 10.0;
 
-/// A row as a point: series, ln of the substep (s), ln of the error.
-type Point<'a> = (&'a str, f64, f64);
-
-/// Least squares over all series, each with its own intercept: Σ Σ dx dy / Σ Σ dx², with dx and dy from the mean
-/// of their series.
-pub(super) fn observed<'a>(rows: impl Iterator<Item = &'a Row>) -> Option<f64> {
-    let is_good = |row: &&'a Row| row.error > 0.0 && row.error.is_finite();
-    let is_well_above = |row: &&'a Row| row.error > WELL_ABOVE * row.reference_error;
-    let points: Vec<Point<'_>> = rows
-        .filter(is_good)
-        .filter(is_well_above)
-        .map(|row| {
-            let step = row.settings.tick_seconds() / f64::from(row.settings.substeps);
-            (row.series.as_str(), step.ln(), row.error.ln())
-        })
-        .collect();
-    // Where every series is one point, they are one series: of substeps.
-    slope(&points).or_else(|| slope(&points.iter().map(|&(_, x, y)| ("", x, y)).collect::<Vec<_>>()))
+/// The order p of convergence, error ~ step^p, that is observed in runs given as [step, error] (s, any unit).
+///
+/// Least squares over all series, each with its own factor: Σ Σ dx dy / Σ Σ dx², with dx and dy the differences
+/// of the logarithms from the mean of their series. Where every series is a single run, they are one series.
+/// Runs without an error above 0, or an infinite one, do not count; `None` if what is left has no two steps.
+///
+/// ```
+/// use rustycs::report::order;
+///
+/// let second = |step: f64| [step, 3.0 * step * step];
+/// let series = [0.1, 0.05, 0.025].map(second).to_vec();
+/// assert!((order(&[series]).unwrap() - 2.0).abs() < 1e-9);
+/// assert_eq!(order(&[vec![second(0.1)]]), None);
+/// ```
+pub fn order(series: &[Vec<[f64; 2]>]) -> Option<f64> {
+    let is_good = |[step, error]: [f64; 2]| step > 0.0 && error > 0.0 && error.is_finite();
+    let logarithms = |runs: &Vec<[f64; 2]>| -> Vec<[f64; 2]> {
+        runs.iter().copied().filter(|&run| is_good(run)).map(|run| run.map(f64::ln)).collect()
+    };
+    let series: Vec<Vec<[f64; 2]>> = series.iter().map(logarithms).collect();
+    slope(&series).or_else(|| slope(&[series.concat()]))
 }
 
-fn slope(points: &[Point<'_>]) -> Option<f64> {
+fn slope(series: &[Vec<[f64; 2]>]) -> Option<f64> {
     let (mut xy, mut xx) = (0.0, 0.0);
-    for &(series, x, y) in points {
-        let of_series = || points.iter().filter(|point| point.0 == series);
-        let count = of_series().count() as f64;
-        let mean_x = of_series().map(|point| point.1).sum::<f64>() / count;
-        let mean_y = of_series().map(|point| point.2).sum::<f64>() / count;
-        xy += (x - mean_x) * (y - mean_y);
-        xx += (x - mean_x) * (x - mean_x);
+    for points in series.iter().filter(|points| !points.is_empty()) {
+        let mean = |axis: usize| points.iter().map(|point| point[axis]).sum::<f64>() / points.len() as f64;
+        let [mean_x, mean_y] = [mean(0), mean(1)];
+        for [x, y] in points {
+            xy += (x - mean_x) * (y - mean_y);
+            xx += (x - mean_x) * (x - mean_x);
+        }
     }
     // Rounding of the means is far below, a step twice as long far above.
     (xx > 1e-6).then(|| xy / xx)
+}
+
+/// The order of rows that are well above the error of their reference.
+pub(super) fn observed<'a>(rows: impl Iterator<Item = &'a Row>) -> Option<f64> {
+    let mut series: Vec<(&str, Vec<[f64; 2]>)> = Vec::new();
+    for row in rows.filter(|row| row.error > WELL_ABOVE * row.reference_error) {
+        let run = [row.settings.tick_seconds() / f64::from(row.settings.substeps), row.error];
+        match series.iter_mut().find(|(name, _)| *name == row.series) {
+            Some((_, runs)) => runs.push(run),
+            None => series.push((&row.series, vec![run])),
+        }
+    }
+    order(&series.into_iter().map(|(_, runs)| runs).collect::<Vec<_>>())
 }
 
 #[cfg(test)]
@@ -47,10 +63,18 @@ mod tests {
 
     #[test]
     fn the_slope_is_that_of_all_series_whatever_their_factors() {
-        let points: Vec<Point<'_>> =
-            [("a", 1.0, 5.0), ("a", 2.0, 7.0), ("b", 1.0, 0.0), ("b", 3.0, 4.0)].into();
-        assert!((slope(&points).unwrap() - 2.0).abs() < 1e-12);
-        assert_eq!(slope(&points[..1]), None);
-        assert_eq!(slope(&[points[0], points[2]]), None);
+        let series = [vec![[1.0, 5.0], [2.0, 7.0]], vec![[1.0, 0.0], [3.0, 4.0]]];
+        assert!((slope(&series).unwrap() - 2.0).abs() < 1e-12);
+        assert_eq!(slope(&[vec![[1.0, 5.0]]]), None);
+        assert_eq!(slope(&[vec![[1.0, 5.0]], vec![[1.0, 0.0]]]), None);
+    }
+
+    #[test]
+    fn series_of_one_run_are_one_series_and_runs_without_an_error_do_not_count() {
+        let cubic = |step: f64| vec![[step, step.powi(3)]];
+        assert!((order(&[cubic(1.0), cubic(0.5), cubic(0.1)]).unwrap() - 3.0).abs() < 1e-12);
+        let with_bad = vec![[1.0, 1.0], [0.5, 0.0], [0.2, f64::NAN], [0.3, f64::INFINITY], [0.1, 0.01]];
+        assert!((order(&[with_bad]).unwrap() - 2.0).abs() < 1e-12);
+        assert_eq!(order(&[]), None);
     }
 }

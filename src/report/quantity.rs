@@ -1,5 +1,24 @@
 //! Figures with units.
 
+/// How figures are written, with three significant digits.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Unit {
+    /// Parts of a whole, as per cent where that reads well: `0.12 %`, `3.0e-7`.
+    Part,
+    /// Numbers with this unit and the prefix that fits: `12.3 mm`; with an empty one mere numbers.
+    Of(String),
+}
+
+impl Unit {
+    /// A value in words.
+    pub fn figure(&self, value: f64) -> String {
+        match self {
+            Self::Part => part(value),
+            Self::Of(unit) => quantity(value, unit),
+        }
+    }
+}
+
 /// Prefixes of units, largest first.
 const PREFIXES: [(i32, &str); 7] = [(6, "M"), (3, "k"), (0, ""), (-3, "m"), (-6, "µ"), (-9, "n"), (-12, "p")];
 
@@ -48,7 +67,7 @@ fn three_digits(value: f64) -> String {
 }
 
 /// A part of a whole as per cent where that reads well: `0.12 %`, `3.0e-7`.
-pub(super) fn part(value: f64) -> String {
+fn part(value: f64) -> String {
     if (1e-5..1e3).contains(&value.abs()) {
         format!("{} %", three_digits(100.0 * value))
     } else {
@@ -75,7 +94,8 @@ mod tests {
         ] {
             assert_eq!(quantity(value, unit), text);
         }
-        assert_eq!(part(0.0123), "1.23 %");
-        assert_eq!(part(2e-7), "2.0e-7");
+        assert_eq!(Unit::Part.figure(0.0123), "1.23 %");
+        assert_eq!(Unit::Part.figure(2e-7), "2.0e-7");
+        assert_eq!(Unit::Of("s".into()).figure(0.02), "20 ms");
     }
 }

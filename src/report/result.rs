@@ -1,14 +1,11 @@
 //! What a study found.
 
 use crate::report::measure::Invariants;
-use crate::report::{order, plot, text};
+use crate::report::{front, order, text};
 use crate::world::Settings;
 
 /// A row whose error is within this many times the reference's own is as good as the reference.
 const AS_GOOD: f64 = 2.0;
-/// A row is on the front if its error is at most this part of that of every cheaper row: what is better by less
-/// than the clock's own noise is no better.
-const WORTH_IT: f64 = 0.98;
 
 /// How long a row takes, s per simulated second.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -60,7 +57,7 @@ impl Row {
 
     /// The error to rank by: that of rows as good as the reference is the same for all.
     pub(super) fn ranked_error(&self) -> f64 {
-        self.error.max(AS_GOOD * self.reference_error)
+        if self.is_as_good_as_reference() { AS_GOOD * self.reference_error } else { self.error }
     }
 
     /// What it costs: s per simulated second with a clock, visits to all contacts per simulated second
@@ -154,20 +151,8 @@ impl Report {
     /// The Pareto front: rows that are better than every cheaper one, by 2 % at least, cheapest first. Of those
     /// as good as the reference it holds the cheapest.
     pub fn front(&self) -> Vec<&Row> {
-        let mut rows: Vec<&Row> = self.rows.iter().filter(|row| row.error.is_finite()).collect();
-        rows.sort_by(|one, other| {
-            let by_cost = one.cost().total_cmp(&other.cost());
-            by_cost.then(one.ranked_error().total_cmp(&other.ranked_error()))
-        });
-        let mut best = f64::INFINITY;
-        rows.retain(|row| {
-            let is_better = row.ranked_error() < WORTH_IT * best;
-            if is_better {
-                best = row.ranked_error();
-            }
-            is_better
-        });
-        rows
+        let points: Vec<[f64; 2]> = self.rows.iter().map(|row| [row.cost(), row.ranked_error()]).collect();
+        front::front(&points).into_iter().map(|index| &self.rows[index]).collect()
     }
 
     /// Whether a row is on the [front](Self::front).
@@ -219,9 +204,8 @@ impl Report {
         text::markdown(self)
     }
 
-    /// A picture: error against cost, both in powers of ten, with the front and the slopes of first and second
-    /// order. It needs no font and follows the reader's choice of light or dark.
+    /// A picture of its [chart](Self::chart), as SVG.
     pub fn to_svg(&self) -> String {
-        plot::svg(self)
+        self.chart().to_svg()
     }
 }

@@ -2,7 +2,7 @@
 
 use core::fmt::Write as _;
 
-use crate::report::quantity::{part, power_of_ten, quantity};
+use crate::report::quantity::{Unit, power_of_ten, quantity};
 use crate::report::result::{Reference, Report, Row};
 
 const COLUMNS: &str = "scene,series,settings,tick_rate_hz,substeps,iterations,adaptive,measure,unit,error,\
@@ -62,7 +62,12 @@ pub(super) fn csv(report: &Report) -> String {
 impl Report {
     /// An error as tables and plots write it, with its unit: `1.2 mm`, `0.3 %`.
     pub fn with_unit(&self, error: f64) -> String {
-        if self.unit.is_empty() && self.is_part() { part(error) } else { quantity(error, &self.unit) }
+        self.error_unit().figure(error)
+    }
+
+    /// How errors are written.
+    pub(super) fn error_unit(&self) -> Unit {
+        if self.unit.is_empty() && self.is_part() { Unit::Part } else { Unit::Of(self.unit.clone()) }
     }
 
     /// Whether errors are parts of a whole.
@@ -81,7 +86,12 @@ impl Report {
 
     /// A cost with its unit.
     pub(super) fn cost_text(&self, cost: f64) -> String {
-        if self.is_timed { quantity(cost, "s") } else { quantity(cost, "") }
+        self.cost_unit().figure(cost)
+    }
+
+    /// How costs are written.
+    pub(super) fn cost_unit(&self) -> Unit {
+        Unit::Of(if self.is_timed { "s" } else { "" }.into())
     }
 
     /// What the cost is.

@@ -18,6 +18,7 @@ text{font:13px Inter,system-ui,'Segoe UI',Helvetica,Arial,sans-serif;fill:#1f232
 .floor{fill:#59636e;fill-opacity:.12}.guide{stroke:#818b98;stroke-dasharray:5 5}
 .front{fill:none;stroke:#1f2328;stroke-opacity:.16;stroke-width:11;stroke-linejoin:round;stroke-linecap:round}
 .line{fill:none;stroke-width:1.8}.mark{stroke-width:1.8}.hollow{fill:#fff!important}
+.faint{fill-opacity:.4}
 .s0{stroke:#0072b2}.s1{stroke:#c04f00}.s2{stroke:#00795a}.s3{stroke:#b0568f}.s4{stroke:#8a6d00}.s5{stroke:#5b5bd6}
 .f0{fill:#0072b2}.f1{fill:#c04f00}.f2{fill:#00795a}.f3{fill:#b0568f}.f4{fill:#8a6d00}.f5{fill:#5b5bd6}
 @media(prefers-color-scheme:dark){text{fill:#f0f6fc}.dim{fill:#9198a1}.name,.halo{stroke:#0d1117}.back{fill:#0d1117}
@@ -66,9 +67,9 @@ impl Text {
     }
 }
 
-/// The mark of a row.
+/// The mark of a point.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Mark {
+pub(super) struct Sign {
     pub(super) place: Place,
     pub(super) series: usize,
     pub(super) is_hollow: bool,
@@ -134,7 +135,7 @@ impl Canvas {
     }
 
     /// Circle, square, diamond, triangle in turn: series differ by form as well as by colour.
-    pub(super) fn mark(&mut self, Mark { place: [x, y], series, is_hollow }: Mark) {
+    pub(super) fn sign(&mut self, Sign { place: [x, y], series, is_hollow }: Sign) {
         let colour = series % COLOURS;
         let class = format!("mark s{colour} f{colour}{}", if is_hollow { " hollow" } else { "" });
         let corners = |offsets: &[Place]| {
@@ -155,6 +156,12 @@ impl Canvas {
         };
         let points = corners(polygon);
         self.push(format_args!("<polygon class=\"{class}\" points=\"{points}\"/>"));
+    }
+
+    /// A small faint dot in the colour of a series.
+    pub(super) fn dot(&mut self, [x, y]: Place, series: usize) {
+        let colour = series % COLOURS;
+        self.push(format_args!("<circle class=\"faint f{colour}\" cx=\"{x:.1}\" cy=\"{y:.1}\" r=\"2.5\"/>"));
     }
 
     pub(super) fn text(&mut self, Text { place: [x, y], text, anchor, class }: Text) {

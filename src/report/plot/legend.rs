@@ -1,8 +1,8 @@
 //! What the lines and marks are.
 
-use crate::report::plot::AREA;
-use crate::report::plot::canvas::{COLOURS, Canvas, Mark, Text};
-use crate::report::result::{Report, Row};
+use crate::report::chart::{Chart, Mark, Series};
+use crate::report::plot::canvas::{COLOURS, Canvas, Sign, Text};
+use crate::report::plot::{AREA, is_drawn};
 
 /// Left edge of the legend, px.
 const LEFT: f64 = AREA[2] + 22.0;
@@ -33,33 +33,42 @@ impl Legend<'_> {
     }
 }
 
-/// Draws the legend; `missing` rows are not in the picture.
-pub(super) fn draw(report: &Report, names: &[&str], missing: usize, canvas: &mut Canvas) {
+/// Draws the legend.
+pub(super) fn draw(chart: &Chart, canvas: &mut Canvas) {
     let across = |[x, y]: [f64; 2]| [[x - 14.0, y], [x + 14.0, y]];
+    let points = || chart.series.iter().flat_map(|series| &series.points);
+    let drawn = |mark: Mark| points().any(|point| point.mark == mark && is_drawn(point));
     let mut legend = Legend { canvas, y: AREA[1] + 12.0 };
-    for (series, name) in names.iter().take(MOST_SERIES).enumerate() {
+    // A series without a point in the picture keeps its colour, and has no line here.
+    let is_drawn_at_all = |(_, series): &(usize, &Series)| series.points.iter().any(is_drawn);
+    let series: Vec<(usize, &Series)> = chart.series.iter().enumerate().filter(is_drawn_at_all).collect();
+    for &(series, Series { name, .. }) in series.iter().take(MOST_SERIES) {
         legend.line(name, |canvas, place| {
             canvas.polyline(&across(place), &format!("line s{}", series % COLOURS));
-            canvas.mark(Mark { place, series, is_hollow: false });
+            canvas.sign(Sign { place, series, is_hollow: false });
         });
     }
-    if names.len() > MOST_SERIES {
-        legend.line(&format!("and {} more", names.len() - MOST_SERIES), |_, _| ());
+    if series.len() > MOST_SERIES {
+        legend.line(&format!("and {} more", series.len() - MOST_SERIES), |_, _| ());
     }
     legend.y += 0.5 * LINE;
-    if report.front().len() > 1 {
+    if chart.front.len() > 1 {
         legend.line("Pareto front", |canvas, place| canvas.polyline(&across(place), "front"));
+    }
+    if drawn(Mark::Aside) {
+        legend.line("not worth their cost", |canvas, place| canvas.dot(place, 0));
     }
     legend.line("slopes of order 1 and 2", |canvas, place| {
         let [from, to] = across(place);
         canvas.line(from, to, "guide");
     });
-    if report.rows().iter().any(Row::is_as_good_as_reference) {
+    if drawn(Mark::AsGoodAsReference) {
         legend.line("as good as the reference", |canvas, [x, y]| {
             canvas.rectangle([x - 14.0, y - 8.0, x + 14.0, y + 8.0], "floor");
-            canvas.mark(Mark { place: [x, y], series: 0, is_hollow: true });
+            canvas.sign(Sign { place: [x, y], series: 0, is_hollow: true });
         });
     }
+    let missing = points().filter(|point| !is_drawn(point)).count();
     if missing > 0 {
         legend.line(&format!("{missing} with error 0 or infinite"), |_, _| ());
     }

@@ -1,0 +1,146 @@
+//! A picture of errors against costs, in plain data: that of a report, or anybody's own.
+
+use core::fmt::Write as _;
+
+use crate::report::plot;
+use crate::report::quantity::{Unit, quantity};
+use crate::report::result::{Report, Row};
+
+/// A work-precision diagram: error against cost, both in powers of ten.
+///
+/// ```
+/// use rustycs::report::{Axis, Chart, Mark, Point, Series, Unit};
+///
+/// let point = |cost: f64, error: f64| Point { cost, error, label: String::new(), mark: Mark::Plain };
+/// let chart = Chart {
+///     title: "a method".into(),
+///     facts: vec!["Each step costs a microsecond.".into()],
+///     cost: Axis { name: "run time".into(), unit: Unit::Of("s".into()) },
+///     error: Axis { name: "error".into(), unit: Unit::Part },
+///     series: vec![Series { name: "order 1".into(), points: vec![point(1e-6, 0.1), point(1e-5, 0.01)] }],
+///     front: Vec::new(),
+/// };
+/// assert!(chart.to_svg().starts_with("<svg"));
+/// ```
+#[derive(Clone, Debug, PartialEq)]
+pub struct Chart {
+    /// Its heading.
+    pub title: String,
+    /// Up to two lines beneath the heading.
+    pub facts: Vec<String>,
+    /// The axis to the right.
+    pub cost: Axis,
+    /// The axis upward.
+    pub error: Axis,
+    /// What is compared.
+    pub series: Vec<Series>,
+    /// Places, as [cost, error], that a broad band joins: the front of all series, where that is of interest.
+    pub front: Vec<[f64; 2]>,
+}
+
+/// What an axis shows.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Axis {
+    /// In words.
+    pub name: String,
+    /// How its figures are written.
+    pub unit: Unit,
+}
+
+/// Points of one colour and form.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Series {
+    /// As the legend calls it.
+    pub name: String,
+    /// Its points. A line joins those that are not [aside](Mark::Aside), in this order.
+    pub points: Vec<Point>,
+}
+
+/// A run. Where an error or a cost is 0 or not finite it has no place in the picture, and the legend counts it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Point {
+    /// What it costs.
+    pub cost: f64,
+    /// How wrong it is.
+    pub error: f64,
+    /// Written beside the point if there is room; may be empty.
+    pub label: String,
+    /// How it is drawn.
+    pub mark: Mark,
+}
+
+/// How a point is drawn.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Mark {
+    /// Filled.
+    Plain,
+    /// Hollow, with the ground below it shaded: as good as the reference, which is all that is known of it.
+    AsGoodAsReference,
+    /// A faint dot off the line: a run that is not worth its cost.
+    Aside,
+}
+
+impl Chart {
+    /// The picture, with the slopes of first and second order. It needs no font and follows the reader's choice of
+    /// light or dark.
+    pub fn to_svg(&self) -> String {
+        plot::svg(self)
+    }
+}
+
+impl Report {
+    /// The report as a chart: a series for each number of substeps and each name, the front beneath them, and the
+    /// settings of the front by name.
+    pub fn chart(&self) -> Chart {
+        let mut series: Vec<Series> = Vec::new();
+        for row in self.by_fineness() {
+            let point = self.point(row);
+            match series.iter_mut().find(|series| series.name == row.series) {
+                Some(series) => series.points.push(point),
+                None => series.push(Series { name: row.series.clone(), points: vec![point] }),
+            }
+        }
+        // The legend keeps the order in which the series were asked for.
+        series.sort_by_key(|series| self.rows.iter().position(|row| row.series == series.name));
+        Chart {
+            title: format!("{}: error against {}", self.name, self.cost_name()),
+            facts: vec![self.facts(), self.reference_text()],
+            cost: Axis { name: self.cost_name().into(), unit: self.cost_unit() },
+            error: Axis { name: self.measure.clone(), unit: self.error_unit() },
+            series,
+            front: self.front().into_iter().map(|row| [row.cost(), row.ranked_error()]).collect(),
+        }
+    }
+
+    /// The rows, those with the longest substeps first.
+    fn by_fineness(&self) -> Vec<&Row> {
+        let fineness = |row: &Row| f64::from(row.settings.tick_rate) * f64::from(row.settings.substeps);
+        let mut rows: Vec<&Row> = self.rows.iter().collect();
+        rows.sort_by(|one, other| fineness(one).total_cmp(&fineness(other)));
+        rows
+    }
+
+    fn point(&self, row: &Row) -> Point {
+        let is_as_good = row.is_as_good_as_reference();
+        Point {
+            cost: row.cost(),
+            error: row.ranked_error(),
+            label: if self.is_on_front(row) { row.label.clone() } else { String::new() },
+            mark: if is_as_good { Mark::AsGoodAsReference } else { Mark::Plain },
+        }
+    }
+
+    fn facts(&self) -> String {
+        let mut facts = format!("Measured: {} over {}.", self.measure, quantity(self.duration, "s"));
+        if let Some(orders) = self.orders_text() {
+            _ = write!(facts, " {orders}");
+        }
+        if self.is_chaotic {
+            facts += " Chaotic: trajectories cannot be compared.";
+        }
+        if !self.is_complete {
+            facts += " Stopped before the last row.";
+        }
+        facts
+    }
+}
