@@ -52,7 +52,7 @@ pub struct Axis {
 pub struct Series {
     /// As the legend calls it.
     pub name: String,
-    /// Its points. A line joins those that are not [aside](Mark::Aside), in this order.
+    /// Its points. A line joins those that are not [apart](Mark::Apart) or [aside](Mark::Aside), in this order.
     pub points: Vec<Point>,
 }
 
@@ -76,6 +76,8 @@ pub enum Mark {
     Plain,
     /// Hollow, with the ground below it shaded: as good as the reference, which is all that is known of it.
     AsGoodAsReference,
+    /// Filled, but off the line.
+    Apart,
     /// A faint dot off the line: a run that is not worth its cost.
     Aside,
 }

@@ -20,13 +20,18 @@ text{font:13px Inter,system-ui,'Segoe UI',Helvetica,Arial,sans-serif;fill:#1f232
 .line{fill:none;stroke-width:1.8}.mark{stroke-width:1.8}.hollow{fill:#fff!important}
 .faint{fill-opacity:.4}
 .s0{stroke:#0072b2}.s1{stroke:#c04f00}.s2{stroke:#00795a}.s3{stroke:#b0568f}.s4{stroke:#8a6d00}.s5{stroke:#5b5bd6}
-.f0{fill:#0072b2}.f1{fill:#c04f00}.f2{fill:#00795a}.f3{fill:#b0568f}.f4{fill:#8a6d00}.f5{fill:#5b5bd6}
+.f0,.t0{fill:#0072b2}.f1,.t1{fill:#c04f00}.f2,.t2{fill:#00795a}.f3,.t3{fill:#b0568f}.f4,.t4{fill:#8a6d00}
+.f5,.t5{fill:#5b5bd6}
 @media(prefers-color-scheme:dark){text{fill:#f0f6fc}.dim{fill:#9198a1}.name,.halo{stroke:#0d1117}.back{fill:#0d1117}
 .frame,.guide{stroke:#656c76}.grid{stroke:#2f363e}.fine{stroke:#1b2128}.floor{fill:#9198a1}.front{stroke:#f0f6fc}
 .hollow{fill:#0d1117!important}
 .s0{stroke:#56b4e9}.s1{stroke:#f0883e}.s2{stroke:#3ddc97}.s3{stroke:#f0a6cf}.s4{stroke:#e6d84a}.s5{stroke:#a5a5ff}
-.f0{fill:#56b4e9}.f1{fill:#f0883e}.f2{fill:#3ddc97}.f3{fill:#f0a6cf}.f4{fill:#e6d84a}.f5{fill:#a5a5ff}}
+.f0,.t0{fill:#56b4e9}.f1,.t1{fill:#f0883e}.f2,.t2{fill:#3ddc97}.f3,.t3{fill:#f0a6cf}.f4,.t4{fill:#e6d84a}
+.f5,.t5{fill:#a5a5ff}}
 </style>";
+
+/// Classes of the names of points, by colour.
+pub(super) const NAMES: [&str; COLOURS] = ["name t0", "name t1", "name t2", "name t3", "name t4", "name t5"];
 
 /// Width of a word, px, rather too large than too small: without a font it can only be guessed.
 pub(super) fn width(text: &str) -> f64 {

@@ -73,7 +73,7 @@ pub(super) fn svg(chart: &Chart) -> String {
     lines(&dots, chart.series.len(), &mut canvas, &mut labels);
     for dot in dots.iter().filter(|dot| !dot.point.label.is_empty()) {
         if let Some(text) = labels.beside(dot.place, &dot.point.label) {
-            canvas.text(text.class("name"));
+            canvas.text(text.class(canvas::NAMES[dot.series % canvas::COLOURS]));
         }
     }
     name_guides(&guides, &mut canvas, &mut labels);
@@ -122,18 +122,18 @@ fn floor(dots: &[Dot<'_>], canvas: &mut Canvas) {
 
 /// Lines and marks of all series.
 fn lines(dots: &[Dot<'_>], series: usize, canvas: &mut Canvas, labels: &mut Labels) {
-    let (aside, joined): (Vec<&Dot<'_>>, Vec<&Dot<'_>>) =
+    let (aside, marked): (Vec<&Dot<'_>>, Vec<&Dot<'_>>) =
         dots.iter().partition(|dot| dot.point.mark == Mark::Aside);
     for dot in aside {
         canvas.dot(dot.place, dot.series);
     }
     for index in 0..series {
-        let of_series = joined.iter().filter(|dot| dot.series == index);
+        let of_series = marked.iter().filter(|dot| dot.series == index && dot.point.mark != Mark::Apart);
         let places: Vec<Place> = of_series.map(|dot| dot.place).collect();
         canvas.polyline(&places, &format!("line s{}", index % canvas::COLOURS));
         labels.avoid_line(&places);
     }
-    for dot in joined {
+    for dot in marked {
         let is_hollow = dot.point.mark == Mark::AsGoodAsReference;
         canvas.sign(Sign { place: dot.place, series: dot.series, is_hollow });
         labels.avoid_mark(dot.place);
