@@ -70,6 +70,6 @@ pub(super) fn draw(chart: &Chart, canvas: &mut Canvas) {
     }
     let missing = points().filter(|point| !is_drawn(point)).count();
     if missing > 0 {
-        legend.line(&format!("{missing} with error 0 or infinite"), |_, _| ());
+        legend.line(&format!("{missing} with error 0 or ∞"), |_, _| ());
     }
 }

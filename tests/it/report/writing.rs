@@ -1,7 +1,7 @@
 //! What a report writes is well formed.
 
 use rustycs::prelude::*;
-use rustycs::report::{Measure, Report, Study};
+use rustycs::report::{Axis, Chart, Mark, Measure, Point, Report, Series, Study, Unit};
 
 use crate::report::{sliding, thrown};
 
@@ -92,34 +92,78 @@ fn word_box(element: &str) -> Option<[f64; 4]> {
     Some([left, y - 9.0, left + wide, y + 3.0])
 }
 
+/// Fails unless every tag is closed, every number is one, and no two words overlap.
+fn assert_legible(svg: &str) {
+    let mut open = Vec::new();
+    for tag in svg.split('<').skip(1) {
+        let (tag, _) = tag.split_once('>').expect("every tag ends");
+        assert_eq!(tag.matches('"').count() % 2, 0, "{tag}");
+        let name = tag.trim_start_matches('/').split([' ', '/']).next().unwrap();
+        if tag.starts_with('/') {
+            assert_eq!(open.pop(), Some(name), "{tag}");
+        } else if !tag.ends_with('/') {
+            open.push(name);
+        }
+    }
+    assert!(open.is_empty(), "{open:?}");
+    assert!(!svg.contains("NaN") && !svg.contains("=\"inf") && !svg.contains("& "), "{svg}");
+    let boxes: Vec<(&str, [f64; 4])> = svg
+        .lines()
+        .filter(|line| line.starts_with("<text"))
+        .filter_map(|line| Some((line, word_box(line)?)))
+        .collect();
+    for (index, (one, a)) in boxes.iter().enumerate() {
+        assert!(a[0] >= 0.0 && a[2] <= 960.0 && a[1] >= 0.0 && a[3] <= 600.0, "outside: {one}");
+        for (other, b) in &boxes[..index] {
+            let overlap = a[0] < b[2] && b[0] < a[2] && a[1] < b[3] && b[1] < a[3];
+            assert!(!overlap, "{one}\n{other}");
+        }
+    }
+}
+
 #[test]
 fn svg_is_well_formed_and_its_words_do_not_overlap() {
     for report in reports() {
-        let svg = report.to_svg();
-        let mut open = Vec::new();
-        for tag in svg.split('<').skip(1) {
-            let (tag, _) = tag.split_once('>').expect("every tag ends");
-            assert_eq!(tag.matches('"').count() % 2, 0, "{tag}");
-            let name = tag.trim_start_matches('/').split([' ', '/']).next().unwrap();
-            if tag.starts_with('/') {
-                assert_eq!(open.pop(), Some(name), "{tag}");
-            } else if !tag.ends_with('/') {
-                open.push(name);
-            }
-        }
-        assert!(open.is_empty(), "{open:?}");
-        assert!(!svg.contains("NaN") && !svg.contains("=\"inf") && !svg.contains("& "), "{svg}");
-        let boxes: Vec<(&str, [f64; 4])> = svg
-            .lines()
-            .filter(|line| line.starts_with("<text"))
-            .filter_map(|line| Some((line, word_box(line)?)))
-            .collect();
-        for (index, (one, a)) in boxes.iter().enumerate() {
-            assert!(a[0] >= 0.0 && a[2] <= 960.0 && a[1] >= 0.0 && a[3] <= 600.0, "outside: {one}");
-            for (other, b) in &boxes[..index] {
-                let overlap = a[0] < b[2] && b[0] < a[2] && a[1] < b[3] && b[1] < a[3];
-                assert!(!overlap, "{one}\n{other}");
-            }
-        }
+        assert_legible(&report.to_svg());
     }
+}
+
+/// A chart of three methods whose errors fall with orders 1, 2 and not at all, with points of every kind.
+fn chart_of_methods() -> Chart {
+    let series = |order: i32| {
+        let point = |step: i32| {
+            let cost = 1e-5 * f64::from(1 << step);
+            let error = 0.1 * f64::from(1 << step).powi(-order);
+            let mark = [Mark::Plain, Mark::Apart, Mark::Aside, Mark::AsGoodAsReference][step as usize % 4];
+            Point { cost, error, label: format!("{step} of {order}"), mark }
+        };
+        let lost = Point { cost: 1.0, error: f64::INFINITY, label: "lost".into(), mark: Mark::Plain };
+        let exact = Point { error: 0.0, ..lost.clone() };
+        Series { name: format!("order {order}"), points: (0..9).map(point).chain([lost, exact]).collect() }
+    };
+    Chart {
+        title: "methods <1> & <2>".into(),
+        facts: vec!["One.".into(), "Two.".into()],
+        cost: Axis { name: "time".into(), unit: Unit::Of("s".into()) },
+        error: Axis { name: "error".into(), unit: Unit::Part },
+        series: [1, 2, 0].map(series).into(),
+        front: Vec::new(),
+    }
+}
+
+#[test]
+fn a_chart_of_ones_own_is_drawn_with_a_sign_for_every_kind_of_point() {
+    let chart = chart_of_methods();
+    let svg = chart.to_svg();
+    assert_legible(&svg);
+    let count = |what: &str| svg.matches(what).count();
+    // Of nine points in each series three are plain, two apart, two aside and two as good as the reference; the
+    // legend has a sign for each series and for the two kinds that need a word.
+    assert_eq!(count("class=\"faint"), 3 * 2 + 1);
+    assert_eq!(count("hollow\""), 3 * 2 + 1);
+    assert_eq!(count("class=\"mark"), 3 * (3 + 2 + 2) + 3 + 1);
+    assert_eq!(count("class=\"line"), 3 + 3, "a line for each series, and one in the legend");
+    assert!(svg.contains("6 with error 0 or ∞"));
+    let nothing = Chart { series: Vec::new(), ..chart };
+    assert_legible(&nothing.to_svg());
 }
