@@ -1,0 +1,107 @@
+//! The command line.
+
+use std::path::PathBuf;
+use std::process::ExitCode;
+
+use clap::{Args, Parser, Subcommand};
+
+use crate::{check, engines, error, problems};
+
+/// rustycs beside Box2D and Rapier.
+#[derive(Debug, Parser)]
+#[command(name = "rustycs-peers", version)]
+struct Cli {
+    #[command(subcommand)]
+    command: Command,
+}
+
+#[derive(Debug, Subcommand)]
+enum Command {
+    /// Proves that the engines are set up to solve the same problem, and built for a fair race.
+    Check,
+    /// Measures how wrong the engines are on problems with a known outcome, and how long they take for it, over a
+    /// range of settings. Writes error.csv, ERROR.md and a plot for each problem.
+    Error(ErrorOptions),
+}
+
+/// Options of the command `error`.
+#[derive(Args, Clone, Debug, Default)]
+pub(crate) struct ErrorOptions {
+    /// Names the problems and what happens in each.
+    #[arg(long)]
+    pub(crate) list: bool,
+
+    /// Runs fewer settings, each timed less often, and not the dearest problems.
+    #[arg(long)]
+    pub(crate) quick: bool,
+
+    /// The problems to run: names, or how they begin (`stack` for all stacks).
+    #[arg(long, value_name = "NAME,...", value_delimiter = ',', value_parser = problem_name)]
+    pub(crate) only: Vec<String>,
+
+    /// The engines to run: rustycs, box2d, rapier.
+    #[arg(long, value_name = "NAME,...", value_delimiter = ',', value_parser = engine_name)]
+    pub(crate) engines: Vec<String>,
+
+    /// Where to write; rows found there are not run again.
+    #[arg(long, value_name = "DIR", default_value = "benches/results")]
+    pub(crate) out: PathBuf,
+
+    /// Runs rows again that were done before.
+    #[arg(long)]
+    pub(crate) again: bool,
+
+    /// How often each row is timed at least: 5, or 3 in a quick run, if nothing is said.
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]
+    pub(crate) repeats: Option<u32>,
+}
+
+/// The beginning of some problem's name.
+fn problem_name(name: &str) -> Result<String, String> {
+    let names: Vec<String> = problems::all().into_iter().map(|problem| problem.name).collect();
+    if !name.is_empty() && names.iter().any(|full| full.starts_with(name)) {
+        Ok(name.into())
+    } else {
+        Err(format!("the problems are {}", names.join(", ")))
+    }
+}
+
+/// The name of an engine, whatever its capitals.
+fn engine_name(name: &str) -> Result<String, String> {
+    let names: Vec<String> = engines::all().iter().map(|engine| engine.name().to_lowercase()).collect();
+    let name = name.to_lowercase();
+    if names.contains(&name) { Ok(name) } else { Err(format!("the engines are {}", names.join(", "))) }
+}
+
+/// Reads the command line and does what it asks. The exit code is 130 if Ctrl-C ended it early.
+pub(crate) fn run() -> ExitCode {
+    match Cli::parse().command {
+        Command::Check => match check::check() {
+            Ok(()) => ExitCode::SUCCESS,
+            Err(reason) => {
+                eprintln!("{reason}");
+                ExitCode::FAILURE
+            }
+        },
+        Command::Error(options) => error::run(&options),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use clap::CommandFactory;
+
+    #[test]
+    fn the_command_line_is_consistent() {
+        Cli::command().debug_assert();
+    }
+
+    #[test]
+    fn problems_go_by_the_beginning_of_their_name_and_engines_by_any_capitals() {
+        assert!(problem_name("stack").is_ok() && problem_name("slide").is_ok());
+        assert!(problem_name("tack").is_err() && problem_name("").is_err());
+        assert_eq!(engine_name("Box2D"), Ok("box2d".into()));
+        assert!(engine_name("bullet").is_err());
+    }
+}

@@ -1,0 +1,60 @@
+//! How an engine behaves, as a word: rows of an engine that moved otherwise are not taken for its own.
+
+use crate::engine::{Engine, Fineness, State};
+use crate::scene::{BodySpec, Kind, Outline, Scene};
+
+/// A pile of boxes and discs, bouncing and not, on a floor.
+fn pile() -> Scene {
+    let floor = BodySpec {
+        position: [0.0, -1.0],
+        ..BodySpec::new(Kind::Fixed, Outline::Box { width: 40.0, height: 2.0 })
+    };
+    let mut bodies = vec![floor];
+    for index in 0..60 {
+        let (column, row) = (f64::from(index % 6), f64::from(index / 6));
+        let outline = match index % 2 {
+            0 => Outline::Box { width: 0.9, height: 0.6 },
+            _ => Outline::Circle { radius: 0.4 },
+        };
+        bodies.push(BodySpec {
+            position: [1.1 * column + 0.05 * row - 3.0, 0.6 + row],
+            angle: 0.1 * row,
+            velocity: [0.5 * column - 1.0, 0.0],
+            restitution: 0.25 * f64::from(index % 3),
+            ..BodySpec::new(Kind::Dynamic, outline)
+        });
+    }
+    Scene { bodies, gravity: [0.0, -9.81], ..Scene::default() }
+}
+
+/// FNV-1a of all states of a pile after two seconds.
+pub(super) fn of(engine: &dyn Engine) -> String {
+    let scene = pile();
+    let mut simulation = engine.simulate(&scene, Fineness { tick_rate: 60.0, substeps: 4 });
+    for _ in 0..120 {
+        simulation.step();
+    }
+    let states = (0..scene.bodies.len()).map(|body| simulation.state(body));
+    let numbers = states
+        .flat_map(|State { position: [x, y], angle, velocity: [u, v], spin }| [x, y, angle, u, v, spin]);
+    let bytes = numbers.flat_map(f64::to_le_bytes);
+    format!("{:016x}", hash(bytes))
+}
+
+/// FNV-1a.
+pub(super) fn hash(bytes: impl Iterator<Item = u8>) -> u64 {
+    bytes.fold(0xcbf2_9ce4_8422_2325, |hash, byte| (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn an_engine_has_one_fingerprint_and_two_engines_have_two() {
+        let prints: Vec<String> = crate::engines::all().iter().map(|engine| of(engine.as_ref())).collect();
+        let again: Vec<String> = crate::engines::all().iter().map(|engine| of(engine.as_ref())).collect();
+        assert_eq!(prints, again);
+        assert!(prints[0] != prints[1] && prints[1] != prints[2] && prints[0] != prints[2], "{prints:?}");
+    }
+}
