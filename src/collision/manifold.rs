@@ -43,7 +43,8 @@ impl FeatureId {
 /// One point at which two shapes touch or are about to.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct ManifoldPoint {
-    /// The contact point from a's centre, turned as the world is, m. It lies halfway between the two surfaces.
+    /// The contact point from a's centre, turned as the world is, m. It lies halfway between the two surfaces, or on
+    /// that of a circle that touches something else.
     pub anchor_a: Vec2,
     /// The same point from b's centre, m.
     pub anchor_b: Vec2,

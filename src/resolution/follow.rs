@@ -8,8 +8,9 @@
 
 use crate::body::Bodies;
 use crate::collision::{Contact, Contacts, Manifold, detect_within};
-use crate::compute::BodyState;
+use crate::compute::{BodyState, GROUND_ROW};
 use crate::math::{Rot, Vec2};
+use crate::resolution::constraint::ContactConstraint;
 use crate::resolution::constraint_graph::ConstraintGraph;
 
 /// Far enough that the nearest points of two bodies are found wherever they are, m.
@@ -52,8 +53,19 @@ impl Followers {
         }
     }
 
-    /// Brings the constraints up to where the bodies are now.
-    pub(crate) fn follow(&self, graph: &mut ConstraintGraph, contacts: &Contacts, bodies: &Bodies) {
+    pub(crate) fn is_empty(&self) -> bool {
+        self.contacts.is_empty()
+    }
+
+    /// Brings the constraints up to where the bodies are now, and their part of the `shares` of the warm start, by
+    /// row, if there are any.
+    pub(crate) fn follow(
+        &self,
+        graph: &mut ConstraintGraph,
+        contacts: &Contacts,
+        bodies: &Bodies,
+        shares: &mut [BodyState],
+    ) {
         for (number, &(index, place)) in self.contacts.iter().enumerate() {
             let ahead = |by: usize| self.contacts.get(number + by).map(|&(index, _)| index);
             contacts.prefetch_ahead(bodies, ahead);
@@ -61,10 +73,39 @@ impl Followers {
             let contact = &contacts[index];
             let manifold = manifold_in(contact, bodies, [a, b]).restricted_to(&contact.manifold);
             if let Some(manifold) = manifold {
-                let mut constraint = graph.constraint(place);
+                let before = graph.constraint(place);
+                let mut constraint = before;
                 constraint.set_geometry_in(&manifold, a, b);
                 graph.set_geometry(place, &constraint);
+                let has_share = before.frictions.iter().any(|friction| friction.normal_share > 0.0);
+                if has_share && !shares.is_empty() {
+                    let rows = graph.moved_rows(place);
+                    add_share(&before, -1.0, rows, shares);
+                    add_share(&constraint, 1.0, rows, shares);
+                }
             }
+        }
+    }
+}
+
+/// Adds what the share of a contact gives its bodies, times `sign`, to their rows. Before the sweep after the move, the
+/// impulse along the tangent is the share.
+pub(crate) fn add_share(
+    constraint: &ContactConstraint<f32>,
+    sign: f32,
+    rows: [u32; 2],
+    shares: &mut [BodyState],
+) {
+    let mut pair = rows.map(|row| shares[row as usize]);
+    let [a, b] = &mut pair;
+    for (point, friction) in constraint.points.iter().zip(&constraint.frictions) {
+        let normal = constraint.normal * (sign * friction.normal_share);
+        let tangent = constraint.normal.perp() * (sign * friction.impulse);
+        constraint.apply(point, normal + tangent, a, b);
+    }
+    for (row, share) in rows.into_iter().zip(pair) {
+        if row != GROUND_ROW {
+            shares[row as usize] = share;
         }
     }
 }

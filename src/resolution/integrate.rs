@@ -97,22 +97,36 @@ pub(crate) fn damping_loss(c: f32, t: f32) -> f32 {
     gain / (1.0 + gain)
 }
 
-/// A pass over some rows: the drift, if there is a time for it, then the kick, if there is a time for it.
+/// What moves bodies on, in this order.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Motion {
+    /// How long they drift, s.
+    pub(crate) drift: Option<f32>,
+    /// How long the forces act, s.
+    pub(crate) kick: Option<f32>,
+    /// Whether their shares of the warm start are added.
+    pub(crate) shares: bool,
+}
+
+impl Motion {
+    pub(crate) const NONE: Self = Self { drift: None, kick: None, shares: false };
+}
+
+/// A pass over some rows.
 #[derive(Debug)]
 pub(crate) struct Integrate<'a> {
     pub(crate) rows: Range<usize>,
     pub(crate) states: &'a mut [BodyState],
     pub(crate) kicks: &'a mut Kicks,
-    /// How long the bodies drift, s.
-    pub(crate) drift: Option<f32>,
-    /// How long the forces act, s.
-    pub(crate) kick: Option<f32>,
+    /// By row: the velocities that a share of the warm start gives.
+    pub(crate) shares: &'a [BodyState],
+    pub(crate) motion: Motion,
     pub(crate) limits: SpeedLimits,
 }
 
 impl Integrate<'_> {
-    pub(crate) fn run(self, width: Width) {
-        if self.drift.is_some() || self.kick.is_some() {
+    pub(crate) fn run(&mut self, width: Width) {
+        if self.motion.drift.is_some() || self.motion.kick.is_some() || self.motion.shares {
             compute::run(width, self);
         }
     }
@@ -120,22 +134,30 @@ impl Integrate<'_> {
     #[inline(always)]
     fn together<L: Lane>(&mut self, first: usize) {
         let mut state = L::load_rows(self.states, first);
-        if let Some(h) = self.drift {
+        if let Some(h) = self.motion.drift {
             drift(&mut state, h);
         }
-        if let Some(t) = self.kick {
+        if let Some(t) = self.motion.kick {
             let (columns, place) = (&mut self.kicks.columns[first / COLUMN], first % COLUMN);
             let mut this = columns.load::<L>(place);
             kick(&mut state, &mut this, t, self.limits);
             columns.carry.store(place, this.carry);
         }
+        if self.motion.shares {
+            let carry = &mut self.kicks.columns[first / COLUMN].carry;
+            let share = L::load_rows(self.shares, first);
+            let mut carried = carry.load::<L>(first % COLUMN);
+            state.velocity = add_carried(state.velocity, share.velocity, &mut carried);
+            state.angular_velocity = state.angular_velocity + share.angular_velocity;
+            carry.store(first % COLUMN, carried);
+        }
         L::store_rows(self.states, first, &state);
     }
 }
 
-impl Job for Integrate<'_> {
+impl Job for &mut Integrate<'_> {
     #[inline(always)]
-    fn run<L: Lane>(mut self) {
+    fn run<L: Lane>(self) {
         let Range { start, end } = self.rows;
         let first_whole = start.next_multiple_of(L::WIDTH).min(end);
         let after_whole = (end / L::WIDTH * L::WIDTH).max(first_whole);
@@ -151,20 +173,26 @@ impl Job for Integrate<'_> {
     }
 }
 
-/// v += t·a, with what rounding loses carried to the next kick (Kahan, 1965; sum by Knuth's two-sum).
+/// v + gain + carry; what rounding loses of it is the new carry (Kahan, 1965; sum by Knuth's two-sum).
 #[inline(always)]
-fn kick<L: Lane>(state: &mut BodyState<L>, kick: &mut Kick<L>, t: f32, limits: SpeedLimits) {
-    let (t, zero, infinity) = (L::splat(t), L::splat(0.0), L::splat(f32::INFINITY));
-    let v = state.velocity;
-    let gain = kick.acceleration * t + kick.carry;
+fn add_carried<L: Lane>(v: LaneVec2<L>, gain: LaneVec2<L>, carry: &mut LaneVec2<L>) -> LaneVec2<L> {
+    let (zero, infinity) = (L::splat(0.0), L::splat(f32::INFINITY));
+    let gain = gain + *carry;
     let sum = v + gain;
     let gained = sum - v;
     let lost = (v - (sum - gained)) + (gain - gained);
     // A speed so great that the sum overflows leaves nothing to carry.
     let is_finite = L::both(infinity.greater(lost.x.abs()), infinity.greater(lost.y.abs()));
-    kick.carry = LaneVec2 { x: L::select(is_finite, lost.x, zero), y: L::select(is_finite, lost.y, zero) };
+    *carry = LaneVec2 { x: L::select(is_finite, lost.x, zero), y: L::select(is_finite, lost.y, zero) };
+    sum
+}
+
+/// v += t·a, with what rounding loses carried to the next kick.
+#[inline(always)]
+fn kick<L: Lane>(state: &mut BodyState<L>, kick: &mut Kick<L>, t: f32, limits: SpeedLimits) {
+    let sum = add_carried(state.velocity, kick.acceleration * L::splat(t), &mut kick.carry);
     state.velocity = LaneVec2 { x: clamp(sum.x, limits.speed), y: clamp(sum.y, limits.speed) };
-    let w = state.angular_velocity + kick.angular_acceleration * t;
+    let w = state.angular_velocity + kick.angular_acceleration * L::splat(t);
     state.angular_velocity = clamp(w, limits.spin);
 }
 

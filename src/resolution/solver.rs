@@ -10,10 +10,12 @@ use crate::resolution::constraint::StepResidual;
 use crate::resolution::constraint_graph::ConstraintGraph;
 use crate::resolution::direct::{Aim, DirectSolver};
 use crate::resolution::effort::{EffortClass, Loads};
-use crate::resolution::follow::Followers;
+use crate::resolution::follow::{Followers, add_share};
 use crate::resolution::handover::{HandoverScene, Handovers};
 use crate::resolution::impacts::{ImpactScene, Impacts, bounce_threshold};
-use crate::resolution::integrate::{Damping, Integrate, Kick, Kicks, SpeedLimits, damping_loss, drift};
+use crate::resolution::integrate::{
+    Damping, Integrate, Kick, Kicks, Motion, SpeedLimits, damping_loss, drift,
+};
 use crate::resolution::kernel::{Sweep, SweepOver, WarmStart};
 use crate::resolution::projection::Project;
 
@@ -86,6 +88,8 @@ pub(crate) struct Solver {
     handovers: Handovers,
     /// Places in the constraint graph of contacts of two points that begin to bear load in this step.
     newcomers: Vec<(u32, u32)>,
+    /// Scratch: those of them that a sweep goes over.
+    loaded_newcomers: Vec<(u32, u32)>,
     direct: DirectSolver,
     /// Length of the last substep, s; impulses are stored per substep.
     last_h: f32,
@@ -123,13 +127,12 @@ pub(crate) fn solve(
 ) -> StepResidual {
     let h = scheme.substep_time();
     solver.prepare(scheme, class, tables, acceleration);
-    let kick_time = scheme.kick_time();
     for substep in 0..scheme.substeps {
         if substep > 0 {
-            solver.followers.follow(tables.graph, tables.contacts, tables.bodies);
             solver.handovers.release(tables.graph);
         }
-        solver.integrate(scheme, &class.rows, &mut tables.bodies.states, None, Some(kick_time));
+        let kick = Some(scheme.kick_time());
+        solver.integrate(scheme, class, tables.bodies, Motion { kick, ..Motion::NONE });
         if solver.impacts.len() > 0 {
             let (kicks, SolveTables { bodies, contacts, graph, .. }) = (&solver.kicks, &mut *tables);
             let which = (class.effort, scheme.width);
@@ -139,7 +142,7 @@ pub(crate) fn solve(
             Effort::Direct => solver.direct.solve(tables.graph, &mut tables.bodies.states, Aim::Push, h),
             _ => solver.sweep_before_move(scheme, class, tables),
         }
-        solver.drift_and_kick(scheme, class, tables.bodies, acceleration);
+        solver.move_on(scheme, class, tables, acceleration);
         match class.effort {
             Effort::Direct => solver.direct.solve(tables.graph, &mut tables.bodies.states, Aim::Relax, h),
             _ => solver.sweep_after_move(scheme, class, tables),
@@ -178,43 +181,53 @@ impl Scheme {
 }
 
 impl Solver {
-    /// The move, and the second kick.
-    fn drift_and_kick(
+    /// The move, the second kick, and the second share of the warm start. After the move, contacts of circles and
+    /// loaded corners are where the surface is now, and their share acts along the normal there: a circle that rolls
+    /// along a curve is turned by half before and by half after it, and keeps its speed (H. Andersen, "Rattle", 1983).
+    fn move_on(
         &mut self,
         scheme: &Scheme,
         class: &EffortClass<'_>,
-        bodies: &mut Bodies,
+        tables: &mut SolveTables<'_>,
         acceleration: &impl Acceleration,
     ) {
-        let (h, rows) = (scheme.substep_time(), &class.rows);
+        let is_direct = class.effort == Effort::Direct;
+        let has_shares = scheme.split_kick && !is_direct;
         let kick = scheme.split_kick.then_some(scheme.kick_time());
+        let h = scheme.substep_time();
         for &(_, row) in class.kinematic {
-            drift(&mut bodies.states[row as usize], h);
+            drift(&mut tables.bodies.states[row as usize], h);
         }
-        if !acceleration.varies() && class.effort != Effort::Direct {
-            self.integrate(scheme, rows, &mut bodies.states, Some(h), kick);
+        let needs_poses = acceleration.varies() || !self.followers.is_empty();
+        if !(needs_poses || is_direct) {
+            self.integrate(scheme, class, tables.bodies, Motion { drift: Some(h), kick, shares: has_shares });
             return;
         }
-        self.integrate(scheme, rows, &mut bodies.states, Some(h), None);
+        self.integrate(scheme, class, tables.bodies, Motion { drift: Some(h), ..Motion::NONE });
         if acceleration.varies() {
-            self.accelerate(bodies, rows, acceleration);
+            self.accelerate(tables.bodies, &class.rows, acceleration);
         }
-        if class.effort == Effort::Direct {
-            self.direct.restore_free(&mut bodies.states);
+        let shares = if has_shares { &mut self.shares[..] } else { &mut [] };
+        self.followers.follow(tables.graph, tables.contacts, tables.bodies, shares);
+        if is_direct {
+            self.direct.restore_free(&mut tables.bodies.states);
         }
-        self.integrate(scheme, rows, &mut bodies.states, None, kick);
+        self.integrate(scheme, class, tables.bodies, Motion { drift: None, kick, shares: has_shares });
     }
 
     /// Contacts by sweeps, before the bodies move.
     fn sweep_before_move(&mut self, scheme: &Scheme, class: &EffortClass<'_>, tables: &mut SolveTables<'_>) {
         let h = scheme.substep_time();
         let SolveTables { bodies, contacts, graph, .. } = tables;
+        self.handovers.hold_back(graph, &bodies.states);
+        self.warm_start(scheme, class, graph, bodies);
         let states = &mut bodies.states;
-        self.handovers.hold_back(graph, states);
-        self.warm_start(scheme, class, graph, states);
         for _ in 0..scheme.iterations {
             let kind = scheme.main_sweep();
             graph.for_each((class.effort, scheme.width), SweepOver { states, kind, per_substep: 1.0 / h });
+        }
+        if scheme.split_kick && scheme.warm_starting {
+            self.grip_newcomers(scheme, graph, states);
         }
         if !self.handovers.is_empty() {
             let shares = &mut self.shares;
@@ -226,16 +239,13 @@ impl Solver {
     fn sweep_after_move(&mut self, scheme: &Scheme, class: &EffortClass<'_>, tables: &mut SolveTables<'_>) {
         let per_substep = 1.0 / scheme.substep_time();
         let (graph, states) = (&mut *tables.graph, &mut tables.bodies.states);
-        if scheme.split_kick {
-            self.add_shares(states, &class.rows);
-        }
         let relax = scheme.relax_sweep();
         for iteration in 0..scheme.relax_iterations {
             let kind = Sweep { counts_share: scheme.split_kick && iteration == 0, ..relax };
             graph.for_each((class.effort, scheme.width), SweepOver { states, kind, per_substep });
         }
         if scheme.relax_iterations > 0 {
-            self.relax_newcomers(graph, states, relax, per_substep);
+            self.sweep_newcomers(scheme, relax, graph, states, |_, _| true);
         }
     }
 
@@ -339,35 +349,44 @@ impl Solver {
         scheme: &Scheme,
         class: &EffortClass<'_>,
         graph: &mut ConstraintGraph,
-        states: &mut [BodyState],
+        bodies: &mut Bodies,
     ) {
-        self.shares.resize(states.len(), BodyState::REST);
+        self.shares.resize(bodies.states.len(), BodyState::REST);
         self.shares[class.rows.clone()].fill(BodyState::REST);
         let (shares, part) = (&mut self.shares, scheme.warm_part());
         graph.for_each((class.effort, scheme.width), WarmStart { shares, part });
-        self.add_shares(states, &class.rows);
+        self.integrate(scheme, class, bodies, Motion { shares: true, ..Motion::NONE });
     }
 
-    fn add_shares(&self, states: &mut [BodyState], rows: &Range<usize>) {
-        for (state, share) in states[rows.clone()].iter_mut().zip(&self.shares[rows.clone()]) {
-            state.velocity = state.velocity + share.velocity;
-            state.angular_velocity += share.angular_velocity;
+    /// Gives the contacts that begin to bear load friction before the move: there is none to start from, and a box set
+    /// on a slope would go down freely for half a substep. It counts as a share of a warm start.
+    fn grip_newcomers(&mut self, scheme: &Scheme, graph: &mut ConstraintGraph, states: &mut [BodyState]) {
+        let kind = Sweep { friction: true, ..scheme.main_sweep() };
+        self.sweep_newcomers(scheme, kind, graph, states, |graph, place| {
+            graph.constraint(place).frictions.iter().all(|friction| friction.impulse == 0.0)
+        });
+        for &place in &self.loaded_newcomers {
+            let constraint = graph.constraint(place);
+            add_share(&constraint, 1.0, graph.moved_rows(place), &mut self.shares);
         }
     }
 
-    /// Sweeps over the contacts that begin to bear load a few more times.
-    fn relax_newcomers(
-        &self,
+    /// Sweeps a few times over the contacts that begin to bear load and fit.
+    fn sweep_newcomers(
+        &mut self,
+        scheme: &Scheme,
+        kind: Sweep,
         graph: &mut ConstraintGraph,
         states: &mut [BodyState],
-        kind: Sweep,
-        per_substep: f32,
+        fits: impl Fn(&ConstraintGraph, (u32, u32)) -> bool,
     ) {
+        let loaded = self.newcomers.iter().filter(|&&place| graph.is_loaded(place) && fits(graph, place));
+        self.loaded_newcomers.clear();
+        self.loaded_newcomers.extend(loaded);
+        let per_substep = 1.0 / scheme.substep_time();
         for _ in 0..NEWCOMER_SWEEPS {
-            for &place in &self.newcomers {
-                if graph.is_loaded(place) {
-                    graph.for_one(place, SweepOver { states, kind, per_substep });
-                }
+            for &place in &self.loaded_newcomers {
+                graph.for_one(place, SweepOver { states, kind, per_substep });
             }
         }
     }
@@ -383,25 +402,25 @@ impl Solver {
         }
     }
 
-    /// Lets the bodies of some rows drift, and then the forces act, for the times given, s.
-    fn integrate(
-        &mut self,
-        scheme: &Scheme,
-        rows: &Range<usize>,
-        states: &mut [BodyState],
-        drift: Option<f32>,
-        kick: Option<f32>,
-    ) {
-        let Scheme { limits, width, .. } = *scheme;
-        Integrate { rows: rows.clone(), states, kicks: &mut self.kicks, drift, kick, limits }.run(width);
-        if kick.is_none() {
+    /// Moves the bodies of a class on.
+    fn integrate(&mut self, scheme: &Scheme, class: &EffortClass<'_>, bodies: &mut Bodies, motion: Motion) {
+        let damps = motion.kick.is_some() && !self.damped.is_empty();
+        let late = Motion { shares: motion.shares, ..Motion::NONE };
+        let first = if damps { Motion { shares: false, ..motion } } else { motion };
+        let (states, shares) = (&mut bodies.states, &self.shares);
+        let (rows, limits) = (class.rows.clone(), scheme.limits);
+        let mut pass = Integrate { rows, states, kicks: &mut self.kicks, shares, motion: first, limits };
+        pass.run(scheme.width);
+        if !damps {
             return;
         }
         for &Damping { row, linear, angular } in &self.damped {
-            let state = &mut states[row as usize];
+            let state = &mut pass.states[row as usize];
             state.velocity = state.velocity - state.velocity * linear;
             state.angular_velocity -= state.angular_velocity * angular;
         }
+        pass.motion = late;
+        pass.run(scheme.width);
     }
 
     /// Writes impulses back into the contacts and carries back into the bodies.

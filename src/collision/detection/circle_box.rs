@@ -21,8 +21,9 @@ pub(super) fn detect(
     if !within(separation, margin) {
         return None;
     }
-    let halfway = rotation_a.rotate(nearest + normal * (0.5 * separation));
-    let point = ManifoldPoint::new(halfway, offset, separation, FeatureId::SINGLE);
+    // On the circle: the arm of friction is its radius, however far it has sunk in.
+    let on_circle = rotation_a.rotate(nearest + normal * separation);
+    let point = ManifoldPoint::new(on_circle, offset, separation, FeatureId::SINGLE);
     Some(Manifold::of_one(rotation_a.rotate(normal), point))
 }
 

@@ -49,7 +49,8 @@ pub(super) fn detect(a: &Hull, rotation_a: Rot, b: Circle, offset: Vec2, margin:
     if !(within(separation, margin) && separation.is_finite()) {
         return None;
     }
-    let halfway = rotation_a.rotate(nearest + normal * (0.5 * separation));
-    let point = ManifoldPoint::new(halfway, offset, separation, FeatureId::SINGLE);
+    // On the circle: the arm of friction is its radius, however far it has sunk in.
+    let on_circle = rotation_a.rotate(nearest + normal * separation);
+    let point = ManifoldPoint::new(on_circle, offset, separation, FeatureId::SINGLE);
     Some(Manifold::of_one(rotation_a.rotate(normal), point))
 }

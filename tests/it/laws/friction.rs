@@ -34,12 +34,15 @@ fn way_along([x0, y0]: [f64; 2], [x, y]: [f64; 2], [dx, dy]: [f64; 2]) -> f64 {
     (x - x0) * dx + (y - y0) * dy
 }
 
+/// It is set down without impulses to start from: the first substep finds friction to within the leak of 14 %, and
+/// what is missing of g sin makes a way of h²/2 of it, before and after the box has found its place across the slope:
+/// 2 · 0.14 · 3.4 · (1/240)²/2 = 8 µm.
 #[test]
 fn a_box_sticks_when_the_slope_is_below_the_friction_angle() {
     let (mut world, id, down) = box_on_ramp(0.5);
     let start = place(&world, id);
     run(&mut world, 10.0);
-    assert_near(way_along(start, place(&world, id), down), 0.0, 1e-3, "creep in 10 s");
+    assert_near(way_along(start, place(&world, id), down), 0.0, 1e-5, "creep in 10 s");
 }
 
 #[test]
