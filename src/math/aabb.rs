@@ -75,6 +75,14 @@ impl Aabb {
             && other.min.y <= self.max.y
     }
 
+    /// Whether a place lies within this box, borders included.
+    pub fn holds(self, place: Point) -> bool {
+        f64::from(self.min.x) <= place.x
+            && place.x <= f64::from(self.max.x)
+            && f64::from(self.min.y) <= place.y
+            && place.y <= f64::from(self.max.y)
+    }
+
     /// Whether `other` lies within this box, borders included.
     #[inline(always)]
     pub fn contains(self, other: Self) -> bool {

@@ -29,6 +29,7 @@ pub struct Events {
     pub(crate) began: Vec<ContactEvent>,
     pub(crate) ended: Vec<ContactEvent>,
     pub(crate) hits: Vec<HitEvent>,
+    pub(crate) left: Vec<BodyId>,
     /// Contacts that ended because of an edit and are still to be reported, by this step or the next.
     pub(crate) ended_by_edit: Vec<ContactEvent>,
 }
@@ -49,10 +50,16 @@ impl Events {
         &self.hits
     }
 
+    /// Bodies that left [`Settings::bounds`](crate::Settings::bounds) and were removed: their ids are stale.
+    pub fn left(&self) -> &[BodyId] {
+        &self.left
+    }
+
     /// Begins a step: forgets the last one, takes over what edits have ended since.
     pub(crate) fn begin_step(&mut self) {
         self.began.clear();
         self.hits.clear();
+        self.left.clear();
         self.ended.clear();
         self.ended.append(&mut self.ended_by_edit);
     }

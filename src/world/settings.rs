@@ -4,6 +4,7 @@ use core::fmt;
 
 use crate::body::{Mix, Number};
 use crate::compute::Lanes;
+use crate::math::{Aabb, Vec2};
 use crate::resolution::{Allowance, Scheme, SpeedLimits};
 
 /// How overlapping bodies are parted.
@@ -34,7 +35,7 @@ pub struct Settings {
     /// Substeps per tick, 1 to 256. The error of contacts falls as their number grows. Default 4.
     pub substeps: u32,
     /// Whether islands under great load, heavy bodies on light ones or tall stacks, are solved with more
-    /// [effort](Effort): directly, or in up to 8 times as many substeps. The others pay nothing. Default true.
+    /// [effort](crate::Effort): directly, or in up to 8 times as many substeps. The others pay nothing. Default true.
     pub adaptive: bool,
     /// Sequential-impulse sweeps over all contacts before the bodies move, per substep, 1 to 1000. Default 1.
     pub iterations: u32,
@@ -65,6 +66,10 @@ pub struct Settings {
     pub restitution_mix: Mix,
     /// G in a = G·mass/r² of attractors, m³/(kg s²), 0 to 10¹². Default 1.
     pub gravitational_constant: f32,
+    /// Bodies that move and whose centre leaves this box are removed at the end of the step, and
+    /// [reported](crate::Events::left). Default `None`: a world has no bounds, and what flies away costs next to
+    /// nothing.
+    pub bounds: Option<Aabb>,
     /// Components of velocities are cut to this speed, m/s, up to 10⁶. Default 10⁵.
     pub max_speed: f32,
     /// Angular velocities are cut to this, rad/s, up to 10⁶. Default 10⁵.
@@ -92,6 +97,7 @@ impl Default for Settings {
             friction_mix: Mix::Average,
             restitution_mix: Mix::Average,
             gravitational_constant: 1.0,
+            bounds: None,
             max_speed: 1e5,
             max_spin: 1e5,
             lanes: Lanes::Auto,
@@ -124,8 +130,8 @@ impl Settings {
     /// Checks every number.
     ///
     /// # Errors
-    /// [`SettingsError`], if a number is NaN or outside the range its field states, or if a split kick is
-    /// asked for without a relax sweep to solve its second half.
+    /// [`SettingsError`], if a number is NaN or outside the range its field states, if the bounds hold nothing, or if
+    /// a split kick is asked for without a relax sweep to solve its second half.
     pub fn validate(&self) -> Result<(), SettingsError> {
         let projections = match self.position_correction {
             PositionCorrection::Bias => 1,
@@ -146,6 +152,12 @@ impl Settings {
             // NaN fails the comparison.
             if !(value >= min && value <= max) {
                 return Err(SettingsError::OutOfRange { field, value, min, max });
+            }
+        }
+        if let Some(Aabb { min, max }) = self.bounds {
+            // NaN fails the comparison.
+            if !(min.is_finite() && max.is_finite() && min.x < max.x && min.y < max.y) {
+                return Err(SettingsError::Bounds { min, max });
             }
         }
         if self.split_kick && self.relax_iterations == 0 {
@@ -197,6 +209,13 @@ pub enum SettingsError {
         /// Largest number allowed.
         max: f64,
     },
+    /// The corners of `bounds` are not finite, or the first is not below and left of the second.
+    Bounds {
+        /// The first corner, m.
+        min: Vec2,
+        /// The second corner, m.
+        max: Vec2,
+    },
     /// `split_kick` is set and `relax_iterations` is 0.
     SplitKickWithoutRelax,
 }
@@ -208,6 +227,11 @@ impl fmt::Display for SettingsError {
                 let [value, min, max] = [*value, *min, *max].map(Number);
                 write!(f, "Settings::{field} is {value}; give a number from {min} to {max}")
             }
+            Self::Bounds { min, max } => write!(
+                f,
+                "Settings::bounds is from ({}, {}) to ({}, {}); give two finite corners, the lower left one first",
+                min.x, min.y, max.x, max.y
+            ),
             Self::SplitKickWithoutRelax => f.write_str(
                 "Settings::split_kick needs relax_iterations of 1 or more, to solve the second half of the \
                  kick; set one or clear the other",

@@ -20,7 +20,7 @@ impl World {
     /// contacts  awake contacts        brings manifolds up to date; ends contacts whose boxes parted
     /// solve     awake bodies          the substep loop: forces, impacts, contacts, motion
     /// finalize  awake bodies          adds the motion to the poses; boxes follow
-    /// events    awake contacts        what began, ended, hit
+    /// events    awake contacts        what began, ended, hit; what left the bounds is removed
     /// sleep     bodies long at rest   islands at rest leave the step
     /// ```
     pub fn step(&mut self) {
@@ -38,6 +38,7 @@ impl World {
         profile.run_stage(Stage::Solve, self.bodies.awake_count(), || self.solve());
         profile.run_stage(Stage::Finalize, self.bodies.awake_count(), || self.finalize());
         profile.run_stage(Stage::Events, self.contacts.awake().len(), || self.report_events());
+        self.remove_those_that_left();
         profile.run_stage(Stage::Sleep, self.resting, || self.put_to_sleep());
         profile.counters = self.count();
         self.profile = profile;
@@ -207,6 +208,19 @@ impl World {
             }
         }
         self.events.sort();
+    }
+
+    /// Removes the bodies that left the bounds, oldest place first.
+    fn remove_those_that_left(&mut self) {
+        let Some(bounds) = self.settings.bounds else { return };
+        let bodies = &self.bodies;
+        let moving = bodies.slot_of_row.iter().skip(1);
+        let outside = moving.filter(|&&slot| !bounds.holds(bodies.center(slot)));
+        self.events.left.extend(outside.map(|&slot| BodyId(bodies.records.key_at(slot))));
+        self.events.left.sort_unstable();
+        for place in 0..self.events.left.len() {
+            self.remove(self.events.left[place]);
+        }
     }
 
     fn put_to_sleep(&mut self) {

@@ -34,6 +34,9 @@ fn bad_settings() -> Vec<(&'static str, Settings)> {
         ("iterations", Settings { iterations: 1001, ..base() }),
         ("relax_iterations", Settings { relax_iterations: 1001, ..base() }),
         ("relax_iterations", Settings { relax_iterations: 0, ..base() }),
+        ("bounds", Settings { bounds: Some(Aabb::new(Vec2::ZERO, Vec2::new(1.0, 0.0))), ..base() }),
+        ("bounds", Settings { bounds: Some(Aabb::new(Vec2::ZERO, Vec2::new(f32::NAN, 1.0))), ..base() }),
+        ("bounds", Settings { bounds: Some(Aabb::new(Vec2::splat(2.0), Vec2::ZERO)), ..base() }),
         ("position_correction", Settings { position_correction: projection(0), ..base() }),
         ("position_correction", Settings { position_correction: projection(1001), ..base() }),
     ]);

@@ -32,6 +32,27 @@ fn a_removed_body_gives_back_what_it_was_and_can_be_added_again() {
     assert_eq!(back.angle(0.5), given);
 }
 
+/// What leaves the bounds is taken out and reported, what touched it hears of it, and what is fixed may be outside.
+#[test]
+fn bodies_that_leave_the_bounds_are_removed_and_reported() {
+    let bounds = Some(Aabb::new(Vec2::splat(-10.0), Vec2::splat(10.0)));
+    let mut world = World::new(Settings { bounds, ..Settings::default() });
+    let outside = add(&mut world, Body::fixed(Shape::circle(1.0)).at([50.0, 0.0]));
+    let stays = add(&mut world, Body::dynamic(Shape::circle(0.5)).at([0.0, 5.0]));
+    let goes = add(&mut world, Body::dynamic(Shape::circle(0.5)).at([9.0, 0.0]).velocity([6.0, 0.0]));
+    let belt = add(&mut world, Body::kinematic(Shape::circle(0.5)).at([0.0, -9.95]).velocity([0.0, -6.0]));
+    let mut left = Vec::new();
+    for _ in 0..20 {
+        world.step();
+        left.extend_from_slice(world.events().left());
+        world.validate().unwrap();
+    }
+    // 0.05 m at 6 m/s take one tick, 1 m takes ten and one to be beyond.
+    assert_eq!(left, [belt, goes]);
+    assert!(world.body(goes).is_none() && world.body(belt).is_none());
+    assert!(world.body(outside).is_some() && world.body(stays).is_some());
+}
+
 /// A body that was taken out and put back goes on as one that never was.
 #[test]
 fn a_body_put_back_moves_on() {
