@@ -5,7 +5,7 @@
 //! | `boxes` | bounding boxes, tree of the broad phase |
 //! | `contacts` | contact points with impulses, penetration, colours of the constraint graph |
 //! | `motion` | velocity and spin, centres of mass, trails |
-//! | `groups` | islands, sleeping bodies |
+//! | `groups` | islands, sleeping bodies, the effort of the solver |
 //! | `words` | names, grid with units, energy and momentum |
 //! | `legend` | what lengths mean |
 
@@ -39,6 +39,7 @@ pub(crate) enum Overlay {
     Islands,
     Colours,
     Sleeping,
+    Effort,
     Names,
     Grid,
     Trails,
@@ -47,7 +48,7 @@ pub(crate) enum Overlay {
 
 impl Overlay {
     /// Every overlay, in the order in which they are listed.
-    pub(crate) const ALL: [Self; 13] = [
+    pub(crate) const ALL: [Self; 14] = [
         Self::Boxes,
         Self::Tree,
         Self::Contacts,
@@ -57,6 +58,7 @@ impl Overlay {
         Self::Islands,
         Self::Colours,
         Self::Sleeping,
+        Self::Effort,
         Self::Names,
         Self::Grid,
         Self::Trails,
@@ -90,6 +92,7 @@ impl Overlay {
             Self::Islands => ("islands", "Islands", KeyCode::I, "I"),
             Self::Colours => ("colours", "Graph colours", KeyCode::O, "O"),
             Self::Sleeping => ("sleeping", "Sleeping bodies", KeyCode::Z, "Z"),
+            Self::Effort => ("effort", "Solver's effort", KeyCode::F6, "F6"),
             Self::Names => ("names", "Names", KeyCode::L, "L"),
             Self::Grid => ("grid", "Grid with units", KeyCode::G, "G"),
             Self::Trails => ("trails", "Trails", KeyCode::J, "J"),
@@ -180,6 +183,9 @@ impl Drawer {
         }
         if shown.has(Overlay::Sleeping) {
             groups::draw_sleeping(canvas, run, camera, &mut legend);
+        }
+        if shown.has(Overlay::Effort) {
+            groups::draw_effort(canvas, run, camera, &mut legend);
         }
         legend.places()
     }
