@@ -301,6 +301,7 @@ fn anchor(name: &str) -> String {
 /// A factor with two digits.
 fn factor(value: f64) -> String {
     match value {
+        0.0 => "0".into(),
         value if !value.is_finite() => "∞".into(),
         value if value < 0.01 => format!("{value:.0e}"),
         value if value < 0.995 => format!("{value:.2}"),
