@@ -5,7 +5,7 @@
 //! can be removed, put to sleep or woken without looking at any other.
 
 use crate::body::{Bodies, NONE};
-use crate::collision::Manifold;
+use crate::collision::{Manifold, ManifoldPoint};
 use crate::compute::prefetch;
 use crate::math::{Rot, Vec2};
 use crate::store::Slots;
@@ -24,6 +24,9 @@ pub(crate) struct Frozen {
 
 /// How many contacts ahead memory is asked for: so many take about as long as memory does.
 const AHEAD: usize = 4;
+
+/// A point has lifted off from this gap on, as a share of the width of the thinner body: more than a stack trembles.
+const LIFTED_SHARE: f32 = 0.005;
 
 /// Neighbours in the list of one of the two bodies.
 #[derive(Clone, Copy, Debug)]
@@ -70,6 +73,15 @@ impl Contact {
     /// Whether the last step pressed the bodies together.
     pub(crate) fn is_loaded(&self) -> bool {
         self.manifold.points().iter().any(|point| point.normal_impulse > 0.0)
+    }
+
+    /// Whether the bodies turn about one corner: it alone was pressed, and what other point there is has lifted off.
+    pub(crate) fn pivots(&self) -> bool {
+        let is_loaded = |point: &&ManifoldPoint| point.normal_impulse > 0.0;
+        let points = self.manifold.points();
+        let lifted = LIFTED_SHARE * self.thickness;
+        points.iter().filter(is_loaded).count() == 1
+            && points.iter().all(|point| point.normal_impulse > 0.0 || point.separation > lifted)
     }
 
     /// The other body of the contact.

@@ -164,24 +164,26 @@ impl<'a> Pair<'a> {
     /// a single corner, over which a body topples: its arm is what decides whether and when.
     fn may_recycle(&self, contact: &Contact) -> bool {
         let distance = self.recycle_distance();
-        let pivots = contact.manifold.points().len() == 1 && !self.has_circle();
+        let pivots = contact.pivots() && !self.has_circle();
         contact.is_loaded()
             && !pivots
             && (self.offset - contact.frozen.offset).length_squared() < distance * distance
             && self.turned_since(&contact.frozen).iter().all(|turned| turned.c > RECYCLE_COSINE)
     }
 
-    /// Keeps normal and anchors; each separation follows the motion since they were found:
-    /// s = s₀ + n·(Δoffset + (R_b - 1) r_b - (R_a - 1) r_a).
+    /// Keeps the normal, and the anchors on their bodies, which they turn with: what topples does so about where it
+    /// stands now. Each separation follows the motion since they were found:
+    /// s = s₀ + n·(Δoffset + (1 - R_b⁻¹) r_b - (1 - R_a⁻¹) r_a).
     fn recycle(&self, contact: &mut Contact) {
         let frozen = &contact.frozen;
-        let [turn_a, turn_b] = self.turned_since(frozen).map(|turned| LaneRot { c: turned.c, s: turned.s });
+        let turned = self.turned_since(frozen).map(Rot::inverse);
+        let [back_a, back_b] = turned.map(|turned| LaneRot { c: turned.c, s: turned.s });
         let moved = self.offset - frozen.offset;
         let normal = contact.manifold.normal;
         for (point, then) in contact.manifold.points_mut().iter_mut().zip(frozen.separations) {
-            let tip_a: Vec2 = turn_a.displacement(point.anchor_a.into()).into();
-            let tip_b: Vec2 = turn_b.displacement(point.anchor_b.into()).into();
-            point.separation = then + normal.dot(moved + tip_b - tip_a);
+            let tip_a: Vec2 = back_a.displacement(point.anchor_a.into()).into();
+            let tip_b: Vec2 = back_b.displacement(point.anchor_b.into()).into();
+            point.separation = then + normal.dot(moved - tip_b + tip_a);
         }
     }
 

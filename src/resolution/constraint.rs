@@ -115,9 +115,24 @@ impl<L: Lane> ContactConstraint<L> {
     /// Separation of a point now, m.
     #[inline(always)]
     pub(crate) fn separation(&self, point: &ConstraintPoint<L>, a: &BodyState<L>, b: &BodyState<L>) -> L {
-        let tip_a = a.delta_position + a.delta_rotation.displacement(point.anchor_a) * self.special.turns_a;
-        let tip_b = b.delta_position + b.delta_rotation.displacement(point.anchor_b) * self.special.turns_b;
+        let [turned_a, turned_b] = self.turned(point, a, b);
+        let tip_a = a.delta_position + turned_a;
+        let tip_b = b.delta_position + turned_b;
         point.separation + self.normal.dot(tip_b - tip_a)
+    }
+
+    /// How far the turning of the two bodies has carried the anchors of a point, m.
+    #[inline(always)]
+    pub(crate) fn turned(
+        &self,
+        point: &ConstraintPoint<L>,
+        a: &BodyState<L>,
+        b: &BodyState<L>,
+    ) -> [LaneVec2<L>; 2] {
+        [
+            a.delta_rotation.displacement(point.anchor_a) * self.special.turns_a,
+            b.delta_rotation.displacement(point.anchor_b) * self.special.turns_b,
+        ]
     }
 
     /// Applies `impulse`, N s, to b and its opposite to a, at a point.

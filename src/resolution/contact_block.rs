@@ -3,7 +3,7 @@
 
 use crate::body::Bodies;
 use crate::collision::{Contact, Contacts, ManifoldPoint};
-use crate::compute::{BodyState, COLUMN, Column, GROUND_ROW, Lane, RowPairs};
+use crate::compute::{BodyState, COLUMN, Column, GROUND_ROW, Lane, LaneVec2, RowPairs};
 use crate::resolution::constraint::{
     ConstraintPoint, ContactConstraint, PointFriction, Special, StepResidual, THERE,
 };
@@ -34,6 +34,9 @@ const _: () = {
 pub(crate) struct PointEnds {
     separation: Column,
     approach_speed: Column,
+    /// From the centres, turned with the bodies.
+    anchor_a: LaneVec2<Column>,
+    anchor_b: LaneVec2<Column>,
 }
 
 impl ContactBlock {
@@ -100,6 +103,9 @@ impl ContactBlock {
             constraint.separation(point, &a, &b).store(&mut end.separation, place);
             let approach = -constraint.normal.dot(point.relative_velocity(&a, &b));
             approach.store(&mut end.approach_speed, place);
+            let [tip_a, tip_b] = constraint.turned(point, &a, &b);
+            end.anchor_a.store(place, point.anchor_a + tip_a);
+            end.anchor_b.store(place, point.anchor_b + tip_b);
         }
     }
 
@@ -117,6 +123,8 @@ impl ContactBlock {
             let (point, end) = (&self.columns.points[index], &ends[index]);
             let separation = end.separation.get(place);
             stored.separation = separation;
+            stored.anchor_a = end.anchor_a.load::<f32>(place).into();
+            stored.anchor_b = end.anchor_b.load::<f32>(place).into();
             stored.normal_impulse = point.normal_impulse.get(place);
             stored.tangent_impulse = self.columns.frictions[index].impulse.get(place);
             residual.penetration = residual.penetration.max(-separation);

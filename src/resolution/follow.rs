@@ -44,10 +44,9 @@ impl Followers {
     /// Takes up a contact with a circle, or of a single corner under load, if its manifold was found anew. A
     /// corner that is still on its way has the manifold of the place where it will land.
     pub(crate) fn consider(&mut self, index: u32, contact: &Contact, bodies: &Bodies) {
-        let is_corner = contact.manifold.points().len() == 1 && contact.is_loaded();
         if let (false, Some(place)) = (contact.is_kept, contact.graph_place) {
             let is_round = |slot: u32| bodies.motions[slot as usize].is_round;
-            if is_corner || contact.slots.into_iter().any(is_round) {
+            if contact.pivots() || contact.slots.into_iter().any(is_round) {
                 self.contacts.push((index, place));
             }
         }
