@@ -42,7 +42,7 @@ const GOLDEN: &[(&str, u64)] = &[
     ("confined", 0xD845_6144_94B3_C922),
     ("tumbler", 0x4AEE_E99F_28FC_AA6B),
     ("washer", 0x2CBE_A685_6286_3EEA),
-    ("spinner", 0xC83F_A8CA_4A52_9AF2),
+    ("spinner", 0x4150_A771_CD8E_ECB0),
     ("wind_tunnel", 0xFA3D_9A7A_7651_046C),
     ("pinball", 0x32C1_2B68_C46A_5BD6),
     ("orbit", 0x9F8A_1F9B_4AED_59DD),
