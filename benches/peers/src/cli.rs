@@ -5,6 +5,7 @@ use std::process::ExitCode;
 
 use clap::{Args, Parser, Subcommand};
 
+use crate::speed::{self, scenes};
 use crate::{check, engines, error, problems};
 
 /// rustycs beside Box2D and Rapier.
@@ -22,6 +23,9 @@ enum Command {
     /// Measures how wrong the engines are on problems with a known outcome, and how long they take for it, over a
     /// range of settings. Writes error.csv, ERROR.md and a plot for each problem.
     Error(ErrorOptions),
+    /// Measures how long steps take in large scenes and in everyday ones, beside the overlap and the energy that the
+    /// engines end with. Writes speed.csv, SPEED.md and two plots.
+    Speed(SpeedOptions),
 }
 
 /// Options of the command `error`.
@@ -56,13 +60,50 @@ pub(crate) struct ErrorOptions {
     pub(crate) repeats: Option<u32>,
 }
 
+/// Options of the command `speed`.
+#[derive(Args, Clone, Debug, Default)]
+pub(crate) struct SpeedOptions {
+    /// Names the scenes and what they are.
+    #[arg(long)]
+    pub(crate) list: bool,
+
+    /// Runs each scene less often, and not the largest.
+    #[arg(long)]
+    pub(crate) quick: bool,
+
+    /// The scenes to run: names, or how they begin (`pile` for all sizes of the pile).
+    #[arg(long, value_name = "NAME,...", value_delimiter = ',', value_parser = scene_name)]
+    pub(crate) only: Vec<String>,
+
+    /// Where to write; scenes that this very program has measured are not run again.
+    #[arg(long, value_name = "DIR", default_value = "benches/results")]
+    pub(crate) out: PathBuf,
+
+    /// Runs scenes again that were done before.
+    #[arg(long)]
+    pub(crate) again: bool,
+
+    /// How often each scene is run: 5 times, or twice in a quick run, if nothing is said.
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]
+    pub(crate) repeats: Option<u32>,
+}
+
+/// The beginning of some scene's name.
+fn scene_name(name: &str) -> Result<String, String> {
+    beginning(name, &scenes::all().into_iter().map(|course| course.name).collect::<Vec<_>>(), "scenes")
+}
+
 /// The beginning of some problem's name.
 fn problem_name(name: &str) -> Result<String, String> {
-    let names: Vec<String> = problems::all().into_iter().map(|problem| problem.name).collect();
+    beginning(name, &problems::all().into_iter().map(|problem| problem.name).collect::<Vec<_>>(), "problems")
+}
+
+/// A name, if one of these begins with it.
+fn beginning(name: &str, names: &[String], what: &str) -> Result<String, String> {
     if !name.is_empty() && names.iter().any(|full| full.starts_with(name)) {
         Ok(name.into())
     } else {
-        Err(format!("the problems are {}", names.join(", ")))
+        Err(format!("the {what} are {}", names.join(", ")))
     }
 }
 
@@ -84,6 +125,7 @@ pub(crate) fn run() -> ExitCode {
             }
         },
         Command::Error(options) => error::run(&options),
+        Command::Speed(options) => speed::run(&options),
     }
 }
 

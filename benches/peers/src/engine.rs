@@ -32,12 +32,20 @@ pub(crate) trait Simulation {
     /// The state of the body with this index in [`Scene::bodies`].
     fn state(&self, body: usize) -> State;
 
+    /// Gives the body with this index another velocity, m/s.
+    fn set_velocity(&mut self, body: usize, velocity: [f64; 2]);
+
     /// Mass, kg, and moment of inertia about the centre of mass, kg m²; infinite for bodies that are not dynamic.
     fn mass(&self, body: usize) -> [f64; 2];
 
     /// How many contact points the engine's solver had in the last step, those of bodies that are about to touch
     /// included. Takes a look at every contact.
     fn contact_points(&self) -> usize;
+
+    /// Seconds that the stages of the last step took, by name; empty where the engine does not tell.
+    fn stages(&self) -> Vec<(&'static str, f64)> {
+        Vec::new()
+    }
 }
 
 /// A physics engine.

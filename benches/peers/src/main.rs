@@ -5,8 +5,12 @@ mod cli;
 mod engine;
 mod engines;
 mod error;
+mod fingerprint;
+mod machine;
 mod problems;
 mod scene;
+mod speed;
+mod table;
 
 use std::process::ExitCode;
 

@@ -98,4 +98,6 @@ pub(crate) struct Scene {
     pub gravity: [f64; 2],
     /// Where an engine has no such force, it is applied to the bodies before each step, as its users do.
     pub pull: Option<Pull>,
+    /// Whether bodies at rest may fall asleep.
+    pub sleeps: bool,
 }

@@ -97,7 +97,7 @@ fn float(bodies: Vec<BodySpec>) -> Scene {
 
 /// Bodies under the gravity of the Earth.
 fn heavy(bodies: Vec<BodySpec>) -> Scene {
-    Scene { bodies, gravity: [0.0, -GRAVITY], pull: None }
+    Scene { bodies, gravity: [0.0, -GRAVITY], ..Scene::default() }
 }
 
 /// The world of a scene after so many seconds.
@@ -182,7 +182,7 @@ fn step_length(engine: &dyn Engine) -> f64 {
 
 fn throw(engine: &dyn Engine) -> f64 {
     let ball = BodySpec { velocity: [3.0, 4.0], ..disc(0.5) };
-    let scene = Scene { bodies: vec![ball], gravity: [0.5, -GRAVITY], pull: None };
+    let scene = Scene { bodies: vec![ball], gravity: [0.5, -GRAVITY], ..Scene::default() };
     let end = after(1.0, engine, &scene, FINE).state(0).position;
     distance(end, [3.0 + 0.25, 4.0 - 0.5 * GRAVITY]) / (0.5 * GRAVITY)
 }

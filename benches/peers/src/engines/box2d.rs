@@ -36,7 +36,7 @@ impl Engine for Box2d {
 }
 
 /// The instruction set Box2D is compiled for: see its core.h.
-const LANES: &str = if cfg!(all(feature = "avx2", target_arch = "x86_64")) {
+pub(crate) const LANES: &str = if cfg!(all(feature = "avx2", target_arch = "x86_64")) {
     "AVX2"
 } else if cfg!(target_arch = "x86_64") {
     "SSE2"
@@ -134,7 +134,7 @@ impl Box2dWorld {
         let world = unsafe {
             let mut definition = ffi::b2DefaultWorldDef();
             definition.gravity = vector(scene.gravity);
-            definition.enableSleep = false;
+            definition.enableSleep = scene.sleeps;
             definition.restitutionThreshold = 0.0;
             ffi::b2CreateWorld(&raw const definition)
         };
@@ -248,6 +248,11 @@ impl Simulation for Box2dWorld {
             velocity: numbers(velocity),
             spin: f64::from(spin),
         }
+    }
+
+    fn set_velocity(&mut self, body: usize, velocity: [f64; 2]) {
+        // SAFETY: the body is one of this world, which is alive.
+        unsafe { ffi::b2Body_SetLinearVelocity(self.bodies[body], vector(velocity)) }
     }
 
     fn mass(&self, body: usize) -> [f64; 2] {

@@ -4,7 +4,7 @@
 //!
 //! | | rustycs | Box2D | Rapier |
 //! |---|---|---|---|
-//! | sleeping | off | off | off |
+//! | sleeping, where a scene does not ask for it | off | off | off |
 //! | friction of a pair | geometric mean | geometric mean (its default) | geometric mean |
 //! | restitution of a pair | larger | larger (its default) | larger |
 //! | slowest approach that bounces | 0.1 m/s (default) | 0 (default 1 m/s) | has none |
@@ -23,9 +23,16 @@ mod rustycs;
 
 use crate::engine::Engine;
 
+pub(crate) use box2d::LANES as BOX2D_LANES;
+
 /// The engines, in the order of tables.
 pub(crate) fn all() -> Vec<Box<dyn Engine>> {
-    vec![Box::new(rustycs::Rustycs), Box::new(box2d::Box2d), Box::new(rapier::Rapier)]
+    vec![Box::new(rustycs::Rustycs::default()), Box::new(box2d::Box2d), Box::new(rapier::Rapier)]
+}
+
+/// rustycs with a clock between the stages of a step.
+pub(crate) fn with_clock() -> Box<dyn Engine> {
+    Box::new(rustycs::Rustycs { times_stages: true })
 }
 
 /// Whether the engines are built for a fair race.

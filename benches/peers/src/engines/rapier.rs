@@ -23,7 +23,7 @@ impl Engine for Rapier {
         world.gravity = vector(scene.gravity);
         world.integration_parameters.dt = (1.0 / fineness.tick_rate) as f32;
         world.integration_parameters.num_solver_iterations = fineness.substeps as usize;
-        let insert = |spec| world.insert(body(spec), collider(spec)).0;
+        let insert = |spec| world.insert(body(spec).can_sleep(scene.sleeps), collider(spec)).0;
         let bodies: Vec<_> = scene.bodies.iter().map(insert).collect();
         // Otherwise they have no mass before the first step.
         for &handle in &bodies {
@@ -43,7 +43,7 @@ fn body(spec: &BodySpec) -> RigidBodyBuilder {
         Kind::Kinematic => RigidBodyBuilder::kinematic_velocity_based(),
         Kind::Dynamic => RigidBodyBuilder::dynamic(),
     };
-    body.pose(pose(spec)).linvel(vector(spec.velocity)).angvel(spec.spin as f32).can_sleep(false)
+    body.pose(pose(spec)).linvel(vector(spec.velocity)).angvel(spec.spin as f32)
 }
 
 fn pose(spec: &BodySpec) -> Pose {
@@ -111,6 +111,10 @@ impl Simulation for RapierWorld {
             velocity: numbers(body.linvel()),
             spin: f64::from(body.angvel()),
         }
+    }
+
+    fn set_velocity(&mut self, body: usize, velocity: [f64; 2]) {
+        self.world.bodies[self.bodies[body]].set_linvel(vector(velocity), true);
     }
 
     fn mass(&self, body: usize) -> [f64; 2] {

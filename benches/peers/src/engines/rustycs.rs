@@ -1,13 +1,25 @@
 //! rustycs.
 
+use std::sync::LazyLock;
+use std::time::Instant;
+
 use rustycs::prelude::*;
 
 use crate::engine::{Engine, Fineness, Simulation, State};
 use crate::scene::{BodySpec, Kind, Outline, Pull, SOFTENING, Scene};
 
 /// rustycs at its defaults, with the mixing rules of Box2D.
-#[derive(Debug)]
-pub(crate) struct Rustycs;
+#[derive(Debug, Default)]
+pub(crate) struct Rustycs {
+    /// Whether it reads a clock between the stages of a step, which takes time too.
+    pub(crate) times_stages: bool,
+}
+
+/// Seconds since the first call.
+fn clock() -> f64 {
+    static START: LazyLock<Instant> = LazyLock::new(Instant::now);
+    START.elapsed().as_secs_f64()
+}
 
 impl Engine for Rustycs {
     fn name(&self) -> &'static str {
@@ -24,9 +36,10 @@ impl Engine for Rustycs {
             substeps: fineness.substeps,
             friction_mix: Mix::GeometricMean,
             restitution_mix: Mix::Max,
-            sleep: false,
+            sleep: scene.sleeps,
             ..Settings::default()
         });
+        world.set_clock(self.times_stages.then_some(clock));
         if scene.gravity != [0.0; 2] {
             world.add_force(Force::new("gravity", scene.gravity.map(|g| g as f32)));
         }
@@ -90,6 +103,11 @@ impl Simulation for RustycsWorld {
         }
     }
 
+    fn set_velocity(&mut self, body: usize, velocity: [f64; 2]) {
+        let mut body = self.world.body_mut(self.bodies[body]).expect("nobody removes a body");
+        body.set_velocity(velocity.map(|v| v as f32)).expect("a velocity that bodies take");
+    }
+
     fn mass(&self, body: usize) -> [f64; 2] {
         let body = self.body(body);
         [body.mass(), body.inertia()].map(f64::from)
@@ -97,5 +115,10 @@ impl Simulation for RustycsWorld {
 
     fn contact_points(&self) -> usize {
         self.world.contacts().map(|contact| contact.points().len()).sum()
+    }
+
+    fn stages(&self) -> Vec<(&'static str, f64)> {
+        let stages = self.world.profile().stages();
+        stages.map(|(stage, report)| (stage.name(), report.seconds.unwrap_or(0.0))).collect()
     }
 }

@@ -1,12 +1,10 @@
 //! The command `error`: how wrong the engines are on problems with a known outcome, and how long they take for it.
 
 mod compare;
-mod fingerprint;
-mod machine;
 mod measure;
 mod page;
 mod picture;
-mod rows;
+pub(crate) mod rows;
 mod sweep;
 
 use std::fs;
@@ -22,8 +20,11 @@ use crate::cli::ErrorOptions;
 use crate::engine::{Engine, Fineness};
 use crate::engines;
 use crate::error::measure::Measured;
-use crate::error::rows::{Row, Table};
+use crate::error::rows::Row;
+use crate::fingerprint;
+use crate::machine;
 use crate::problems::{self, Problem};
+use crate::table::Table;
 
 /// How often a row is timed at least where nothing is said: in a full run and in a quick one.
 const REPEATS: [u32; 2] = [5, 3];
@@ -134,7 +135,7 @@ fn tasks<'a>(
 /// Measures all tasks and keeps their rows. Whether it came to the end.
 fn measure(
     tasks: &[Task<'_>],
-    table: &mut Table,
+    table: &mut Table<Row>,
     repeats: u32,
     is_stopped: &dyn Fn() -> bool,
 ) -> io::Result<bool> {

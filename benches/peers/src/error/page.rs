@@ -9,7 +9,8 @@ use rustycs::report::Unit;
 use crate::engine::Engine;
 use crate::error::compare::{Comparison, InTime, Order, ROUNDING, Runs};
 use crate::error::rows::Row;
-use crate::error::{label, machine, picture};
+use crate::error::{label, picture};
+use crate::machine;
 use crate::problems::{Class, Problem};
 
 /// What we hold ourselves to in the same time on smooth problems: this part of the best peer's error ...

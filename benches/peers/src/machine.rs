@@ -4,7 +4,7 @@ use std::fs;
 use std::time::{SystemTime, UNIX_EPOCH};
 
 /// The processor, its number of threads, and the system.
-pub(super) fn name() -> String {
+pub(crate) fn name() -> String {
     let info = fs::read_to_string("/proc/cpuinfo").unwrap_or_default();
     let model = info.lines().find_map(|line| line.strip_prefix("model name")?.split_once(": "));
     let model = model.map_or("processor of unknown name", |(_, model)| model.trim());
@@ -14,7 +14,7 @@ pub(super) fn name() -> String {
 }
 
 /// Today's date and the time, UTC.
-pub(super) fn now() -> String {
+pub(crate) fn now() -> String {
     let seconds = SystemTime::now().duration_since(UNIX_EPOCH).map_or(0, |since| since.as_secs());
     let (day, second) = (seconds / 86_400, seconds % 86_400);
     let [year, month, day] = date(day as i64);

@@ -28,7 +28,7 @@ fn pile() -> Scene {
 }
 
 /// FNV-1a of all states of a pile after two seconds.
-pub(super) fn of(engine: &dyn Engine) -> String {
+pub(crate) fn of(engine: &dyn Engine) -> String {
     let scene = pile();
     let mut simulation = engine.simulate(&scene, Fineness { tick_rate: 60.0, substeps: 4 });
     for _ in 0..120 {
@@ -42,7 +42,7 @@ pub(super) fn of(engine: &dyn Engine) -> String {
 }
 
 /// FNV-1a.
-pub(super) fn hash(bytes: impl Iterator<Item = u8>) -> u64 {
+pub(crate) fn hash(bytes: impl Iterator<Item = u8>) -> u64 {
     bytes.fold(0xcbf2_9ce4_8422_2325, |hash, byte| (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3))
 }
 

@@ -1,0 +1,149 @@
+//! The command `speed`: how long a step takes, beside the overlap and the energy that the engines end with.
+
+mod measure;
+mod overlap;
+mod page;
+mod picture;
+mod rows;
+pub(crate) mod scenes;
+
+use std::fs;
+use std::io;
+use std::process::ExitCode;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+
+use indicatif::{ProgressBar, ProgressStyle};
+
+use crate::cli::SpeedOptions;
+use crate::engine::Engine;
+use crate::engines;
+use crate::machine;
+use crate::scene::Kind;
+use crate::table::Table;
+use rows::Row;
+use scenes::Course;
+
+/// How often a scene is run where nothing is said: in a full run and in a quick one.
+const REPEATS: [u32; 2] = [5, 2];
+
+/// Runs what is asked for. The exit code is 130 if Ctrl-C ended it early.
+pub(crate) fn run(options: &SpeedOptions) -> ExitCode {
+    let courses = scenes::all();
+    if options.list {
+        for course in &courses {
+            println!("{:<14} {}", course.name, course.statement);
+        }
+        return ExitCode::SUCCESS;
+    }
+    if let Err(reason) = engines::fair_build() {
+        eprintln!("{reason}");
+        return ExitCode::FAILURE;
+    }
+    let is_stopped = Arc::new(AtomicBool::new(false));
+    let flag = Arc::clone(&is_stopped);
+    if let Err(error) = ctrlc::set_handler(move || flag.store(true, Ordering::Relaxed)) {
+        eprintln!("Ctrl-C will end the program without a page: {error}");
+    }
+    match command(options, &courses, &|| is_stopped.load(Ordering::Relaxed)) {
+        Ok(true) => ExitCode::SUCCESS,
+        Ok(false) => ExitCode::from(130),
+        Err(error) => {
+            eprintln!("nothing could be written to {}: {error}", options.out.display());
+            ExitCode::FAILURE
+        }
+    }
+}
+
+/// Whether all was run.
+fn command(options: &SpeedOptions, courses: &[Course], is_stopped: &dyn Fn() -> bool) -> io::Result<bool> {
+    fs::create_dir_all(&options.out)?;
+    let engines = engines::all();
+    let engines: Vec<&dyn Engine> = engines.iter().map(Box::as_ref).collect();
+    let repeats = options.repeats.unwrap_or(REPEATS[usize::from(options.quick)]);
+    let holds =
+        |row: &Row| courses.iter().any(|course| course.name == row.scene && rows::setup(course) == row.setup);
+    let mut table = Table::open(&options.out.join("speed.csv"), holds)?;
+    let is_complete = measure(options, courses, &engines, &mut table, repeats, is_stopped)?;
+    println!("{}: {} rows", table.path().display(), table.rows().len());
+    page::write(&options.out, courses, table.rows())?;
+    Ok(is_complete)
+}
+
+/// Measures what is asked for and was not measured by this program before. Whether it came to the end.
+fn measure(
+    options: &SpeedOptions,
+    courses: &[Course],
+    engines: &[&dyn Engine],
+    table: &mut Table<Row>,
+    repeats: u32,
+    is_stopped: &dyn Fn() -> bool,
+) -> io::Result<bool> {
+    let (build, begun) = (rows::build(), machine::now());
+    let is_done = |course: &Course| {
+        let is_it = |row: &Row, engine: &dyn Engine| {
+            row.scene == course.name
+                && row.engine == engine.name()
+                && row.build == build
+                && row.repeats >= repeats
+        };
+        engines.iter().all(|&engine| table.rows().iter().any(|row| is_it(row, engine)))
+    };
+    let is_wanted = |course: &&Course| {
+        let is_named = options.only.iter().any(|name| course.name.starts_with(name));
+        let is_open = if options.only.is_empty() { !(options.quick && course.is_dear) } else { is_named };
+        is_open && (options.again || !is_done(course))
+    };
+    let tasks: Vec<&Course> = courses.iter().filter(is_wanted).collect();
+    let bar = ProgressBar::new(tasks.iter().map(|course| work(course)).sum());
+    // A style that is wrong would be a mistake here; the plain bar does as well.
+    if let Ok(style) = ProgressStyle::with_template("{wide_bar} {percent:>3} %  {eta} left  {msg}") {
+        bar.set_style(style);
+    }
+    for course in tasks {
+        bar.set_message(course.name.clone());
+        let Some(measured) = measure::measure(course, engines, repeats, is_stopped) else {
+            bar.finish_and_clear();
+            return Ok(false);
+        };
+        let shares = stages(course);
+        for (engine, measured) in engines.iter().zip(&measured) {
+            let is_ours = engine.name() == engines[0].name();
+            table.add(Row {
+                scene: course.name.clone(),
+                setup: rows::setup(course),
+                engine: engine.name().into(),
+                version: engine.version(),
+                lanes: engines::BOX2D_LANES.into(),
+                build: build.clone(),
+                bodies: bodies(course),
+                step_time: measured.step_time(course),
+                end: measured.end,
+                stages: if is_ours { shares.clone() } else { String::new() },
+                repeats,
+                begun: begun.clone(),
+            })?;
+        }
+        bar.inc(work(course));
+    }
+    bar.finish_and_clear();
+    Ok(true)
+}
+
+/// The share of each stage in the time of our step.
+fn stages(course: &Course) -> String {
+    let stages = measure::stages(course);
+    let all: f64 = stages.iter().map(|(_, seconds)| seconds).sum();
+    let shares = stages.iter().map(|(name, seconds)| format!("{name} {:.0}", 100.0 * seconds / all));
+    shares.collect::<Vec<_>>().join(" ")
+}
+
+/// Dynamic bodies.
+fn bodies(course: &Course) -> usize {
+    course.scene.bodies.iter().filter(|body| body.kind == Kind::Dynamic).count()
+}
+
+/// Bodies times ticks: to tell how far the command is.
+fn work(course: &Course) -> u64 {
+    bodies(course) as u64 * u64::from(course.warm_up + course.ticks)
+}
