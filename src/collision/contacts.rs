@@ -70,6 +70,28 @@ pub(crate) struct Contact {
 }
 
 impl Contact {
+    /// Whether the bodies touched in the last step, as its end found it.
+    #[inline(always)]
+    pub(crate) fn has_touched(&self) -> bool {
+        let touches = |point: &ManifoldPoint| point.normal_impulse > 0.0 || point.separation <= 0.0;
+        self.has_bounced || self.manifold.points().iter().any(touches)
+    }
+
+    /// Whether the bodies are as far apart as [`part`](Self::part) leaves them.
+    #[inline(always)]
+    pub(crate) fn is_apart(&self) -> bool {
+        self.manifold.points().is_empty() && !self.is_kept && !self.has_bounced && self.approach_speed == 0.0
+    }
+
+    /// Takes note that the bodies are out of reach of each other.
+    #[cold]
+    pub(crate) fn part(&mut self) {
+        self.manifold = Manifold::default();
+        self.is_kept = false;
+        self.has_bounced = false;
+        self.approach_speed = 0.0;
+    }
+
     /// Whether the last step pressed the bodies together.
     pub(crate) fn is_loaded(&self) -> bool {
         self.manifold.points().iter().any(|point| point.normal_impulse > 0.0)
@@ -101,6 +123,8 @@ pub(crate) struct Contacts {
     all: Slots<Contact>,
     /// Indices of the contacts with a body that the solver moves.
     awake: Vec<u32>,
+    /// Indices of the contacts of which this step may change whether they touch; some of them twice.
+    changing: Vec<u32>,
 }
 
 impl core::ops::Index<u32> for Contacts {
@@ -184,6 +208,28 @@ impl Contacts {
     /// Indices of the awake contacts. The order depends only on what happened so far.
     pub(crate) fn awake(&self) -> &[u32] {
         &self.awake
+    }
+
+    /// Notes that this step may change whether the bodies of the contact touch.
+    #[inline(always)]
+    pub(crate) fn note_change(&mut self, index: u32) {
+        self.changing.push(index);
+    }
+
+    /// How many contacts were noted.
+    pub(crate) fn changing_count(&self) -> usize {
+        self.changing.len()
+    }
+
+    /// The contacts that were noted, to be given back.
+    pub(crate) fn take_changing(&mut self) -> Vec<u32> {
+        std::mem::take(&mut self.changing)
+    }
+
+    /// Takes the list back, for its buffer.
+    pub(crate) fn clear_changing(&mut self, mut list: Vec<u32>) {
+        list.clear();
+        self.changing = list;
     }
 
     /// Index and contact of every contact, by ascending index.

@@ -44,14 +44,16 @@ pub(crate) struct Refresh {
 
 /// Brings the manifold of `contact` up to date. Impulses stay with their feature.
 pub(crate) fn refresh(contact: &mut Contact, bodies: &Bodies, settings: Refresh) {
-    contact.has_bounced = false;
-    contact.approach_speed = 0.0;
     let pair = Pair::new(contact, bodies, settings.dt);
     if pair.is_out_of_reach() {
-        contact.manifold = Manifold::default();
-        contact.is_kept = false;
+        // Most of these have been apart before: what is only read need not go back to memory.
+        if !contact.is_apart() {
+            contact.part();
+        }
         return;
     }
+    contact.has_bounced = false;
+    contact.approach_speed = 0.0;
     contact.is_kept = settings.recycling && pair.may_recycle(contact);
     if contact.is_kept {
         pair.recycle(contact);

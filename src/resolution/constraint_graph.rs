@@ -382,6 +382,9 @@ impl Job for Finish<'_> {
                     let contact = &mut self.contacts[index];
                     let speed = block.finish(place, &ends, contact, self.residual);
                     self.loads.note(index, contact, speed);
+                    if contact.has_touched() != contact.is_touching {
+                        self.contacts.note_change(index);
+                    }
                 }
             }
         }

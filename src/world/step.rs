@@ -20,7 +20,7 @@ impl World {
     /// contacts  awake contacts        brings manifolds up to date; ends contacts whose boxes parted
     /// solve     awake bodies          the substep loop: forces, impacts, contacts, motion
     /// finalize  awake bodies          adds the motion to the poses; boxes follow
-    /// events    awake contacts        what began, ended, hit; what left the bounds is removed
+    /// events    changing contacts     what began, ended, hit; what left the bounds is removed
     /// sleep     bodies long at rest   islands at rest leave the step
     /// ```
     pub fn step(&mut self) {
@@ -37,7 +37,7 @@ impl World {
         profile.run_stage(Stage::Contacts, self.contacts.awake().len(), || self.refresh_contacts());
         profile.run_stage(Stage::Solve, self.bodies.awake_count(), || self.solve());
         profile.run_stage(Stage::Finalize, self.bodies.awake_count(), || self.finalize());
-        profile.run_stage(Stage::Events, self.contacts.awake().len(), || self.report_events());
+        profile.run_stage(Stage::Events, self.changing_count(), || self.report_events());
         self.remove_those_that_left();
         profile.run_stage(Stage::Sleep, self.resting, || self.put_to_sleep());
         profile.counters = self.count();
@@ -90,10 +90,16 @@ impl World {
         for (index, is_close) in changed.drain(..) {
             if !is_close {
                 self.end_contact(index);
-            } else if self.contacts[index].manifold.points().is_empty() {
+                continue;
+            }
+            if self.contacts[index].manifold.points().is_empty() {
                 self.graph.leave(&mut self.contacts, index);
             } else {
                 self.enter_graph(index);
+            }
+            // The solver finds what touches, among what it solves.
+            if self.contacts[index].graph_place.is_none() {
+                self.contacts.note_change(index);
             }
         }
         // Of bodies that were taken apart while they touched.
@@ -176,23 +182,25 @@ impl World {
         }
     }
 
+    /// How many contacts may have begun or ceased to touch.
+    fn changing_count(&self) -> usize {
+        let bounced: usize = self.solvers.iter().map(|solver| solver.impacts.count()).sum();
+        self.contacts.changing_count() + bounced
+    }
+
     /// Reports which contacts began, ended or hit.
     fn report_events(&mut self) {
         for (index, speed) in self.solvers.iter().flat_map(|solver| solver.impacts.bounced()) {
             let contact = &mut self.contacts[index];
             contact.has_bounced = true;
             contact.approach_speed = contact.approach_speed.max(speed);
+            self.contacts.note_change(index);
         }
         let id_of = |slot: u32| BodyId(self.bodies.records.key_at(slot));
-        for place in 0..self.contacts.awake().len() {
-            let index = self.contacts.awake()[place];
+        let changing = self.contacts.take_changing();
+        for &index in &changing {
             let contact = &mut self.contacts[index];
-            let is_touching = contact.has_bounced
-                || contact
-                    .manifold
-                    .points()
-                    .iter()
-                    .any(|point| point.normal_impulse > 0.0 || point.separation <= 0.0);
+            let is_touching = contact.has_touched();
             if is_touching == contact.is_touching {
                 continue;
             }
@@ -207,6 +215,7 @@ impl World {
                 self.events.ended.push(ContactEvent { a, b });
             }
         }
+        self.contacts.clear_changing(changing);
         self.events.sort();
     }
 
