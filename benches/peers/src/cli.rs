@@ -6,7 +6,7 @@ use std::process::ExitCode;
 use clap::{Args, Parser, Subcommand};
 
 use crate::speed::{self, scenes};
-use crate::{check, engines, error, problems};
+use crate::{check, engines, error, problems, stability};
 
 /// rustycs beside Box2D and Rapier.
 #[derive(Debug, Parser)]
@@ -26,6 +26,9 @@ enum Command {
     /// Measures how long steps take in large scenes and in everyday ones, beside the overlap and the energy that the
     /// engines end with. Writes speed.csv, SPEED.md and two plots.
     Speed(SpeedOptions),
+    /// Plays stiff and extreme cases in the engines and judges each by statics or a law of conservation. Writes
+    /// stability.csv, STABILITY.md and pictures of how the cases end.
+    Stability(StabilityOptions),
 }
 
 /// Options of the command `error`.
@@ -93,6 +96,34 @@ fn scene_name(name: &str) -> Result<String, String> {
     beginning(name, &scenes::all().into_iter().map(|course| course.name).collect::<Vec<_>>(), "scenes")
 }
 
+/// Options of the command `stability`.
+#[derive(Args, Clone, Debug, Default)]
+pub(crate) struct StabilityOptions {
+    /// Names the cases and what must hold in each.
+    #[arg(long)]
+    pub(crate) list: bool,
+
+    /// Leaves out what takes many seconds.
+    #[arg(long)]
+    pub(crate) quick: bool,
+
+    /// The cases to play: names, or how they begin (`stack` for all stacks).
+    #[arg(long, value_name = "NAME,...", value_delimiter = ',', value_parser = case_name)]
+    pub(crate) only: Vec<String>,
+
+    /// The engines to play them in: rustycs, box2d, rapier.
+    #[arg(long, value_name = "NAME,...", value_delimiter = ',', value_parser = engine_name)]
+    pub(crate) engines: Vec<String>,
+
+    /// Where to write; what is found there is not played again.
+    #[arg(long, value_name = "DIR", default_value = "benches/results")]
+    pub(crate) out: PathBuf,
+
+    /// Plays again what was played before.
+    #[arg(long)]
+    pub(crate) again: bool,
+}
+
 /// The beginning of some problem's name.
 fn problem_name(name: &str) -> Result<String, String> {
     beginning(name, &problems::all().into_iter().map(|problem| problem.name).collect::<Vec<_>>(), "problems")
@@ -104,6 +135,16 @@ fn beginning(name: &str, names: &[String], what: &str) -> Result<String, String>
         Ok(name.into())
     } else {
         Err(format!("the {what} are {}", names.join(", ")))
+    }
+}
+
+/// The beginning of some case's name.
+fn case_name(name: &str) -> Result<String, String> {
+    let names: Vec<String> = rustycs_cases::stability::all().into_iter().map(|case| case.name).collect();
+    if !name.is_empty() && names.iter().any(|full| full.starts_with(name)) {
+        Ok(name.into())
+    } else {
+        Err(format!("the cases are {}", names.join(", ")))
     }
 }
 
@@ -126,6 +167,7 @@ pub(crate) fn run() -> ExitCode {
         },
         Command::Error(options) => error::run(&options),
         Command::Speed(options) => speed::run(&options),
+        Command::Stability(options) => stability::run(&options),
     }
 }
 

@@ -2,17 +2,19 @@
 
 mod check;
 mod cli;
-mod engine;
 mod engines;
 mod error;
 mod fingerprint;
+mod interrupt;
 mod machine;
 mod problems;
-mod scene;
 mod speed;
+mod stability;
 mod table;
 
 use std::process::ExitCode;
+
+use rustycs_cases::{engine, scene};
 
 fn main() -> ExitCode {
     cli::run()

@@ -29,7 +29,7 @@ fn read<R: Record>(line: &str) -> Option<R> {
 }
 
 /// A field as RFC 4180 has it: in quotes where it needs them.
-fn quoted(text: &str) -> String {
+pub(crate) fn quoted(text: &str) -> String {
     if text.contains([',', '"', '\n', '\r']) {
         format!("\"{}\"", text.replace('"', "\"\""))
     } else {
@@ -37,7 +37,8 @@ fn quoted(text: &str) -> String {
     }
 }
 
-fn fields(line: &str) -> Vec<String> {
+/// The fields of a line.
+pub(crate) fn fields(line: &str) -> Vec<String> {
     let mut fields = vec![String::new()];
     let mut is_quoted = false;
     let mut characters = line.chars().peekable();

@@ -19,7 +19,8 @@
 #[allow(unsafe_code, reason = "Box2D is a C library; all calls into it are in this module")]
 mod box2d;
 mod rapier;
-mod rustycs;
+
+use rustycs_cases::Rustycs;
 
 use crate::engine::Engine;
 
@@ -27,12 +28,12 @@ pub(crate) use box2d::LANES as BOX2D_LANES;
 
 /// The engines, in the order of tables.
 pub(crate) fn all() -> Vec<Box<dyn Engine>> {
-    vec![Box::new(rustycs::Rustycs::default()), Box::new(box2d::Box2d), Box::new(rapier::Rapier)]
+    vec![Box::new(Rustycs::default()), Box::new(box2d::Box2d), Box::new(rapier::Rapier)]
 }
 
 /// rustycs with a clock between the stages of a step.
 pub(crate) fn with_clock() -> Box<dyn Engine> {
-    Box::new(rustycs::Rustycs { times_stages: true })
+    Box::new(Rustycs { times_stages: true })
 }
 
 /// Whether the engines are built for a fair race.

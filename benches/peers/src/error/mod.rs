@@ -10,8 +10,6 @@ mod sweep;
 use std::fs;
 use std::io;
 use std::process::ExitCode;
-use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, Ordering};
 
 use indicatif::{ProgressBar, ProgressStyle};
 use rustycs::report::Unit;
@@ -22,6 +20,7 @@ use crate::engines;
 use crate::error::measure::Measured;
 use crate::error::rows::Row;
 use crate::fingerprint;
+use crate::interrupt;
 use crate::machine;
 use crate::problems::{self, Problem};
 use crate::table::Table;
@@ -42,19 +41,7 @@ pub(crate) fn run(options: &ErrorOptions) -> ExitCode {
         eprintln!("{reason}");
         return ExitCode::FAILURE;
     }
-    let is_stopped = Arc::new(AtomicBool::new(false));
-    let flag = Arc::clone(&is_stopped);
-    if let Err(error) = ctrlc::set_handler(move || flag.store(true, Ordering::Relaxed)) {
-        eprintln!("Ctrl-C will end the program without a page: {error}");
-    }
-    match command(options, &problems, &|| is_stopped.load(Ordering::Relaxed)) {
-        Ok(true) => ExitCode::SUCCESS,
-        Ok(false) => ExitCode::from(130),
-        Err(error) => {
-            eprintln!("nothing could be written to {}: {error}", options.out.display());
-            ExitCode::FAILURE
-        }
-    }
+    interrupt::exit_code(&options.out, |is_stopped| command(options, &problems, is_stopped))
 }
 
 /// An engine, and how it behaves.

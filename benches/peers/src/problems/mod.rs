@@ -13,7 +13,7 @@ mod toppling;
 
 use rustycs::report::Unit;
 
-use crate::scene::{BodySpec, Kind, Outline, Scene};
+use crate::scene::{Scene, block, disc, floor, rectangle};
 
 pub(crate) use run::{Run, ticks};
 
@@ -83,26 +83,6 @@ pub(crate) fn all() -> Vec<Problem> {
         flight::far_problems(),
     ];
     lists.into_iter().flatten().collect()
-}
-
-/// A dynamic disc.
-fn disc(radius: f64) -> BodySpec {
-    BodySpec::new(Kind::Dynamic, Outline::Circle { radius })
-}
-
-/// A dynamic box.
-fn rectangle(width: f64, height: f64) -> BodySpec {
-    BodySpec::new(Kind::Dynamic, Outline::Box { width, height })
-}
-
-/// A fixed box.
-fn block(width: f64, height: f64) -> BodySpec {
-    BodySpec::new(Kind::Fixed, Outline::Box { width, height })
-}
-
-/// A floor of 40 m, with its surface at height 0.
-fn floor() -> BodySpec {
-    BodySpec { position: [0.0, -1.0], ..block(40.0, 2.0) }
 }
 
 fn distance(one: [f64; 2], other: [f64; 2]) -> f64 {

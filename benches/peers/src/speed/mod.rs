@@ -10,14 +10,13 @@ pub(crate) mod scenes;
 use std::fs;
 use std::io;
 use std::process::ExitCode;
-use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, Ordering};
 
 use indicatif::{ProgressBar, ProgressStyle};
 
 use crate::cli::SpeedOptions;
 use crate::engine::Engine;
 use crate::engines;
+use crate::interrupt;
 use crate::machine;
 use crate::scene::Kind;
 use crate::table::Table;
@@ -40,19 +39,7 @@ pub(crate) fn run(options: &SpeedOptions) -> ExitCode {
         eprintln!("{reason}");
         return ExitCode::FAILURE;
     }
-    let is_stopped = Arc::new(AtomicBool::new(false));
-    let flag = Arc::clone(&is_stopped);
-    if let Err(error) = ctrlc::set_handler(move || flag.store(true, Ordering::Relaxed)) {
-        eprintln!("Ctrl-C will end the program without a page: {error}");
-    }
-    match command(options, &courses, &|| is_stopped.load(Ordering::Relaxed)) {
-        Ok(true) => ExitCode::SUCCESS,
-        Ok(false) => ExitCode::from(130),
-        Err(error) => {
-            eprintln!("nothing could be written to {}: {error}", options.out.display());
-            ExitCode::FAILURE
-        }
-    }
+    interrupt::exit_code(&options.out, |is_stopped| command(options, &courses, is_stopped))
 }
 
 /// Whether all was run.

@@ -4,16 +4,19 @@ use crate::scene::Scene;
 
 /// How fine a run is.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Fineness {
+pub struct Fineness {
     /// 1/s.
     pub tick_rate: f64,
     /// Substeps, or what the engine has in their place.
     pub substeps: u32,
 }
 
+/// Default settings: 60 Hz and 4 substeps, which all engines have.
+pub const DEFAULT: Fineness = Fineness { tick_rate: 60.0, substeps: 4 };
+
 /// Where a body is and how it moves.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub(crate) struct State {
+pub struct State {
     /// Of the centre of mass, m.
     pub position: [f64; 2],
     /// rad, counter-clockwise; whole turns may be missing.
@@ -25,7 +28,7 @@ pub(crate) struct State {
 }
 
 /// A world of some engine.
-pub(crate) trait Simulation {
+pub trait Simulation {
     /// One tick, on one thread.
     fn step(&mut self);
 
@@ -49,7 +52,7 @@ pub(crate) trait Simulation {
 }
 
 /// A physics engine.
-pub(crate) trait Engine {
+pub trait Engine {
     /// As it is called in tables.
     fn name(&self) -> &'static str;
 

@@ -2,7 +2,7 @@
 
 /// Outline of a body around its centre of mass.
 #[derive(Clone, Debug, PartialEq)]
-pub(crate) enum Outline {
+pub enum Outline {
     /// A disc.
     Circle {
         /// m.
@@ -19,9 +19,21 @@ pub(crate) enum Outline {
     Polygon(Vec<[f64; 2]>),
 }
 
+impl Outline {
+    /// Distance of the farthest point from the centre, m.
+    #[must_use]
+    pub fn reach(&self) -> f64 {
+        match self {
+            Self::Circle { radius } => *radius,
+            Self::Box { width, height } => 0.5 * width.hypot(*height),
+            Self::Polygon(corners) => corners.iter().map(|[x, y]| x.hypot(*y)).fold(0.0, f64::max),
+        }
+    }
+}
+
 /// How a body takes part in the motion.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Kind {
+pub enum Kind {
     /// Never moves.
     Fixed,
     /// Keeps the velocity it is given.
@@ -32,8 +44,10 @@ pub(crate) enum Kind {
 
 /// A body of a scene.
 #[derive(Clone, Debug, PartialEq)]
-pub(crate) struct BodySpec {
+pub struct BodySpec {
+    /// What it looks like.
     pub outline: Outline,
+    /// How it takes part.
     pub kind: Kind,
     /// Of the centre of mass, m.
     pub position: [f64; 2],
@@ -53,7 +67,8 @@ pub(crate) struct BodySpec {
 
 impl BodySpec {
     /// A body at rest at the origin, of density 1 kg/m² and friction 0.6, that does not bounce.
-    pub(crate) fn new(kind: Kind, outline: Outline) -> Self {
+    #[must_use]
+    pub fn new(kind: Kind, outline: Outline) -> Self {
         Self {
             outline,
             kind,
@@ -70,7 +85,7 @@ impl BodySpec {
 
 /// A pull of every dynamic body towards a point, by the inverse square of the distance.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Pull {
+pub struct Pull {
     /// m.
     pub center: [f64; 2],
     /// Acceleration times distance squared, m³/s².
@@ -78,11 +93,11 @@ pub(crate) struct Pull {
 }
 
 /// Distance, m, below which a pull falls off linearly instead of growing.
-pub(crate) const SOFTENING: f64 = 1e-3;
+pub const SOFTENING: f64 = 1e-3;
 
 impl Pull {
     /// Acceleration of a body whose centre of mass is here, m/s².
-    pub(crate) fn acceleration(&self, position: [f64; 2]) -> [f64; 2] {
+    pub fn acceleration(&self, position: [f64; 2]) -> [f64; 2] {
         let [x, y] = [self.center[0] - position[0], self.center[1] - position[1]];
         let softened = x.hypot(y).max(SOFTENING);
         [x, y].map(|toward| self.strength * toward / softened.powi(3))
@@ -91,7 +106,7 @@ impl Pull {
 
 /// Bodies, and what acts on them.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub(crate) struct Scene {
+pub struct Scene {
     /// In the order in which every engine adds them.
     pub bodies: Vec<BodySpec>,
     /// m/s².
@@ -100,4 +115,28 @@ pub(crate) struct Scene {
     pub pull: Option<Pull>,
     /// Whether bodies at rest may fall asleep.
     pub sleeps: bool,
+}
+
+/// A dynamic disc.
+#[must_use]
+pub fn disc(radius: f64) -> BodySpec {
+    BodySpec::new(Kind::Dynamic, Outline::Circle { radius })
+}
+
+/// A dynamic box.
+#[must_use]
+pub fn rectangle(width: f64, height: f64) -> BodySpec {
+    BodySpec::new(Kind::Dynamic, Outline::Box { width, height })
+}
+
+/// A fixed box.
+#[must_use]
+pub fn block(width: f64, height: f64) -> BodySpec {
+    BodySpec::new(Kind::Fixed, Outline::Box { width, height })
+}
+
+/// A floor of 40 m, with its surface at height 0.
+#[must_use]
+pub fn floor() -> BodySpec {
+    BodySpec { position: [0.0, -1.0], ..block(40.0, 2.0) }
 }

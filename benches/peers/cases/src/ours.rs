@@ -10,9 +10,9 @@ use crate::scene::{BodySpec, Kind, Outline, Pull, SOFTENING, Scene};
 
 /// rustycs at its defaults, with the mixing rules of Box2D.
 #[derive(Debug, Default)]
-pub(crate) struct Rustycs {
+pub struct Rustycs {
     /// Whether it reads a clock between the stages of a step, which takes time too.
-    pub(crate) times_stages: bool,
+    pub times_stages: bool,
 }
 
 /// Seconds since the first call.
@@ -31,27 +31,46 @@ impl Engine for Rustycs {
     }
 
     fn simulate(&self, scene: &Scene, fineness: Fineness) -> Box<dyn Simulation> {
-        let mut world = World::new(Settings {
+        let settings = Settings {
             tick_rate: fineness.tick_rate as f32,
             substeps: fineness.substeps,
-            friction_mix: Mix::GeometricMean,
-            restitution_mix: Mix::Max,
             sleep: scene.sleeps,
             ..Settings::default()
-        });
+        };
+        let (mut world, bodies) = build(scene, &settings);
         world.set_clock(self.times_stages.then_some(clock));
-        if scene.gravity != [0.0; 2] {
-            world.add_force(Force::new("gravity", scene.gravity.map(|g| g as f32)));
-        }
-        if let Some(Pull { center, strength }) = scene.pull {
-            // The gravitational constant is 1 by default.
-            let attractor = Attractor::global(center, strength as f32).with_min_distance(SOFTENING as f32);
-            world.add_attractor(attractor.expect("the distance is one that attractors take"));
-        }
-        let add = |spec| world.add(body(spec)).unwrap_or_else(|error| panic!("{spec:?}: {error}"));
-        let bodies = scene.bodies.iter().map(add).collect();
         Box::new(RustycsWorld { world, bodies })
     }
+}
+
+impl Rustycs {
+    /// A world of the scene with some settings, but for the rules by which materials mix.
+    ///
+    /// # Panics
+    /// If the engine does not take the settings or one of the bodies.
+    #[must_use]
+    pub fn world(scene: &Scene, settings: &Settings) -> World {
+        build(scene, settings).0
+    }
+}
+
+fn build(scene: &Scene, settings: &Settings) -> (World, Vec<BodyId>) {
+    let mut world = World::new(Settings {
+        friction_mix: Mix::GeometricMean,
+        restitution_mix: Mix::Max,
+        ..settings.clone()
+    });
+    if scene.gravity != [0.0; 2] {
+        world.add_force(Force::new("gravity", scene.gravity.map(|g| g as f32)));
+    }
+    if let Some(Pull { center, strength }) = scene.pull {
+        // The gravitational constant is 1 by default.
+        let attractor = Attractor::global(center, strength as f32).with_min_distance(SOFTENING as f32);
+        world.add_attractor(attractor.expect("the distance is one that attractors take"));
+    }
+    let add = |spec| world.add(body(spec)).unwrap_or_else(|error| panic!("{spec:?}: {error}"));
+    let bodies = scene.bodies.iter().map(add).collect();
+    (world, bodies)
 }
 
 fn body(spec: &BodySpec) -> Body {

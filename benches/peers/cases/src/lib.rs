@@ -1,0 +1,9 @@
+//! Scenes in words that every engine understands, the engines' common face, and hard cases with what must hold in
+//! each. The program beside it runs them in other engines too; the tests of rustycs run them in rustycs.
+
+pub mod engine;
+mod ours;
+pub mod scene;
+pub mod stability;
+
+pub use ours::Rustycs;
