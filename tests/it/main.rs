@@ -13,5 +13,6 @@ mod random_use;
 #[cfg(feature = "report")]
 mod report;
 mod sleep;
+mod stability;
 mod support;
 mod twins;

@@ -1,0 +1,42 @@
+//! For a very long time, and by chance.
+
+use super::hold;
+
+#[test]
+fn a_pile_does_not_creep() {
+    hold(&["pile-5-minutes"]);
+}
+
+#[test]
+#[ignore = "an hour of 100 bodies; pile-5-minutes is like it"]
+fn a_pile_does_not_creep_in_an_hour() {
+    hold(&["pile-60-minutes"]);
+}
+
+#[test]
+fn a_pile_that_sleeps_does_not_wake_in_an_hour() {
+    hold(&["pile-asleep-for-an-hour"]);
+}
+
+#[test]
+fn planets_keep_their_orbits() {
+    hold(&["solar-system-100"]);
+}
+
+#[test]
+#[ignore = "10,000 orbits; solar-system-100 is like it"]
+fn planets_keep_their_orbits_for_10_000_orbits_of_mercury() {
+    hold(&["solar-system-10000"]);
+}
+
+#[test]
+#[ignore = "five of a hundred end with an overlap of up to 5 cm"]
+fn worlds_by_chance_stay_sound() {
+    hold(&["random-worlds-100"]);
+}
+
+#[test]
+#[ignore = "minutes; random-worlds-100 is like it"]
+fn ten_thousand_worlds_by_chance_stay_sound() {
+    hold(&["random-worlds-10000"]);
+}
