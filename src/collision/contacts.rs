@@ -64,6 +64,8 @@ pub(crate) struct Contact {
     pub(crate) approach_speed: f32,
     /// Colour and place in the constraint graph, while the contact has points and is awake.
     pub(crate) graph_place: Option<(u32, u32)>,
+    /// Whether the constraint graph has it among the contacts of one point.
+    pub(crate) is_sorted_as_single: bool,
     /// Place in the list of awake contacts, `NONE` while neither body is awake.
     awake_place: u32,
     links: [Link; 2],
@@ -75,6 +77,16 @@ impl Contact {
     pub(crate) fn has_touched(&self) -> bool {
         let touches = |point: &ManifoldPoint| point.normal_impulse > 0.0 || point.separation <= 0.0;
         self.has_bounced || self.manifold.points().iter().any(touches)
+    }
+
+    /// Whether the constraint graph has it where it no longer belongs: it has got or lost points.
+    #[inline(always)]
+    pub(crate) fn is_misplaced(&self) -> bool {
+        let points = self.manifold.points().len();
+        match self.graph_place {
+            None => points > 0,
+            Some(_) => points == 0 || self.is_sorted_as_single != (points == 1),
+        }
     }
 
     /// Whether the bodies are as far apart as [`part`](Self::part) leaves them.
@@ -167,6 +179,7 @@ impl Contacts {
             has_bounced: false,
             approach_speed: 0.0,
             graph_place: None,
+            is_sorted_as_single: false,
             awake_place: NONE,
             links: first.map(|next| Link { previous: NONE, next }),
         });

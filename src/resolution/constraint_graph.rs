@@ -33,8 +33,10 @@ const SECTION: usize = COLOURS + 1;
 pub(crate) struct Colour {
     /// Slots of the movable bodies in it.
     bodies: BitSet,
-    /// Indices of the contacts in it.
+    /// Indices of the contacts in it: first those of one point, so that most blocks have only such or none.
     pub(crate) contacts: Vec<u32>,
+    /// How many of them have one point.
+    singles: usize,
     /// The contacts as the solver sees them during a step, in the same order.
     blocks: Vec<ContactBlock>,
     /// How many blocks the colours before this one have.
@@ -120,9 +122,17 @@ impl ConstraintGraph {
             }
         }
         let number = effort as usize * SECTION + colour;
-        contacts[index].graph_place = Some((number as u32, entered.contacts.len() as u32));
-        entered.contacts.push(index);
+        entered.push(number as u32, index, contacts);
         self.len += 1;
+    }
+
+    /// Moves a contact of the graph to where those with as many points are, if it has not as many as before.
+    pub(crate) fn sort_in(&mut self, contacts: &mut Contacts, index: u32) {
+        if let Some((number, place)) = contacts[index].graph_place {
+            let colour = &mut self.colours[number as usize];
+            colour.take(number, place as usize, contacts);
+            colour.push(number, index, contacts);
+        }
     }
 
     /// Moves the contact with this index, which is in a colour, to the effort that its bodies have now. Its impulses,
@@ -151,10 +161,7 @@ impl ConstraintGraph {
     pub(crate) fn leave(&mut self, contacts: &mut Contacts, index: u32) {
         let Some((colour, place)) = contacts[index].graph_place.take() else { return };
         let left = &mut self.colours[colour as usize];
-        left.contacts.swap_remove(place as usize);
-        if let Some(&moved) = left.contacts.get(place as usize) {
-            contacts[moved].graph_place = Some((colour, place));
-        }
+        left.take(colour, place as usize, contacts);
         if colour as usize % SECTION != OVERFLOW {
             // Fixed and kinematic bodies were never entered; taking them out does nothing.
             for slot in contacts[index].slots {
@@ -284,6 +291,9 @@ impl ConstraintGraph {
                 if contacts[index].graph_place != Some((number as u32, place as u32)) {
                     return Err(format!("contact {index} is not where the constraint graph holds it"));
                 }
+                if contacts[index].is_sorted_as_single != (place < colour.singles) {
+                    return Err(format!("contact {index} is not among those with as many points"));
+                }
                 for slot in contacts[index].slots {
                     if number % SECTION != OVERFLOW && bodies.is_dynamic(slot) && !seen.insert(slot) {
                         return Err(format!("colour {number} holds body {slot} twice"));
@@ -400,6 +410,38 @@ fn effort_of(bodies: &Bodies, slots: [u32; 2]) -> Effort {
 impl Colour {
     fn is_empty(&self) -> bool {
         self.contacts.is_empty()
+    }
+
+    /// Puts a contact to those with as many points; `number` is that of this colour.
+    fn push(&mut self, number: u32, index: u32, contacts: &mut Contacts) {
+        let is_single = contacts[index].manifold.points().len() == 1;
+        contacts[index].is_sorted_as_single = is_single;
+        self.contacts.push(index);
+        let mut place = self.contacts.len() - 1;
+        if is_single {
+            self.contacts.swap(self.singles, place);
+            contacts[self.contacts[place]].graph_place = Some((number, place as u32));
+            place = self.singles;
+            self.singles += 1;
+        }
+        contacts[index].graph_place = Some((number, place as u32));
+    }
+
+    /// Takes the contact at a place out; others fill the gap.
+    fn take(&mut self, number: u32, mut place: usize, contacts: &mut Contacts) {
+        if place < self.singles {
+            self.singles -= 1;
+            let last_single = self.contacts[self.singles];
+            if place < self.singles {
+                self.contacts[place] = last_single;
+                contacts[last_single].graph_place = Some((number, place as u32));
+            }
+            place = self.singles;
+        }
+        self.contacts.swap_remove(place);
+        if let Some(&moved) = self.contacts.get(place) {
+            contacts[moved].graph_place = Some((number, place as u32));
+        }
     }
 
     #[inline(always)]

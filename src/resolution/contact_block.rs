@@ -19,6 +19,8 @@ pub(crate) struct ContactBlock {
     rows: RowPairs,
     /// Whether any of the contacts has something special.
     is_special: bool,
+    /// Whether none of the contacts has a second point.
+    is_single: bool,
     columns: ContactConstraint<Column>,
 }
 
@@ -50,6 +52,7 @@ impl ContactBlock {
         }
         self.rows = RowPairs::default();
         self.is_special = false;
+        self.is_single = true;
         self.columns.special.awaits_impact = Default::default();
         for (place, &index) in indices.iter().enumerate() {
             self.put(place, &contacts[index], bodies, scale);
@@ -70,6 +73,7 @@ impl ContactBlock {
         self.is_special |= a.is_round || b.is_round;
         columns.friction.set(place, contact.friction);
         columns.normal.store(place, contact.manifold.normal.into());
+        self.is_single &= contact.manifold.points().len() < 2;
         let mut points = contact.manifold.points().iter();
         for (to, friction) in columns.points.iter_mut().zip(&mut columns.frictions) {
             let (point, k) = points.next().map_or((ManifoldPoint::default(), 0.0), |point| (*point, THERE));
@@ -136,6 +140,12 @@ impl ContactBlock {
         load
     }
 
+    /// Whether none of the contacts has a second point.
+    #[inline(always)]
+    pub(crate) fn is_single(&self) -> bool {
+        self.is_single
+    }
+
     /// Whether a contact presses its bodies apart.
     pub(crate) fn is_loaded(&self, place: usize) -> bool {
         self.columns.points.iter().any(|point| point.normal_impulse.get(place) > 0.0)
@@ -154,30 +164,38 @@ impl ContactBlock {
         self.columns.store_geometry(place, constraint);
     }
 
-    /// Writes impulses along the normal back.
+    /// Writes impulses along the normal back, of the first points.
     #[inline(always)]
-    pub(crate) fn store_normal_impulses<L: Lane>(&mut self, place: usize, constraint: &ContactConstraint<L>) {
-        for (to, point) in self.columns.points.iter_mut().zip(&constraint.points) {
-            point.normal_impulse.store(&mut to.normal_impulse, place);
-        }
-    }
-
-    /// Writes impulses along the tangent back.
-    #[inline(always)]
-    pub(crate) fn store_friction_impulses<L: Lane>(
+    pub(crate) fn store_normal_impulses<L: Lane, const POINTS: usize>(
         &mut self,
         place: usize,
         constraint: &ContactConstraint<L>,
     ) {
-        for (to, friction) in self.columns.frictions.iter_mut().zip(&constraint.frictions) {
+        for (to, point) in self.columns.points.iter_mut().zip(&constraint.points).take(POINTS) {
+            point.normal_impulse.store(&mut to.normal_impulse, place);
+        }
+    }
+
+    /// Writes impulses along the tangent back, of the first points.
+    #[inline(always)]
+    pub(crate) fn store_friction_impulses<L: Lane, const POINTS: usize>(
+        &mut self,
+        place: usize,
+        constraint: &ContactConstraint<L>,
+    ) {
+        for (to, friction) in self.columns.frictions.iter_mut().zip(&constraint.frictions).take(POINTS) {
             friction.impulse.store(&mut to.impulse, place);
         }
     }
 
-    /// Writes the shares of the warm start.
+    /// Writes the shares of the warm start, of the first points.
     #[inline(always)]
-    pub(crate) fn store_shares<L: Lane>(&mut self, place: usize, constraint: &ContactConstraint<L>) {
-        for (to, friction) in self.columns.frictions.iter_mut().zip(&constraint.frictions) {
+    pub(crate) fn store_shares<L: Lane, const POINTS: usize>(
+        &mut self,
+        place: usize,
+        constraint: &ContactConstraint<L>,
+    ) {
+        for (to, friction) in self.columns.frictions.iter_mut().zip(&constraint.frictions).take(POINTS) {
             friction.normal_share.store(&mut to.normal_share, place);
         }
     }

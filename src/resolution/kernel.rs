@@ -29,12 +29,23 @@ pub(crate) struct WarmStart<'a> {
 impl Kernel for WarmStart<'_> {
     #[inline(always)]
     fn run<L: Lane>(&mut self, block: &mut ContactBlock, place: usize) {
+        if block.is_single() {
+            self.start::<L, 1>(block, place);
+        } else {
+            self.start::<L, 2>(block, place);
+        }
+    }
+}
+
+impl WarmStart<'_> {
+    #[inline(always)]
+    fn start<L: Lane, const POINTS: usize>(&mut self, block: &mut ContactBlock, place: usize) {
         let mut constraint = block.load::<L>(place);
         let [mut a, mut b] = block.gather_velocities(self.shares, place);
         let normal = constraint.normal;
         let tangent = normal.perp();
         let part = L::splat(self.part);
-        for index in 0..2 {
+        for index in 0..POINTS {
             let (point, friction) = (&mut constraint.points[index], &mut constraint.frictions[index]);
             point.normal_impulse = point.normal_impulse * part;
             friction.normal_share = point.normal_impulse;
@@ -42,9 +53,9 @@ impl Kernel for WarmStart<'_> {
             let impulse = normal * point.normal_impulse + tangent * friction.impulse;
             constraint.apply(&constraint.points[index], impulse, &mut a, &mut b);
         }
-        block.store_normal_impulses(place, &constraint);
-        block.store_friction_impulses(place, &constraint);
-        block.store_shares(place, &constraint);
+        block.store_normal_impulses::<L, POINTS>(place, &constraint);
+        block.store_friction_impulses::<L, POINTS>(place, &constraint);
+        block.store_shares::<L, POINTS>(place, &constraint);
         block.scatter(self.shares, place, &[a, b]);
     }
 }
@@ -80,44 +91,47 @@ pub(crate) struct SweepOver<'a> {
 }
 
 impl Kernel for SweepOver<'_> {
-    /// Asks for the kind once per block, so that what is compiled for the default kinds has no branches, which keeps
-    /// numbers in registers.
+    /// Asks for the kind and for the number of points once per block, so that what is compiled for the default kinds
+    /// has no branches, which keeps numbers in registers, and reads nothing of a point that no contact has.
     #[inline(always)]
     fn run<L: Lane>(&mut self, block: &mut ContactBlock, place: usize) {
-        match self.kind {
-            Sweep::MAIN => self.sweep::<L>(block, place, Sweep::MAIN),
-            Sweep::RELAX => self.sweep::<L>(block, place, Sweep::RELAX),
-            kind => self.sweep::<L>(block, place, kind),
+        match (self.kind, block.is_single()) {
+            (Sweep::MAIN, true) => self.sweep::<L, 1>(block, place, Sweep::MAIN),
+            (Sweep::MAIN, false) => self.sweep::<L, 2>(block, place, Sweep::MAIN),
+            (Sweep::RELAX, true) => self.sweep::<L, 1>(block, place, Sweep::RELAX),
+            (Sweep::RELAX, false) => self.sweep::<L, 2>(block, place, Sweep::RELAX),
+            (kind, _) => self.sweep::<L, 2>(block, place, kind),
         }
     }
 }
 
 impl SweepOver<'_> {
     #[inline(always)]
-    fn sweep<L: Lane>(&mut self, block: &mut ContactBlock, place: usize, kind: Sweep) {
+    fn sweep<L: Lane, const POINTS: usize>(&mut self, block: &mut ContactBlock, place: usize, kind: Sweep) {
         let mut constraint = block.load::<L>(place);
         if kind.counts_share {
-            for (point, friction) in constraint.points.iter_mut().zip(&mut constraint.frictions) {
+            for (point, friction) in constraint.points.iter_mut().zip(&mut constraint.frictions).take(POINTS)
+            {
                 point.normal_impulse = point.normal_impulse + friction.normal_share;
                 friction.impulse = friction.impulse + friction.impulse;
             }
         }
         let [mut a, mut b] = block.gather(self.states, place);
-        if kind.block {
+        if kind.block && POINTS == 2 {
             solve_normals_together(&mut constraint, &mut a, &mut b, kind.biased, self.per_substep);
         } else {
-            for index in 0..2 {
+            for index in 0..POINTS {
                 solve_normal(&mut constraint, index, &mut a, &mut b, kind.biased, self.per_substep);
             }
         }
-        block.store_normal_impulses(place, &constraint);
+        block.store_normal_impulses::<L, POINTS>(place, &constraint);
         if kind.friction {
-            for index in 0..2 {
+            for index in 0..POINTS {
                 solve_friction(&mut constraint, index, &mut a, &mut b);
             }
         }
         if kind.friction || kind.counts_share {
-            block.store_friction_impulses(place, &constraint);
+            block.store_friction_impulses::<L, POINTS>(place, &constraint);
         }
         block.scatter(self.states, place, &[a, b]);
     }
@@ -168,9 +182,10 @@ fn solve_normals_together<L: Lane>(
     let (k11, first_is_there) = k_or_one(point_1.normal_k);
     let (k22, second_is_there) = k_or_one(point_2.normal_k);
     let k12 = constraint.coupling;
+    // A second point that is not there asks for nothing: then the first gets what it gets on its own.
     let q = [
         violation_1 - (k11 * before[0] + k12 * before[1]),
-        violation_2 - (k12 * before[0] + k22 * before[1]),
+        L::select(second_is_there, violation_2 - (k12 * before[0] + k22 * before[1]), zero),
     ];
     let [x1, x2] = solve_pair(k11 * (one + leak_1), k12, k22 * (one + leak_2), q);
     let after = [L::select(first_is_there, x1, zero), L::select(second_is_there, x2, zero)];

@@ -83,7 +83,7 @@ impl World {
             // Bodies with points are close, whatever their boxes say.
             let [a, b] = contact.slots;
             let is_close = !contact.manifold.points().is_empty() || self.broad_phase.overlap(a, b);
-            if !is_close || contact.manifold.points().is_empty() == contact.graph_place.is_some() {
+            if !is_close || contact.is_misplaced() {
                 changed.push((index, is_close));
             }
         }
@@ -94,6 +94,8 @@ impl World {
             }
             if self.contacts[index].manifold.points().is_empty() {
                 self.graph.leave(&mut self.contacts, index);
+            } else if self.contacts[index].graph_place.is_some() {
+                self.graph.sort_in(&mut self.contacts, index);
             } else {
                 self.enter_graph(index);
             }
