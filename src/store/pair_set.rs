@@ -1,5 +1,7 @@
 //! A set of unordered pairs of numbers: which bodies already have a contact.
 
+use crate::compute::prefetch;
+
 /// A hash set of unordered pairs with open addressing. It is asked, never walked, so its inner order cannot
 /// reach a result.
 #[derive(Clone, Debug, Default)]
@@ -25,6 +27,13 @@ impl PairSet {
 
     pub(crate) fn contains(&self, a: u32, b: u32) -> bool {
         !self.table.is_empty() && self.table[self.find(key_of(a, b))] != EMPTY
+    }
+
+    /// Asks for the place of the pair to be brought close.
+    #[inline(always)]
+    pub(crate) fn prefetch(&self, a: u32, b: u32) {
+        let mask = self.table.len().wrapping_sub(1);
+        prefetch(&self.table, home_of(key_of(a, b), mask));
     }
 
     /// Adds the pair; returns whether it is new.

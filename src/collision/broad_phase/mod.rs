@@ -44,6 +44,10 @@ const STEPS_AHEAD: f32 = 4.0;
 /// body slows down.
 const TOO_BIG: f32 = 2.0;
 
+/// So many pairs that were met are looked up together: their places in memory have been asked for before and come
+/// meanwhile.
+const ASKED_TOGETHER: usize = 32;
+
 /// The tree a body is in and its leaf there.
 #[derive(Clone, Copy, Debug, Default)]
 enum Home {
@@ -78,6 +82,8 @@ pub(crate) struct BroadPhase {
     moved: Vec<u32>,
     /// Pairs the caller has been told of and has not ended.
     pairs: PairSet,
+    /// Scratch: pairs that were met and may be known.
+    met: Vec<(u32, u32)>,
 }
 
 impl BroadPhase {
@@ -179,15 +185,16 @@ impl BroadPhase {
     /// from now on. Then no body counts as moved any more.
     pub(crate) fn find_pairs(&mut self, accept: impl Fn(u32, u32) -> bool, out: &mut Vec<(u32, u32)>) {
         let first_new = out.len();
-        let Self { proxies, fixed, movable, moved, pairs } = self;
+        let Self { proxies, fixed, movable, moved, pairs, met } = self;
         for &body in moved.iter() {
             let proxy = proxies[body as usize];
             let mut meet = |other: u32| {
                 let (a, b) = (body.min(other), body.max(other));
                 // Two moved bodies find each other; the one with the smaller number reports it.
                 let is_reported_by_other = other <= body && proxies[other as usize].moved_at.is_some();
-                if !is_reported_by_other && !pairs.contains(a, b) && accept(a, b) {
-                    out.push((a, b));
+                if !is_reported_by_other {
+                    pairs.prefetch(a, b);
+                    met.push((a, b));
                 }
                 true
             };
@@ -195,7 +202,12 @@ impl BroadPhase {
             if matches!(proxy.home, Home::Movable(_)) {
                 fixed.query(proxy.fat, &mut meet);
             }
+            // The set is asked a while later, when its memory has come: by then the next walk is on its way.
+            if met.len() >= ASKED_TOGETHER {
+                out.extend(met.drain(..).filter(|&(a, b)| !pairs.contains(a, b) && accept(a, b)));
+            }
         }
+        out.extend(met.drain(..).filter(|&(a, b)| !pairs.contains(a, b) && accept(a, b)));
         for body in moved.drain(..) {
             proxies[body as usize].moved_at = None;
         }
