@@ -121,6 +121,8 @@ fn measure(
 fn stages(course: &Course) -> String {
     let stages = measure::stages(course);
     let all: f64 = stages.iter().map(|(_, seconds)| seconds).sum();
+    // Where all sleep no stage runs.
+    let all = all.max(f64::MIN_POSITIVE);
     let shares = stages.iter().map(|(name, seconds)| format!("{name} {:.0}", 100.0 * seconds / all));
     shares.collect::<Vec<_>>().join(" ")
 }
