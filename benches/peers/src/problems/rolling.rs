@@ -193,9 +193,9 @@ fn bowl() -> Problem {
         }),
         range: Range::Full,
         goal: None,
-        note: "Where the disc comes to the next facet, that one takes over the load of a whole substep, as if the one before \
-               had carried nothing of it: the disc hits it with v sin δ + g h/2 instead of v sin δ, and loses more than \
-               it should, in proportion to the length h of a substep.",
+        note: "The disc meets each facet at its time, but the support of a substep acts half along the facet of its \
+               beginning and half along that of its end, wherever the corner between them lies: at each corner the \
+               velocity is off by up to g h/2 sin δ, of either sign, h being the length of a substep.",
     }
 }
 
