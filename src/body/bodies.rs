@@ -28,8 +28,8 @@ pub(crate) struct Record {
     pub(crate) effort: Effort,
     /// For how many steps less effort would have done.
     pub(crate) calm_steps: u8,
-    /// The step from which on more effort may be thought of.
-    pub(crate) quiet_until: u32,
+    /// The tick from which on more effort may be thought of.
+    pub(crate) quiet_until: u64,
     /// The sleeping group the body belongs to, or `NONE` while it is awake or fixed.
     pub(crate) sleep_group: u32,
 }

@@ -22,6 +22,9 @@ pub(crate) struct F32x8(__m256);
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Mask8(__m256);
 
+/// Angles up to this are within an eighth of a turn, rad.
+const SMALL: f32 = 0.75;
+
 #[inline(always)]
 fn debug_check() {
     debug_assert!(is_x86_feature_detected!("avx2"), "eight numbers at a time need AVX2");
@@ -246,7 +249,7 @@ impl Lane for F32x8 {
 
     #[inline(always)]
     fn sin_cos(self) -> (Self, Self) {
-        if Self::bits(Self::splat(trig::SMALL).greater(self.abs())) != 0xFF {
+        if Self::bits(Self::splat(SMALL).greater(self.abs())) != 0xFF {
             return each_alone(self);
         }
         // SAFETY: AVX2 is there, see the module.

@@ -10,7 +10,6 @@ pub(crate) fn prefetch<T>(values: &[T], index: usize) {
         for line in (0..size_of::<T>()).step_by(64) {
             // SAFETY: SSE is part of the target; a prefetch reads nothing that the program sees, and the address is
             // within the value.
-            #[allow(unused_unsafe)]
             unsafe {
                 core::arch::x86_64::_mm_prefetch::<{ core::arch::x86_64::_MM_HINT_T0 }>(address.add(line));
             }

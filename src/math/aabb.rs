@@ -76,7 +76,7 @@ impl Aabb {
     }
 
     /// Whether a place lies within this box, borders included.
-    pub fn holds(self, place: Point) -> bool {
+    pub fn contains_point(self, place: Point) -> bool {
         f64::from(self.min.x) <= place.x
             && place.x <= f64::from(self.max.x)
             && f64::from(self.min.y) <= place.y

@@ -30,9 +30,6 @@ pub fn sin_cos(angle: f32) -> (f32, f32) {
     (sin as f32, cos as f32)
 }
 
-/// Angles up to this, rad, are small: they are within an eighth of a turn.
-pub(crate) const SMALL: f32 = 0.75;
-
 /// Sine and cosine of an angle of an eighth of a turn at most, rad: all there is to do for a small one. `X` is `f64`
 /// or lanes of it.
 #[inline(always)]

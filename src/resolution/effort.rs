@@ -31,7 +31,7 @@ const USUAL_RATE: f32 = 240.0;
 const LASTING_STEPS: u8 = 4;
 
 /// An island that is too large for its load, or that the direct solve could not solve, is left alone for so many steps.
-const QUIET_STEPS: u32 = 120;
+const QUIET_STEPS: u64 = 120;
 
 /// More substeps are for an island of which more than this share of the contacts asks for them, no unit: a few light
 /// bodies in a heap of heavy ones are not worth the time of all.
@@ -158,8 +158,6 @@ pub(crate) struct Efforts {
     direct_ends: Vec<usize>,
     kinematic: Vec<(Effort, u32)>,
     most_substeps: u32,
-    /// Steps so far.
-    step: u32,
     /// Scratch.
     island: Vec<u32>,
     to_move: Vec<u32>,
@@ -192,17 +190,28 @@ impl EffortTables<'_> {
 }
 
 impl Efforts {
-    /// Decides for the next step, from the contacts under lasting load that the last one found.
-    pub(crate) fn decide(&mut self, allowance: Allowance, loads: &Loads, mut tables: EffortTables<'_>) {
+    /// Forgets the islands of the last step.
+    pub(crate) fn clear(&mut self) {
         self.direct.clear();
         self.direct_ends.clear();
         self.kinematic.clear();
+        self.most_substeps = 0;
+    }
+
+    /// Decides for the next step, from the contacts under lasting load that the last one found.
+    pub(crate) fn decide(
+        &mut self,
+        tick: u64,
+        allowance: Allowance,
+        loads: &Loads,
+        mut tables: EffortTables<'_>,
+    ) {
+        self.clear();
         self.most_substeps = 1;
-        self.step = self.step.wrapping_add(1);
         for &slot in &loads.unsolved {
             // It may have been removed since.
             if tables.bodies.records.at(slot).is_some() {
-                tables.bodies.records[slot].quiet_until = self.step + QUIET_STEPS;
+                tables.bodies.records[slot].quiet_until = tick + QUIET_STEPS;
             }
         }
         if loads.lasting.is_empty() && tables.bodies.raised_count() == 0 {
@@ -212,13 +221,13 @@ impl Efforts {
         for &index in &loads.lasting {
             // It may have ended since.
             for slot in tables.contacts.get(index).map_or([NONE; 2], |contact| contact.slots) {
-                self.decide_island(slot, allowance, &mut tables);
+                self.decide_island(slot, (tick, allowance), &mut tables);
             }
         }
         for row in 1..tables.bodies.states.len() {
             let slot = tables.bodies.slot_of_row[row];
             if tables.bodies.records[slot].effort != Effort::Plain {
-                self.decide_island(slot, allowance, &mut tables);
+                self.decide_island(slot, (tick, allowance), &mut tables);
             }
         }
         tables.bodies.sort_rows_by_effort();
@@ -258,18 +267,23 @@ impl Efforts {
         self.direct_ends.len()
     }
 
-    /// How many substeps the hardest island takes for one of the settings.
+    /// How many substeps the hardest island takes for one of the settings; 0 where nothing is solved.
     pub(crate) fn most_substeps(&self) -> u32 {
-        self.most_substeps.max(1)
+        self.most_substeps
     }
 
     /// Decides for the island of the body in `slot`, if that was not done yet.
-    fn decide_island(&mut self, slot: u32, allowance: Allowance, tables: &mut EffortTables<'_>) {
+    fn decide_island(
+        &mut self,
+        slot: u32,
+        (tick, allowance): (u64, Allowance),
+        tables: &mut EffortTables<'_>,
+    ) {
         if slot == NONE || self.seen.contains(slot) || !tables.moves(slot) {
             return;
         }
         let record = &tables.bodies.records[slot];
-        if record.effort == Effort::Plain && record.quiet_until > self.step {
+        if record.effort == Effort::Plain && record.quiet_until > tick {
             return;
         }
         let load = self.walk(slot, tables);
@@ -277,7 +291,7 @@ impl Efforts {
         let has = has.unwrap_or_default();
         let record_of = |&slot: &u32| &tables.bodies.records[slot];
         let calm = self.island.iter().map(|slot| record_of(slot).calm_steps).min().unwrap_or_default();
-        let is_quiet = self.island.iter().any(|slot| record_of(slot).quiet_until > self.step);
+        let is_quiet = self.island.iter().any(|slot| record_of(slot).quiet_until > tick);
         let may_be_direct = allowance.direct && !is_quiet && self.is_little_work(tables);
         let wanted = if allowance.adapts { wanted(load, has, may_be_direct) } else { Effort::Plain };
         let can_go_on = allowance.adapts && (has != Effort::Direct || may_be_direct);
@@ -289,7 +303,7 @@ impl Efforts {
             let record = &mut tables.bodies.records[slot];
             record.calm_steps = calm;
             if effort == Effort::Plain {
-                record.quiet_until = self.step + QUIET_STEPS;
+                record.quiet_until = tick + QUIET_STEPS;
             }
         }
         for &slot in &self.island {

@@ -26,6 +26,8 @@ pub(crate) struct Scheme {
     /// Length of the step, s.
     pub(crate) dt: f32,
     pub(crate) substeps: u32,
+    /// Length of a substep over that of the last step's, no unit: impulses are stored per substep.
+    pub(crate) impulse_scale: f32,
     /// Sweeps before the bodies move, per substep.
     pub(crate) iterations: u32,
     /// Sweeps after the bodies have moved, per substep.
@@ -91,8 +93,6 @@ pub(crate) struct Solver {
     /// Scratch: those of them that a sweep goes over.
     loaded_newcomers: Vec<(u32, u32)>,
     direct: DirectSolver,
-    /// Length of the last substep, s; impulses are stored per substep.
-    last_h: f32,
 }
 
 /// The tables that a step changes.
@@ -109,10 +109,9 @@ pub(crate) struct SolveTables<'a> {
 ///
 /// ```text
 /// repeat substeps:
-///     contacts of circles and loaded corners follow the surface
 ///     v += h/2 a(x);  impacts
 ///     solve contacts (a bias pushes overlaps apart)
-///     x += h v
+///     x += h v;  contacts of circles and loaded corners follow the surface
 ///     v += h/2 a(x)
 ///     solve contacts (without bias), friction
 /// ```
@@ -258,10 +257,8 @@ impl Solver {
         acceleration: &impl Acceleration,
     ) {
         self.prepare_kicks(scheme, class, tables.bodies, acceleration);
-        let h = scheme.substep_time();
-        let scale = if self.last_h > 0.0 { h / self.last_h } else { 1.0 };
-        self.last_h = h;
-        tables.graph.prepare((class.effort, scheme.width), tables.contacts, tables.bodies, scale);
+        let which = (class.effort, scheme.width);
+        tables.graph.prepare(which, tables.contacts, tables.bodies, scheme.impulse_scale);
         self.gather_special(scheme, class.effort, tables);
         self.direct.clear();
         let mut start = 0;

@@ -72,6 +72,8 @@ pub struct World {
     events: Events,
     profile: Profile,
     residual: StepResidual,
+    /// Length of a substep of plain effort in the last step, s; 0 before the first.
+    last_substep: f32,
     /// Awake bodies that have been at rest for long enough to sleep.
     resting: usize,
     ticks: u64,
@@ -124,6 +126,7 @@ impl World {
             events: Events::default(),
             profile: Profile::default(),
             residual: StepResidual::default(),
+            last_substep: 0.0,
             resting: 0,
             ticks: 0,
             unused_time: 0.0,

@@ -76,7 +76,7 @@ pub struct Counters {
     pub colours: usize,
     /// Contacts that found no colour.
     pub overflow: usize,
-    /// Substeps, the most of any island.
+    /// Substeps, the most of any island; 0 where nothing is awake.
     pub substeps: u32,
     /// Awake bodies of islands with more than plain [effort](crate::Effort).
     pub raised_bodies: usize,

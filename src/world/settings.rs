@@ -2,7 +2,7 @@
 
 use core::fmt;
 
-use crate::body::{Mix, Number};
+use crate::body::{Effort, Mix, Number};
 use crate::compute::Lanes;
 use crate::math::{Aabb, Vec2};
 use crate::resolution::{Allowance, Scheme, SpeedLimits};
@@ -172,11 +172,18 @@ impl Settings {
         Allowance { adapts: self.adaptive, direct: self.split_kick && is_biased }
     }
 
-    /// What the solver needs to know for a step of so many substeps.
-    pub(crate) fn scheme(&self, substeps: u32) -> Scheme {
+    /// Length of a substep of plain effort, s.
+    pub(crate) fn substep_seconds(&self) -> f32 {
+        self.tick_seconds() as f32 / self.substeps as f32
+    }
+
+    /// What the solver needs to know for a step with this effort, where the last step had plain substeps of length
+    /// `last_substep`, s; 0 if there was none.
+    pub(crate) fn scheme(&self, effort: Effort, last_substep: f32) -> Scheme {
         Scheme {
             dt: self.tick_seconds() as f32,
-            substeps,
+            substeps: self.substeps * effort.substep_factor(),
+            impulse_scale: if last_substep > 0.0 { self.substep_seconds() / last_substep } else { 1.0 },
             iterations: self.iterations,
             relax_iterations: self.relax_iterations,
             split_kick: self.split_kick,

@@ -29,6 +29,7 @@ impl World {
         if self.bodies.awake_count() == 0 {
             // The solver will not run; what it found last is no longer so.
             self.residual = StepResidual::default();
+            self.efforts.clear();
             for solver in &mut self.solvers {
                 solver.impacts.clear();
             }
@@ -130,7 +131,7 @@ impl World {
         let settings = &self.settings;
         let allowance = settings.allowance();
         let Self { bodies, contacts, graph, .. } = self;
-        self.efforts.decide(allowance, &self.loads, EffortTables { bodies, contacts, graph });
+        self.efforts.decide(self.ticks, allowance, &self.loads, EffortTables { bodies, contacts, graph });
         self.loads.clear();
         let field = Field {
             uniform: self.acceleration,
@@ -146,7 +147,7 @@ impl World {
                 solver.impacts.clear();
                 continue;
             }
-            let scheme = settings.scheme(settings.substeps * effort.substep_factor());
+            let scheme = settings.scheme(effort, self.last_substep);
             let mut tables = SolveTables { bodies, contacts, graph, loads: &mut self.loads };
             let residual = solve(solver, &scheme, &class, &mut tables, &field);
             self.residual = self.residual.max(residual);
@@ -155,6 +156,7 @@ impl World {
                 bodies.states[row as usize].stand_still();
             }
         }
+        self.last_substep = settings.substep_seconds();
     }
 
     /// Adds the motion of the step to the poses, lets boxes follow, and counts the time at rest.
@@ -226,7 +228,7 @@ impl World {
         let Some(bounds) = self.settings.bounds else { return };
         let bodies = &self.bodies;
         let moving = bodies.slot_of_row.iter().skip(1);
-        let outside = moving.filter(|&&slot| !bounds.holds(bodies.center(slot)));
+        let outside = moving.filter(|&&slot| !bounds.contains_point(bodies.center(slot)));
         self.events.left.extend(outside.map(|&slot| BodyId(bodies.records.key_at(slot))));
         self.events.left.sort_unstable();
         for place in 0..self.events.left.len() {

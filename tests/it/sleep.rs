@@ -61,7 +61,8 @@ fn a_pile_at_rest_sleeps_and_runs_no_stage() {
         for (stage, report) in world.profile().stages() {
             assert!(!report.ran && report.count == 0, "{} ran on {}", stage.name(), report.count);
         }
-        assert_eq!(world.profile().counters().awake_bodies, 0);
+        let counters = world.profile().counters();
+        assert_eq!((counters.awake_bodies, counters.substeps), (0, 0));
     }
     assert_eq!(world.state_hash(), hash);
 }
