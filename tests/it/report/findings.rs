@@ -166,12 +166,13 @@ fn a_report_is_the_same_in_every_run_and_has_times_only_with_a_clock() {
     }
 }
 
-/// Adaptive substeps are rows of their own, and cost what they take: no less than they begin with.
+/// Adaptive substeps are rows of their own, and cost what they take: awake, no less than they begin with.
 #[test]
 fn adaptive_substeps_are_swept_and_their_cost_is_what_they_take() {
     let tower = rustycs_scenes::find("tower").expect("the scene is there");
-    let study = Study::new(|settings| tower.build(1, settings)).substeps([1, 2]).adaptive([false, true]);
-    let report = study.run().unwrap();
+    let study = Study::new(|settings| tower.build(1, settings))
+        .base(Settings { sleep: false, ..Settings::default() });
+    let report = study.substeps([1, 2]).adaptive([false, true]).run().unwrap();
     let labels: Vec<&str> = report.rows().iter().map(|row| row.label.as_str()).collect();
     assert_eq!(labels, ["60 Hz × 1", "60 Hz × 2", "60 Hz × 1 adaptive", "60 Hz × 2 adaptive"]);
     let costs: Vec<f64> = report.rows().iter().map(rustycs::report::Row::cost).collect();
