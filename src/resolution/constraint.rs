@@ -202,6 +202,19 @@ impl ContactConstraint<f32> {
             self.points[index].separation = point.separation - moved;
         }
     }
+
+    /// Blows along the normal, N s per point, and then the friction of each, at most µ times as strong.
+    pub(crate) fn strike(&self, blows: [f32; 2], [a, b]: &mut [BodyState; 2]) {
+        for (point, blow) in self.points.iter().zip(blows) {
+            self.apply(point, self.normal * blow, a, b);
+        }
+        let tangent = self.normal.perp();
+        for ((point, blow), friction) in self.points.iter().zip(blows).zip(&self.frictions) {
+            let slip = tangent.dot(point.relative_velocity(a, b));
+            let limit = self.friction * blow;
+            self.apply(point, tangent * (-friction.mass * slip).clamp(-limit, limit), a, b);
+        }
+    }
 }
 
 /// What the solver left wrong at the end of a step.

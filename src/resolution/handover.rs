@@ -13,18 +13,15 @@
 
 use crate::body::Bodies;
 use crate::collision::{Contact, Contacts};
-use crate::compute::{BodyState, LaneVec2};
+use crate::compute::BodyState;
 use crate::resolution::constraint::{ContactConstraint, OUT_OF_REACH};
 use crate::resolution::constraint_graph::ConstraintGraph;
-use crate::resolution::follow::manifold_in;
-use crate::resolution::integrate::{drift, turn};
-use crate::shape::Shape;
+use crate::resolution::follow::{add_share, manifold_in};
+use crate::resolution::impacts::MEETING_TOLERANCE;
+use crate::resolution::integrate::{drift, drift_until};
 
 /// How many pieces a circle may reach in a substep, looks in vain counted; the sweeps take what is left.
 const MEETINGS_PER_SUBSTEP: usize = 64;
-
-/// A piece is met when the gap is within this share of the way of the approach in a substep, no unit.
-const MEETING_TOLERANCE: f32 = 1e-3;
 
 /// A contact of a circle with the ground.
 #[derive(Clone, Copy, Debug)]
@@ -78,7 +75,7 @@ impl Handovers {
             return;
         }
         let circle = usize::from(moves[1]);
-        if let Shape::Circle(_) = bodies.shapes[contact.slots[circle] as usize] {
+        if bodies.motions[contact.slots[circle] as usize].is_round {
             let rows = contact.slots.map(|slot| bodies.motions[slot as usize].row);
             self.pieces.push(Piece {
                 rows,
@@ -120,8 +117,10 @@ impl Handovers {
         }
     }
 
-    /// Before the sweeps: holds back the pieces that rolling circles have not reached yet.
-    pub(crate) fn hold_back(&mut self, graph: &mut ConstraintGraph, states: &[BodyState]) {
+    /// Before the sweeps: holds back the pieces that rolling circles have not reached yet, or only just now. A piece
+    /// that was to be met at the very end of a substep may lie a rounding error behind it, and the sweeps would take
+    /// the blow of the meeting for load.
+    pub(crate) fn hold_back(&mut self, graph: &mut ConstraintGraph, states: &[BodyState], h: f32) {
         for pieces in self.by_circle() {
             let level = pieces.iter().fold(0.0, |level: f32, piece| {
                 let constraint = graph.constraint(piece.graph_place);
@@ -133,7 +132,9 @@ impl Handovers {
                 let point = &constraint.points[0];
                 let is_free = point.normal_impulse == 0.0 && constraint.special.awaits_impact[0] == 0.0;
                 piece.level = level;
-                piece.be_ahead(is_free && piece.separation(&constraint, states) > level, graph);
+                let [a, b] = piece.states(states);
+                let reach = (-constraint.normal.dot(point.relative_velocity(&a, &b))).max(0.0) * h;
+                piece.be_ahead(is_free && piece.separation(&constraint, states) + reach > level, graph);
             }
         }
     }
@@ -149,7 +150,7 @@ impl Handovers {
                 let Some((time, next)) = times.min_by(|one, other| one.0.total_cmp(&other.0)) else { break };
                 now = time;
                 if pieces[next].meet(now, scene) {
-                    hand_over(pieces, next, scene);
+                    hand_over(pieces, &pieces[next], now, scene);
                 }
             }
         }
@@ -211,58 +212,43 @@ impl Piece {
         }
         self.be_ahead(false, scene.graph);
         let mut after = before;
-        strike(&constraint, speed, &mut after);
+        constraint.strike([(speed / constraint.points[0].normal_k).max(0.0), 0.0], &mut after);
         let (before, mut after) = (before[self.circle], after[self.circle]);
-        // The move will take the circle on with its new velocity from the start of the substep.
-        after.delta_position = after.delta_position + (before.velocity - after.velocity) * time;
-        let missed_turn = (before.angular_velocity - after.angular_velocity) * time;
-        turn(&mut after, missed_turn);
+        drift_until(time, &before, &mut after);
         scene.bodies.states[self.row() as usize] = after;
         true
     }
 }
 
-/// The blow that stops an approach with `speed`, m/s, and its friction.
-fn strike(constraint: &ContactConstraint<f32>, speed: f32, [a, b]: &mut [BodyState; 2]) {
-    let point = &constraint.points[0];
-    let blow = (speed / point.normal_k).max(0.0);
-    constraint.apply(point, constraint.normal * blow, a, b);
-    let tangent: LaneVec2<f32> = constraint.normal.perp();
-    let limit = constraint.friction * blow;
-    let friction =
-        (-constraint.frictions[0].mass * tangent.dot(point.relative_velocity(a, b))).clamp(-limit, limit);
-    constraint.apply(point, tangent * friction, a, b);
-}
-
-/// The load of the pieces that the circle leaves goes over to the one that it has just met.
-fn hand_over(pieces: &[Piece], met: usize, scene: &mut HandoverScene<'_>) {
-    for (number, left) in pieces.iter().enumerate() {
-        let constraint = scene.graph.constraint(left.graph_place);
+/// The load of the pieces that the circle leaves goes over to the one that it meets at `time`, s, into the substep.
+///
+/// The first half of their support has acted, along the old normal. Over the substep the old piece should act for
+/// `time` and the new one for the rest, so that of the second half, the share that the circle gets after the move,
+/// 2 (1 - time/h) goes over: more than all of it, if the new piece is met in the first half.
+fn hand_over(pieces: &[Piece], met: &Piece, time: f32, scene: &mut HandoverScene<'_>) {
+    let weight = 2.0 * (1.0 - time / scene.h);
+    for left in pieces {
+        let old = scene.graph.constraint(left.graph_place);
         let [a, b] = left.states(&scene.bodies.states);
-        let point = &constraint.points[0];
-        let parting = constraint.normal.dot(point.relative_velocity(&a, &b));
-        if number == met || point.normal_impulse == 0.0 || parting <= 0.0 {
+        let parting = old.normal.dot(old.points[0].relative_velocity(&a, &b));
+        if left.contact == met.contact || old.points[0].normal_impulse == 0.0 || parting <= 0.0 {
             continue;
         }
-        let friction = &constraint.frictions[0];
-        let load = [point.normal_impulse, friction.impulse, friction.normal_share];
-        add_load(left, load.map(|part| -part), scene);
-        add_load(&pieces[met], load, scene);
+        let mut new = scene.graph.constraint(met.graph_place);
+        let borne = load(&new);
+        let handed_over = load(&old);
+        [new.points[0].normal_impulse, new.frictions[0].impulse, new.frictions[0].normal_share] = handed_over;
+        let rows = scene.graph.moved_rows(met.graph_place);
+        add_share(&old, -weight, rows, scene.shares);
+        add_share(&new, weight, rows, scene.shares);
+        scene.graph.set_load(left.graph_place, [0.0; 3]);
+        scene.graph.set_load(met.graph_place, std::array::from_fn(|part| borne[part] + handed_over[part]));
     }
 }
 
-/// Adds to what a piece bears, N s: its impulses along normal and tangent, and the share of the warm start along the
-/// normal. Along the tangent that share is all there has been so far. The circle will get both shares after the move.
-fn add_load(piece: &Piece, [normal, tangent, normal_share]: [f32; 3], scene: &mut HandoverScene<'_>) {
-    let constraint = scene.graph.constraint(piece.graph_place);
-    let point = &constraint.points[0];
+/// What the point of a piece bears, N s: its impulses along normal and tangent, and the share of the warm start along
+/// the normal. Along the tangent that share is all there has been so far.
+fn load(constraint: &ContactConstraint<f32>) -> [f32; 3] {
     let friction = &constraint.frictions[0];
-    let sums =
-        [point.normal_impulse + normal, friction.impulse + tangent, friction.normal_share + normal_share];
-    scene.graph.set_load(piece.graph_place, sums);
-    let impulse = constraint.normal * normal_share + constraint.normal.perp() * tangent;
-    let mut shares = piece.states(scene.shares);
-    let [a, b] = &mut shares;
-    constraint.apply(point, impulse, a, b);
-    scene.shares[piece.row() as usize] = shares[piece.circle];
+    [constraint.points[0].normal_impulse, friction.impulse, friction.normal_share]
 }

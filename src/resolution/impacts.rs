@@ -26,7 +26,7 @@
 
 use crate::body::{Bodies, Effort};
 use crate::collision::{Contact, Contacts, Manifold};
-use crate::compute::{BodyState, GROUND_ROW, LaneVec2, Width};
+use crate::compute::{BodyState, GROUND_ROW, Width};
 use crate::math::Vec2;
 use crate::resolution::approach::{RESTING_SUBSTEPS, Watched, approach};
 use crate::resolution::block::solve_pair;
@@ -34,7 +34,7 @@ use crate::resolution::constraint::{ContactConstraint, OUT_OF_REACH};
 use crate::resolution::constraint_graph::ConstraintGraph;
 use crate::resolution::follow::manifold_in;
 use crate::resolution::impact_queue::{ImpactQueue, Neighbours};
-use crate::resolution::integrate::{Kicks, drift, turn};
+use crate::resolution::integrate::{Kicks, drift, drift_until};
 
 /// How often one contact may bounce within a substep. More happens only where bodies are wedged; the sweeps
 /// take what is left, as if there were no restitution.
@@ -60,7 +60,7 @@ struct BouncyContact {
 
 /// Two bodies have met, and two points meet together, within this share of the way that the approach makes in a
 /// substep, no unit: a box that lands flat is not to be tipped over by a rounding error.
-const MEETING_TOLERANCE: f32 = 1e-3;
+pub(crate) const MEETING_TOLERANCE: f32 = 1e-3;
 
 /// How a point approaches.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -285,10 +285,7 @@ impl Impacts {
             if row == GROUND_ROW {
                 continue;
             }
-            let missed = (before.velocity - state.velocity) * time;
-            state.delta_position = state.delta_position + missed;
-            let missed_turn = (before.angular_velocity - state.angular_velocity) * time;
-            turn(&mut state, missed_turn);
+            drift_until(time, &before, &mut state);
             scene.bodies.states[row as usize] = state;
             self.last_impact[row as usize] = time;
             self.hit_rows.push(row);
@@ -375,9 +372,8 @@ impl BouncyContact {
         (speed > 0.0).then_some(Meeting { constraint, speeds, gap, speed, tolerance })
     }
 
-    /// Turns the approach speed u of each point that takes part into -e u; then friction, at most µ times
-    /// as strong as the blow.
-    fn apply_impulses(&mut self, meeting: &Meeting, [a, b]: &mut [BodyState; 2]) {
+    /// Turns the approach speed u of each point that takes part into -e u.
+    fn apply_impulses(&mut self, meeting: &Meeting, pair: &mut [BodyState; 2]) {
         let constraint = &meeting.constraint;
         let [point_1, point_2] = &constraint.points;
         // The change asked for, u - (-e u), is q of the complementarity problem K x + q ≥ 0.
@@ -391,17 +387,7 @@ impl BouncyContact {
                 change[1].map_or(0.0, |q| (-q / point_2.normal_k).max(0.0)),
             ],
         };
-        for (point, impulse) in constraint.points.iter().zip(impulses) {
-            constraint.apply(point, constraint.normal * impulse, a, b);
-        }
-        let tangent: LaneVec2<f32> = constraint.normal.perp();
-        for ((point, impulse), friction) in constraint.points.iter().zip(impulses).zip(&constraint.frictions)
-        {
-            let slip = tangent.dot(point.relative_velocity(a, b));
-            let limit = constraint.friction * impulse;
-            let friction = (-friction.mass * slip).clamp(-limit, limit);
-            constraint.apply(point, tangent * friction, a, b);
-        }
+        constraint.strike(impulses, pair);
         self.greatest_speed = self.greatest_speed.max(meeting.speed);
     }
 }

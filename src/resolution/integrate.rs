@@ -99,7 +99,7 @@ pub(crate) fn damping_loss(c: f32, t: f32) -> f32 {
 
 /// What moves bodies on, in this order.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Motion {
+pub(crate) struct Advance {
     /// How long they drift, s.
     pub(crate) drift: Option<f32>,
     /// How long the forces act, s.
@@ -108,7 +108,7 @@ pub(crate) struct Motion {
     pub(crate) shares: bool,
 }
 
-impl Motion {
+impl Advance {
     pub(crate) const NONE: Self = Self { drift: None, kick: None, shares: false };
 }
 
@@ -120,13 +120,13 @@ pub(crate) struct Integrate<'a> {
     pub(crate) kicks: &'a mut Kicks,
     /// By row: the velocities that a share of the warm start gives.
     pub(crate) shares: &'a [BodyState],
-    pub(crate) motion: Motion,
+    pub(crate) advance: Advance,
     pub(crate) limits: SpeedLimits,
 }
 
 impl Integrate<'_> {
     pub(crate) fn run(&mut self, width: Width) {
-        if self.motion.drift.is_some() || self.motion.kick.is_some() || self.motion.shares {
+        if self.advance.drift.is_some() || self.advance.kick.is_some() || self.advance.shares {
             compute::run(width, self);
         }
     }
@@ -134,16 +134,16 @@ impl Integrate<'_> {
     #[inline(always)]
     fn together<L: Lane>(&mut self, first: usize) {
         let mut state = L::load_rows(self.states, first);
-        if let Some(h) = self.motion.drift {
+        if let Some(h) = self.advance.drift {
             drift(&mut state, h);
         }
-        if let Some(t) = self.motion.kick {
+        if let Some(t) = self.advance.kick {
             let (columns, place) = (&mut self.kicks.columns[first / COLUMN], first % COLUMN);
             let mut this = columns.load::<L>(place);
             kick(&mut state, &mut this, t, self.limits);
             columns.carry.store(place, this.carry);
         }
-        if self.motion.shares {
+        if self.advance.shares {
             let carry = &mut self.kicks.columns[first / COLUMN].carry;
             let share = L::load_rows(self.shares, first);
             let mut carried = carry.load::<L>(first % COLUMN);
@@ -202,6 +202,14 @@ pub(crate) fn drift<L: Lane>(state: &mut BodyState<L>, h: f32) {
     let h = L::splat(h);
     state.delta_position = state.delta_position + state.velocity * h;
     turn(state, state.angular_velocity * h);
+}
+
+/// Moves a body whose velocity has changed at `time`, s, into the substep by what its drift will miss: until then it
+/// went on with the velocity `before`.
+pub(crate) fn drift_until(time: f32, before: &BodyState, state: &mut BodyState) {
+    state.delta_position = state.delta_position + (before.velocity - state.velocity) * time;
+    let missed_turn = (before.angular_velocity - state.angular_velocity) * time;
+    turn(state, missed_turn);
 }
 
 /// Turns the body by `angle`, rad. What does not turn stays as it is, to the bit.

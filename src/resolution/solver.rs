@@ -14,7 +14,7 @@ use crate::resolution::follow::{Followers, add_share};
 use crate::resolution::handover::{HandoverScene, Handovers};
 use crate::resolution::impacts::{ImpactScene, Impacts, bounce_threshold};
 use crate::resolution::integrate::{
-    Damping, Integrate, Kick, Kicks, Motion, SpeedLimits, damping_loss, drift,
+    Advance, Damping, Integrate, Kick, Kicks, SpeedLimits, damping_loss, drift,
 };
 use crate::resolution::kernel::{Sweep, SweepOver, WarmStart};
 use crate::resolution::projection::Project;
@@ -131,7 +131,7 @@ pub(crate) fn solve(
             solver.handovers.release(tables.graph);
         }
         let kick = Some(scheme.kick_time());
-        solver.integrate(scheme, class, tables.bodies, Motion { kick, ..Motion::NONE });
+        solver.integrate(scheme, class, tables.bodies, Advance { kick, ..Advance::NONE });
         if solver.impacts.len() > 0 {
             let (kicks, SolveTables { bodies, contacts, graph, .. }) = (&solver.kicks, &mut *tables);
             let which = (class.effort, scheme.width);
@@ -199,10 +199,15 @@ impl Solver {
         }
         let needs_poses = acceleration.varies() || !self.followers.is_empty();
         if !(needs_poses || is_direct) {
-            self.integrate(scheme, class, tables.bodies, Motion { drift: Some(h), kick, shares: has_shares });
+            self.integrate(
+                scheme,
+                class,
+                tables.bodies,
+                Advance { drift: Some(h), kick, shares: has_shares },
+            );
             return;
         }
-        self.integrate(scheme, class, tables.bodies, Motion { drift: Some(h), ..Motion::NONE });
+        self.integrate(scheme, class, tables.bodies, Advance { drift: Some(h), ..Advance::NONE });
         if acceleration.varies() {
             self.accelerate(tables.bodies, &class.rows, acceleration);
         }
@@ -211,14 +216,14 @@ impl Solver {
         if is_direct {
             self.direct.restore_free(&mut tables.bodies.states);
         }
-        self.integrate(scheme, class, tables.bodies, Motion { drift: None, kick, shares: has_shares });
+        self.integrate(scheme, class, tables.bodies, Advance { drift: None, kick, shares: has_shares });
     }
 
     /// Contacts by sweeps, before the bodies move.
     fn sweep_before_move(&mut self, scheme: &Scheme, class: &EffortClass<'_>, tables: &mut SolveTables<'_>) {
         let h = scheme.substep_time();
         let SolveTables { bodies, contacts, graph, .. } = tables;
-        self.handovers.hold_back(graph, &bodies.states);
+        self.handovers.hold_back(graph, &bodies.states, h);
         self.warm_start(scheme, class, graph, bodies);
         let states = &mut bodies.states;
         for _ in 0..scheme.iterations {
@@ -352,7 +357,7 @@ impl Solver {
         self.shares[class.rows.clone()].fill(BodyState::REST);
         let (shares, part) = (&mut self.shares, scheme.warm_part());
         graph.for_each((class.effort, scheme.width), WarmStart { shares, part });
-        self.integrate(scheme, class, bodies, Motion { shares: true, ..Motion::NONE });
+        self.integrate(scheme, class, bodies, Advance { shares: true, ..Advance::NONE });
     }
 
     /// Gives the contacts that begin to bear load friction before the move: there is none to start from, and a box set
@@ -400,13 +405,13 @@ impl Solver {
     }
 
     /// Moves the bodies of a class on.
-    fn integrate(&mut self, scheme: &Scheme, class: &EffortClass<'_>, bodies: &mut Bodies, motion: Motion) {
-        let damps = motion.kick.is_some() && !self.damped.is_empty();
-        let late = Motion { shares: motion.shares, ..Motion::NONE };
-        let first = if damps { Motion { shares: false, ..motion } } else { motion };
+    fn integrate(&mut self, scheme: &Scheme, class: &EffortClass<'_>, bodies: &mut Bodies, advance: Advance) {
+        let damps = advance.kick.is_some() && !self.damped.is_empty();
+        let late = Advance { shares: advance.shares, ..Advance::NONE };
+        let first = if damps { Advance { shares: false, ..advance } } else { advance };
         let (states, shares) = (&mut bodies.states, &self.shares);
         let (rows, limits) = (class.rows.clone(), scheme.limits);
-        let mut pass = Integrate { rows, states, kicks: &mut self.kicks, shares, motion: first, limits };
+        let mut pass = Integrate { rows, states, kicks: &mut self.kicks, shares, advance: first, limits };
         pass.run(scheme.width);
         if !damps {
             return;
@@ -416,7 +421,7 @@ impl Solver {
             state.velocity = state.velocity - state.velocity * linear;
             state.angular_velocity -= state.angular_velocity * angular;
         }
-        pass.motion = late;
+        pass.advance = late;
         pass.run(scheme.width);
     }
 

@@ -57,10 +57,10 @@ fn a_disc_on_a_polygonal_track_loses_at_each_corner_what_the_blow_takes() {
 }
 
 /// A disc rolls from rest at 1 rad to the other side of a bowl, where its height tells what it has kept of its energy
-/// 3/4 v² + g y per mass. On a smooth bowl that would be all, here each corner takes its share of v². Half the pushes
-/// of a substep act along the piece of its beginning and half along that of its end, which is of second order: at
-/// the bottom the disc turns by 0.005 in a substep of 1/240 s, and (2.5e-3)² of the energy for each of 240 substeps
-/// is 1.5e-3.
+/// 3/4 v² + g y per mass. On a smooth bowl that would be all, here each corner takes its share of v². What it is off
+/// by is small beside the 2.07 m that it comes down: set down, it sinks in by 0.14 g cos θ h/(2 · 28/s), 6e-5 m, and
+/// as far where it turns; and it turns between two ticks, up to (2/3) g sin² θ dt²/8 = 1.6e-4 m above the highest
+/// place that is seen. Together 1.4e-4 of the energy.
 #[test]
 fn a_disc_in_a_bowl_keeps_the_energy_that_its_corners_leave() {
     let pieces = 1024;
@@ -89,5 +89,5 @@ fn a_disc_in_a_bowl_keeps_the_energy_that_its_corners_leave() {
         energy -= moving * (1.0 - kept_at_corner(corner, 0.5).powi(2));
         angle -= corner;
     }
-    assert_near(energy_at_rest(highest) / at_start, energy / at_start, 1.5e-3, "share of the energy kept");
+    assert_near(energy_at_rest(highest) / at_start, energy / at_start, 2e-4, "share of the energy kept");
 }

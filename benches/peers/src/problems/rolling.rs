@@ -193,9 +193,8 @@ fn bowl() -> Problem {
         }),
         range: Range::Full,
         goal: None,
-        note: "The disc meets each facet at its time, but the support of a substep acts half along the facet of its \
-               beginning and half along that of its end, wherever the corner between them lies: at each corner the \
-               velocity is off by up to g h/2 sin δ, of either sign, h being the length of a substep.",
+        note: "What is left is the give of the contact, of first order: set down on the surface, the disc sinks in by \
+               0.14 g h/(2 · 28/s), 0.1 mm at default settings, and the energy of that is missing in every swing.",
     }
 }
 
