@@ -47,7 +47,7 @@ const CALM_SHARE: f32 = 0.7;
 /// Islands of more bodies are not solved directly.
 const LARGEST_DIRECT_ISLAND: usize = 256;
 
-/// Nor those whose factorization takes more multiplications: about as much time as 500 contacts take in a step.
+/// Nor those whose factorization takes more multiplications.
 const LARGEST_FACTORIZATION: u64 = 100_000;
 
 /// What an island may be given.
@@ -126,8 +126,8 @@ impl Load {
 
 /// What is enough for an island under this load that `has` an effort so far.
 fn wanted(load: Load, has: Effort, may_be_direct: bool) -> Effort {
-    let share = |asking: f32, effort: Effort| if has >= effort { CALM_SHARE * asking } else { asking };
-    if may_be_direct && load.largest > share(DIRECT_SHARE, Effort::Direct) {
+    let direct_share = if has == Effort::Direct { CALM_SHARE * DIRECT_SHARE } else { DIRECT_SHARE };
+    if may_be_direct && load.largest > direct_share {
         return Effort::Direct;
     }
     let more = [Effort::Double, Effort::Fourfold, Effort::Eightfold];
@@ -324,8 +324,8 @@ impl Efforts {
         }
     }
 
-    /// Walks over the island of the body in `slot`; returns the load of its contacts. Leaves
-    /// the bodies in an order in which neighbours are near each other: from a far end on, by distance.
+    /// Walks over the island of the body in `slot`; returns the load of its contacts. Leaves the bodies in an order in
+    /// which neighbours are near each other: from a far end on, by distance.
     fn walk(&mut self, slot: u32, tables: &EffortTables<'_>) -> Load {
         let mut load = Load::default();
         flood(slot, &mut self.seen, &mut self.island, tables, |contact| load.add(contact));

@@ -80,28 +80,24 @@ impl DirectPoint {
             Aim::Relax => gap_bias(separation, per_substep),
         };
         let normal = Vec2::from(constraint.normal);
-        let turns = [constraint.inverse_inertia_a, constraint.inverse_inertia_b].map(|inverse| inverse > 0.0);
         let anchors = [Vec2::from(point.anchor_a), Vec2::from(point.anchor_b)];
-        let row = |axis: Vec2| {
-            [0, 1].map(|side| {
-                let sign = if side == 0 { -1.0 } else { 1.0 };
-                let arm = if turns[side] { anchors[side].cross(axis) } else { 0.0 };
-                [axis.x, axis.y, arm].map(|entry| sign * f64::from(entry))
-            })
+        let row = |side: usize, axis: Vec2| {
+            let sign = if side == 0 { -1.0 } else { 1.0 };
+            [axis.x, axis.y, anchors[side].cross(axis)].map(|entry| sign * f64::from(entry))
         };
-        self.normal = row(normal);
-        self.tangent = row(normal.perp());
+        self.normal = [0, 1].map(|side| row(side, normal));
+        self.tangent = [0, 1].map(|side| row(side, normal.perp()));
         self.given = [f64::from(bias), 0.0];
+        let inverse_inertias = [constraint.inverse_inertia_a, constraint.inverse_inertia_b];
         for (side, state) in [a, b].into_iter().enumerate() {
             if self.movers[side] == NONE {
                 let velocity = [state.velocity.x, state.velocity.y, state.angular_velocity].map(f64::from);
-                let arm = |axis: Vec2, sign: f64| sign * f64::from(anchors[side].cross(axis)) * velocity[2];
-                let sign = if side == 0 { -1.0 } else { 1.0 };
-                for (given, (row, axis)) in
-                    self.given.iter_mut().zip([(self.normal, normal), (self.tangent, normal.perp())])
-                {
-                    *given += row[side][0] * velocity[0] + row[side][1] * velocity[1] + arm(axis, sign);
-                }
+                self.given[0] += dot(&self.normal[side], &velocity);
+                self.given[1] += dot(&self.tangent[side], &velocity);
+            } else if inverse_inertias[side] == 0.0 {
+                // Nothing turns it.
+                self.normal[side][2] = 0.0;
+                self.tangent[side][2] = 0.0;
             }
         }
         self.inverse_mass = [f64::from(point.normal_k), f64::from(friction.mass).recip()];
@@ -133,10 +129,9 @@ impl DirectPoint {
     /// Gives the point by itself the velocities that it wants, as a sweep does.
     pub(super) fn sweep(&mut self, velocities: &mut [f64], masses: impl Fn(usize) -> [f64; 3]) {
         let before = self.impulse;
-        let approach = self.along(&self.normal, velocities) + self.given[0];
+        let [approach, slip] = self.approach_and_slip(velocities);
         self.impulse[0] = (before[0] - approach / self.inverse_mass[0]).max(0.0);
         self.limit = self.friction * self.impulse[0];
-        let slip = self.along(&self.tangent, velocities) + self.given[1];
         self.impulse[1] = (before[1] - slip / self.inverse_mass[1]).clamp(-self.limit, self.limit);
         self.apply([0, 1].map(|axis| self.impulse[axis] - before[axis]), velocities, masses);
     }
@@ -146,13 +141,19 @@ impl DirectPoint {
         let mut sum = 0.0;
         for (row, &mover) in row.iter().zip(&self.movers) {
             if mover != NONE {
-                let place = 3 * mover as usize;
-                sum += row[0] * velocities[place]
-                    + row[1] * velocities[place + 1]
-                    + row[2] * velocities[place + 2];
+                sum += dot(row, &velocities[3 * mover as usize..][..3]);
             }
         }
         sum
+    }
+
+    /// Speed of b towards a, with the sign turned, that the impulse along the normal is to make up for, and along the
+    /// vn + bias and vt, m/s: the first is negative where the point approaches.
+    fn approach_and_slip(&self, velocities: &[f64]) -> [f64; 2] {
+        [
+            self.along(&self.normal, velocities) + self.given[0],
+            self.along(&self.tangent, velocities) + self.given[1],
+        ]
     }
 
     /// The impulses that the point answers an approach and a slip with.
@@ -165,8 +166,7 @@ impl DirectPoint {
 
     /// Whether these velocities, which its impulses have brought about, are what the point wants, to the tolerance.
     pub(super) fn is_content(&self, velocities: &[f64]) -> bool {
-        let approach = self.along(&self.normal, velocities) + self.given[0];
-        let slip = self.along(&self.tangent, velocities) + self.given[1];
+        let [approach, slip] = self.approach_and_slip(velocities);
         let [k, tangent_k] = self.inverse_mass;
         let [normal, tangent] = self.impulse;
         let wanted = (normal - approach / k).max(0.0);
@@ -176,8 +176,7 @@ impl DirectPoint {
 
     /// Takes up the impulses that the point answers these velocities with.
     pub(super) fn respond(&mut self, velocities: &[f64]) {
-        let approach = self.along(&self.normal, velocities) + self.given[0];
-        let slip = self.along(&self.tangent, velocities) + self.given[1];
+        let [approach, slip] = self.approach_and_slip(velocities);
         self.impulse = self.answer(approach, slip);
     }
 
@@ -189,12 +188,8 @@ impl DirectPoint {
 
     /// Approach and slip, each with what the step adds.
     pub(super) fn way(&self, velocities: &[f64], step: &[f64]) -> [f64; 4] {
-        [
-            self.along(&self.normal, velocities) + self.given[0],
-            self.along(&self.normal, step),
-            self.along(&self.tangent, velocities) + self.given[1],
-            self.along(&self.tangent, step),
-        ]
+        let [approach, slip] = self.approach_and_slip(velocities);
+        [approach, self.along(&self.normal, step), slip, self.along(&self.tangent, step)]
     }
 
     /// How p + f change along a way, at a part of it.
@@ -205,15 +200,7 @@ impl DirectPoint {
 
     /// Adds Jᵀ λ to three numbers for each mover.
     pub(super) fn push(&self, to: &mut [f64]) {
-        for side in 0..2 {
-            if self.movers[side] != NONE {
-                let place = 3 * self.movers[side] as usize;
-                for axis in 0..3 {
-                    to[place + axis] += self.normal[side][axis] * self.impulse[0]
-                        + self.tangent[side][axis] * self.impulse[1];
-                }
-            }
-        }
+        self.apply(self.impulse, to, |_| [1.0; 3]);
     }
 
     /// Adds M⁻¹ Jᵀ λ to the velocities, for the impulses λ.
@@ -264,4 +251,8 @@ impl DirectPoint {
             }
         }
     }
+}
+
+fn dot(row: &[f64; 3], velocity: &[f64]) -> f64 {
+    row.iter().zip(velocity).map(|(entry, velocity)| entry * velocity).sum()
 }
