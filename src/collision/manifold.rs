@@ -40,6 +40,30 @@ impl FeatureId {
     }
 }
 
+/// Whether a contact point is a corner of one shape on the face of the other that gives the normal.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(crate) enum Corner {
+    /// Neither: between corners, or with a circle.
+    #[default]
+    Neither,
+    /// A corner of a on a face of b.
+    OfA,
+    /// A corner of b on a face of a.
+    OfB,
+}
+
+impl Corner {
+    /// The same with a and b exchanged.
+    #[inline(always)]
+    fn flipped(self) -> Self {
+        match self {
+            Self::Neither => Self::Neither,
+            Self::OfA => Self::OfB,
+            Self::OfB => Self::OfA,
+        }
+    }
+}
+
 /// One point at which two shapes touch or are about to.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct ManifoldPoint {
@@ -52,6 +76,7 @@ pub struct ManifoldPoint {
     pub separation: f32,
     /// Which corners of the shapes bound it.
     pub feature: FeatureId,
+    pub(crate) corner: Corner,
     /// Impulse along the normal in the last substep, N s, 0 or more.
     pub normal_impulse: f32,
     /// Impulse along the tangent in the last substep, N s.
@@ -63,7 +88,7 @@ impl ManifoldPoint {
     #[inline(always)]
     pub(crate) fn new(anchor_a: Vec2, offset: Vec2, separation: f32, feature: FeatureId) -> Self {
         let anchor_b = anchor_a - offset;
-        Self { anchor_a, anchor_b, separation, feature, normal_impulse: 0.0, tangent_impulse: 0.0 }
+        Self { anchor_a, anchor_b, separation, feature, ..Self::default() }
     }
 }
 
@@ -118,6 +143,7 @@ impl Manifold {
             anchor_a: p.anchor_b,
             anchor_b: p.anchor_a,
             feature: p.feature.flipped(),
+            corner: p.corner.flipped(),
             ..p
         };
         let [first, second] = self.points;

@@ -10,5 +10,6 @@ mod refresh;
 pub(crate) use contacts::{Contact, Contacts, Frozen};
 pub use detection::detect;
 pub(crate) use detection::{detect_within, sweep};
+pub(crate) use manifold::Corner;
 pub use manifold::{FeatureId, Manifold, ManifoldPoint};
 pub(crate) use refresh::{Refresh, refresh};

@@ -12,6 +12,7 @@ use crate::compute::{BodyState, GROUND_ROW};
 use crate::math::{Rot, Vec2};
 use crate::resolution::constraint::ContactConstraint;
 use crate::resolution::constraint_graph::ConstraintGraph;
+use crate::resolution::pivot::Pivot;
 
 /// Far enough that the nearest points of two bodies are found wherever they are, m.
 const ANY_DISTANCE: f32 = 1e9;
@@ -30,59 +31,78 @@ pub(crate) fn manifold_in(contact: &Contact, bodies: &Bodies, [a, b]: [&BodyStat
     detect_within(shapes[0], rotations[0], shapes[1], rotations[1], offset, ANY_DISTANCE).unwrap_or_default()
 }
 
-/// Contacts that follow the surface within the step: index, and place in the constraint graph.
+/// Contacts that follow the surface within the step, with their places in the constraint graph.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Followers {
-    contacts: Vec<(u32, (u32, u32))>,
+    /// By index: those whose manifold has to be found anew.
+    found_anew: Vec<(u32, (u32, u32))>,
+    /// Those of a corner on a face.
+    pivots: Vec<(Pivot, (u32, u32))>,
 }
 
 impl Followers {
     pub(crate) fn clear(&mut self) {
-        self.contacts.clear();
+        self.found_anew.clear();
+        self.pivots.clear();
     }
 
     /// Takes up a contact with a circle, or of a single corner under load, if its manifold was found anew. A
     /// corner that is still on its way has the manifold of the place where it will land.
     pub(crate) fn consider(&mut self, index: u32, contact: &Contact, bodies: &Bodies) {
-        if let (false, Some(place)) = (contact.is_kept, contact.graph_place) {
-            let is_round = |slot: u32| bodies.motions[slot as usize].is_round;
-            if contact.pivots() || contact.slots.into_iter().any(is_round) {
-                self.contacts.push((index, place));
+        let (false, Some(place)) = (contact.is_kept, contact.graph_place) else { return };
+        let has_circle = contact.slots.into_iter().any(|slot| bodies.motions[slot as usize].is_round);
+        if has_circle || contact.pivots() {
+            let [a, b] = contact.slots.map(|slot| bodies.motions[slot as usize].pose.center);
+            match Pivot::new(&contact.manifold, b - a) {
+                Some(pivot) => self.pivots.push((pivot, place)),
+                None => self.found_anew.push((index, place)),
             }
         }
     }
 
     pub(crate) fn is_empty(&self) -> bool {
-        self.contacts.is_empty()
+        self.found_anew.is_empty() && self.pivots.is_empty()
     }
 
-    /// Brings the constraints up to where the bodies are now, and their part of the `shares` of the warm start, by
-    /// row, if there are any.
-    pub(crate) fn follow(
-        &self,
-        graph: &mut ConstraintGraph,
-        contacts: &Contacts,
-        bodies: &Bodies,
-        shares: &mut [BodyState],
-    ) {
-        for (number, &(index, place)) in self.contacts.iter().enumerate() {
-            let ahead = |by: usize| self.contacts.get(number + by).map(|&(index, _)| index);
+    /// Brings the constraints up to where the bodies are now.
+    pub(crate) fn follow(&self, contacts: &Contacts, bodies: &Bodies, constraints: &mut Constraints<'_>) {
+        for (number, &(index, place)) in self.found_anew.iter().enumerate() {
+            let ahead = |by: usize| self.found_anew.get(number + by).map(|&(index, _)| index);
             contacts.prefetch_ahead(bodies, ahead);
-            let [a, b] = graph.rows(place).map(|row| &bodies.states[row as usize]);
+            let [a, b] = constraints.graph.rows(place).map(|row| &bodies.states[row as usize]);
             let contact = &contacts[index];
-            let manifold = manifold_in(contact, bodies, [a, b]).restricted_to(&contact.manifold);
-            if let Some(manifold) = manifold {
-                let before = graph.constraint(place);
-                let mut constraint = before;
-                constraint.set_geometry_in(&manifold, a, b);
-                graph.set_geometry(place, &constraint);
-                let has_share = before.frictions.iter().any(|friction| friction.normal_share > 0.0);
-                if has_share && !shares.is_empty() {
-                    let rows = graph.moved_rows(place);
-                    add_share(&before, -1.0, rows, shares);
-                    add_share(&constraint, 1.0, rows, shares);
-                }
+            if let Some(manifold) = manifold_in(contact, bodies, [a, b]).restricted_to(&contact.manifold) {
+                constraints.bring_to(place, &manifold, [a, b]);
             }
+        }
+        for (pivot, place) in &self.pivots {
+            let [a, b] = constraints.graph.rows(*place).map(|row| &bodies.states[row as usize]);
+            constraints.bring_to(*place, &pivot.manifold_in(a, b), [a, b]);
+        }
+    }
+}
+
+/// Constraints that are brought up to date within the step.
+#[derive(Debug)]
+pub(crate) struct Constraints<'a> {
+    pub(crate) graph: &'a mut ConstraintGraph,
+    /// By row: what of the warm start the bodies still get; none where they get nothing.
+    pub(crate) shares: &'a mut [BodyState],
+}
+
+impl Constraints<'_> {
+    /// Gives the constraint at a place of the graph the geometry of a manifold of its bodies in the states `a` and `b`,
+    /// and turns its part of the shares.
+    fn bring_to(&mut self, place: (u32, u32), manifold: &Manifold, [a, b]: [&BodyState; 2]) {
+        let before = self.graph.constraint(place);
+        let mut constraint = before;
+        constraint.set_geometry_in(manifold, a, b);
+        self.graph.set_geometry(place, &constraint);
+        let has_share = before.frictions.iter().any(|friction| friction.normal_share > 0.0);
+        if has_share && !self.shares.is_empty() {
+            let rows = self.graph.moved_rows(place);
+            add_share(&before, -1.0, rows, self.shares);
+            add_share(&constraint, 1.0, rows, self.shares);
         }
     }
 }

@@ -17,6 +17,7 @@ mod impacts;
 mod integrate;
 mod islands;
 mod kernel;
+mod pivot;
 mod projection;
 mod softness;
 mod solver;

@@ -10,7 +10,7 @@ use crate::resolution::constraint::StepResidual;
 use crate::resolution::constraint_graph::ConstraintGraph;
 use crate::resolution::direct::{Aim, DirectSolver};
 use crate::resolution::effort::{EffortClass, Loads};
-use crate::resolution::follow::{Followers, add_share};
+use crate::resolution::follow::{Constraints, Followers, add_share};
 use crate::resolution::handover::{HandoverScene, Handovers};
 use crate::resolution::impacts::{ImpactScene, Impacts, bounce_threshold};
 use crate::resolution::integrate::{
@@ -212,7 +212,8 @@ impl Solver {
             self.accelerate(tables.bodies, &class.rows, acceleration);
         }
         let shares = if has_shares { &mut self.shares[..] } else { &mut [] };
-        self.followers.follow(tables.graph, tables.contacts, tables.bodies, shares);
+        let mut constraints = Constraints { graph: tables.graph, shares };
+        self.followers.follow(tables.contacts, tables.bodies, &mut constraints);
         if is_direct {
             self.direct.restore_free(&mut tables.bodies.states);
         }

@@ -7,6 +7,7 @@
 //! its edge. There a distance from the face is an x, and what is past its ends shows in y.
 
 use crate::collision::detection::within;
+use crate::collision::manifold::Corner;
 use crate::collision::{FeatureId, Manifold, ManifoldPoint};
 use crate::math::{Rot, Vec2};
 
@@ -61,6 +62,8 @@ pub(super) struct Stretch {
     points: [Vec2; 2],
     separations: [f32; 2],
     features: [FeatureId; 2],
+    /// Whether they are corners of the incident hull, and not where the reference edge ends.
+    are_corners: [bool; 2],
     /// Whether the edges lie past each other; the ends are then one and the same.
     is_empty: bool,
 }
@@ -84,6 +87,7 @@ pub(super) fn clip(reference: Reference, incident: Incident) -> Stretch {
             FeatureId::of_vertices(first, incident_second),
             FeatureId::of_vertices(second, incident_first),
         ],
+        are_corners: [cut_low == 0.0, cut_high == 0.0],
         is_empty: start.y < low || end.y > high,
     }
 }
@@ -104,7 +108,12 @@ impl Stretch {
         // Both points are made and the ones that count are chosen after: the usual case has both.
         let point = |i: usize| {
             let halfway = Vec2::new(self.points[i].x - 0.5 * self.separations[i], self.points[i].y);
-            ManifoldPoint::new(face.rotate(halfway), offset, self.separations[i], self.features[i])
+            let corner = if self.are_corners[i] { Corner::OfB } else { Corner::Neither };
+            let anchor = face.rotate(halfway);
+            ManifoldPoint {
+                corner,
+                ..ManifoldPoint::new(anchor, offset, self.separations[i], self.features[i])
+            }
         };
         let (first, second) = (point(0), point(1));
         let normal = Vec2::new(face.c, face.s);

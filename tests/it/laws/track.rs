@@ -11,16 +11,20 @@ const TRACK: f64 = 5.0;
 const DISC: f64 = 0.5;
 
 /// A regular polygon of fixed pieces around the origin, each touching the circle of radius [`TRACK`] in its middle,
-/// the first one below.
-fn add_track(world: &mut World, pieces: u32, friction: f32) {
+/// the first one below, and a disc. Every other piece is older than the disc.
+fn add_track(world: &mut World, pieces: u32, friction: f32, disc: Body) -> BodyId {
     let corner = TAU / f64::from(pieces);
     let half = TRACK * (0.5 * corner).tan();
-    for number in 0..pieces {
+    let add_piece = |world: &mut World, number: u32| {
         let angle = corner * f64::from(number);
         let away = TRACK + 0.15;
         let piece = Body::fixed(Shape::obb((2.0 * half) as f32, 0.3)).angle(angle as f32);
         add(world, piece.at([away * angle.sin(), -away * angle.cos()]).friction(friction).restitution(0.0));
-    }
+    };
+    (0..pieces).step_by(2).for_each(|number| add_piece(world, number));
+    let disc = add(world, disc.friction(friction).restitution(0.0));
+    (1..pieces).step_by(2).for_each(|number| add_piece(world, number));
+    disc
 }
 
 /// What is left of the speed of a rolling disc at a corner of `angle`: the blow of the next piece keeps the angular
@@ -36,11 +40,9 @@ fn kept_at_corner(angle: f64, inertia: f64) -> f64 {
 fn a_disc_on_a_polygonal_track_loses_at_each_corner_what_the_blow_takes() {
     for (pieces, friction, inertia) in [(127, 1.0, 0.5), (256, 1.0, 0.5), (256, 0.0, 0.0)] {
         let mut world = World::new(Settings::default());
-        add_track(&mut world, pieces, friction);
         let disc = Body::dynamic(Shape::circle(DISC as f32)).at([0.0, DISC - TRACK]).velocity([5.0, 0.0]);
         let rolling = if friction > 0.0 { -5.0 / DISC as f32 } else { 0.0 };
-        let disc = disc.angular_velocity(rolling).friction(friction).restitution(0.0);
-        let disc = add(&mut world, disc);
+        let disc = add_track(&mut world, pieces, friction, disc.angular_velocity(rolling));
         run(&mut world, 10.0);
         let corner = TAU / f64::from(pieces);
         let piece = 2.0 * (TRACK - DISC) * (0.5 * corner).tan();
@@ -66,11 +68,10 @@ fn a_disc_in_a_bowl_keeps_the_energy_that_its_corners_leave() {
     let pieces = 1024;
     let corner = TAU / f64::from(pieces);
     let mut world = earth();
-    add_track(&mut world, pieces, 1.0);
     let way = TRACK - DISC;
     let start = corner * (1.0 / corner).round();
     let disc = Body::dynamic(Shape::circle(DISC as f32)).at([way * start.sin(), -way * start.cos()]);
-    let disc = add(&mut world, disc.friction(1.0).restitution(0.0));
+    let disc = add_track(&mut world, pieces, 1.0, disc);
     let mut highest = f64::NEG_INFINITY;
     for _ in 0..4 * 60 {
         world.step();
