@@ -2,9 +2,10 @@
 
 use std::time::Instant;
 
-use super::overlap::{Overlap, overlap};
+use rustycs_cases::overlap::{Overlap, overlap};
+
 use super::scenes::Course;
-use crate::engine::{Engine, Fineness, Simulation};
+use crate::engine::{Engine, Fineness, Simulation, State};
 use crate::engines;
 use crate::scene::Kind;
 
@@ -93,8 +94,10 @@ impl<'a> Run<'a> {
 
     fn end(&self, start: [f64; 2]) -> End {
         let [kinetic, potential] = self.energy();
+        let bodies = &self.course.scene.bodies;
+        let states: Vec<State> = (0..bodies.len()).map(|body| self.simulation.state(body)).collect();
         End {
-            overlap: overlap(&self.course.scene, |index| self.simulation.state(index)),
+            overlap: overlap(bodies, &states),
             kinetic_energy: kinetic,
             energy: (kinetic + potential) / (start[0] + start[1]),
             points: self.simulation.contact_points(),

@@ -1,7 +1,6 @@
 //! The command `speed`: how long a step takes, beside the overlap and the energy that the engines end with.
 
 mod measure;
-mod overlap;
 mod page;
 mod picture;
 mod rows;

@@ -1,7 +1,8 @@
 //! The rows that were measured.
 
+use rustycs_cases::overlap::Overlap;
+
 use super::measure::End;
-use super::overlap::Overlap;
 use super::scenes::Course;
 use crate::fingerprint::hash;
 use crate::table::Record;

@@ -21,7 +21,6 @@ mod figures;
 mod forces;
 mod houses;
 mod long;
-mod overlap;
 mod piles;
 mod random;
 mod rest;
@@ -33,7 +32,6 @@ mod tipping;
 mod walls;
 
 pub use case::{COUNT, Case, Check, Group, Judge, Limit, Play, PlayOurs, SHARE, Seen};
-pub use overlap::corners;
 pub use run::{Lab, Run, Snapshot};
 
 use crate::scene::{BodySpec, Scene};

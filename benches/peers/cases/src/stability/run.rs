@@ -5,8 +5,8 @@ use std::rc::Rc;
 use std::time::{Duration, Instant};
 
 use crate::engine::{DEFAULT, Engine, Fineness, Simulation, State};
+use crate::overlap::overlap;
 use crate::scene::{Kind, Scene};
-use crate::stability::overlap;
 
 /// A scene as it stood at some time.
 #[derive(Clone, Debug)]
@@ -235,7 +235,7 @@ impl Run {
 
     /// Depth of the deepest overlap of two bodies, one of them dynamic at least, m.
     pub(super) fn deepest_overlap(&self) -> f64 {
-        overlap::deepest(&self.scene.bodies, &self.states())
+        overlap(&self.scene.bodies, &self.states()).deepest
     }
 
     /// How many dynamic bodies have a number that is none in their state.
