@@ -2,10 +2,11 @@
 
 mod check;
 mod cli;
+mod command;
+mod contestant;
 mod engines;
 mod error;
 mod fingerprint;
-mod interrupt;
 mod machine;
 mod problems;
 mod speed;
