@@ -17,7 +17,8 @@ use crate::command;
 use crate::contestant::Contestant;
 use crate::engine::Engine;
 use crate::machine;
-use crate::stability::rows::{Outcome, Row, Table};
+use crate::stability::rows::{Outcome, Row};
+use crate::table::Table;
 
 /// Runs what is asked for. The exit code is 130 if Ctrl-C ended it early.
 pub(crate) fn run(options: &StabilityOptions) -> ExitCode {
@@ -72,7 +73,7 @@ fn work(case: &Case) -> f64 {
 fn play_all(
     tasks: &[(&Case, &Contestant)],
     folder: &Path,
-    table: &mut Table,
+    table: &mut Table<Row>,
     is_stopped: &dyn Fn() -> bool,
 ) -> io::Result<bool> {
     let begun = machine::now();
@@ -143,9 +144,9 @@ mod tests {
         };
         assert!(!judge_all(&options, &cases, &stop_soon).unwrap());
         let path = folder.join("stability.csv");
-        assert_eq!(Table::open(&path, |_| true).unwrap().rows().len(), 4);
+        assert_eq!(Table::<Row>::open(&path, |_| true).unwrap().rows().len(), 4);
         assert!(judge_all(&options, &cases, &|| false).unwrap());
-        let table = Table::open(&path, |_| true).unwrap();
+        let table = Table::<Row>::open(&path, |_| true).unwrap();
         let of_case = |name: &str| table.rows().iter().filter(|row| row.case == name).count();
         assert_eq!([of_case("mass-10"), of_case("arch"), of_case("restitution-above-1")], [3; 3]);
         let page = fs::read_to_string(folder.join("STABILITY.md")).unwrap();
