@@ -12,6 +12,7 @@ mod problems;
 mod speed;
 mod stability;
 mod table;
+mod words;
 
 use std::process::ExitCode;
 

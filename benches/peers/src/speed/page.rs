@@ -10,7 +10,7 @@ use super::picture;
 use super::rows::Row;
 use super::scenes::{Course, Sort};
 use crate::engines;
-use crate::machine;
+use crate::words::{self, circumstances, goes, middle, spread};
 
 /// What we hold ourselves to: at most this part of the time of Box2D for SSE2 in every scene, ...
 const EVERY: f64 = 0.8;
@@ -110,26 +110,14 @@ fn page(builds: &[(&str, Vec<Entry<'_>>)], rows: &[Row]) -> String {
 }
 
 fn what_was_run(rows: &[Row], text: &mut String) {
-    _ = writeln!(text, "- Machine: {}.", machine::name());
     let mut versions: Vec<&str> = Vec::new();
     for row in rows {
         if !versions.contains(&row.version.as_str()) {
             versions.push(&row.version);
         }
     }
-    for version in versions {
-        _ = writeln!(text, "- {version}.");
-    }
-    let mut times: Vec<&str> = rows.iter().map(|row| row.begun.as_str()).collect();
-    times.sort_unstable();
-    times.dedup();
-    let when = match times.as_slice() {
-        [once] => format!("in one go, begun {once}"),
-        [first, .., last] => format!("in {} goes, begun {first} to {last}", times.len()),
-        [] => String::new(),
-    };
-    let mut spreads: Vec<f64> = rows.iter().map(|row| row.step_time[1] / row.step_time[0] - 1.0).collect();
-    spreads.sort_by(f64::total_cmp);
+    circumstances(versions, text);
+    let when = goes(rows.iter().map(|row| row.begun.as_str()));
     _ = writeln!(
         text,
         "- {} rows, {when}, {} runs each or more. The three engines of a scene take turns in one process, on one thread, \
@@ -137,29 +125,14 @@ fn what_was_run(rows: &[Row], text: &mut String) {
          how quiet the machine was.\n",
         rows.len(),
         rows.iter().map(|row| row.repeats).min().unwrap_or_default(),
-        Unit::Part.figure(spreads[spreads.len() / 2]),
+        spread(rows.iter().map(|row| row.step_time)),
     );
 }
 
-/// Names of scenes, as a list.
-fn names<'a>(entries: impl Iterator<Item = &'a Entry<'a>>) -> String {
-    let names: Vec<String> = entries.map(|entry| format!("`{}`", entry.course.name)).collect();
-    names.join(", ")
-}
-
-/// How many hold, and the names of those that do not.
+/// On how many scenes something holds, and the names of those where it does not.
 fn tally<'a>(entries: &'a [Entry<'a>], holds: impl Fn(&Entry<'a>) -> bool) -> String {
-    let all = entries.len();
-    let fails: Vec<&Entry<'_>> = entries.iter().filter(|entry| !holds(entry)).collect();
-    if fails.is_empty() {
-        return format!("on all {all} scenes");
-    }
-    format!("on {} of {all} scenes; not on {}", all - fails.len(), names(fails.into_iter()))
-}
-
-fn middle(mut values: Vec<f64>) -> f64 {
-    values.sort_by(f64::total_cmp);
-    values[values.len() / 2]
+    let verdicts = entries.iter().map(|entry| (entry.course.name.as_str(), holds(entry)));
+    format!("on {}", words::tally("scenes", verdicts))
 }
 
 fn in_short(lanes: &str, entries: &[Entry<'_>], text: &mut String) {
