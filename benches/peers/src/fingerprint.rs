@@ -1,15 +1,11 @@
 //! How an engine behaves, as a word: rows of an engine that moved otherwise are not taken for its own.
 
-use crate::engine::{Engine, Fineness, State};
-use crate::scene::{BodySpec, Kind, Outline, Scene};
+use crate::engine::{DEFAULT, Engine, State};
+use crate::scene::{BodySpec, Kind, Outline, Scene, floor, on_earth};
 
 /// A pile of boxes and discs, bouncing and not, on a floor.
 fn pile() -> Scene {
-    let floor = BodySpec {
-        position: [0.0, -1.0],
-        ..BodySpec::new(Kind::Fixed, Outline::Box { width: 40.0, height: 2.0 })
-    };
-    let mut bodies = vec![floor];
+    let mut bodies = vec![floor()];
     for index in 0..60 {
         let (column, row) = (f64::from(index % 6), f64::from(index / 6));
         let outline = match index % 2 {
@@ -24,13 +20,13 @@ fn pile() -> Scene {
             ..BodySpec::new(Kind::Dynamic, outline)
         });
     }
-    Scene { bodies, gravity: [0.0, -9.81], ..Scene::default() }
+    on_earth(bodies)
 }
 
 /// A word for all states of a pile after two seconds.
 pub(crate) fn of(engine: &dyn Engine) -> String {
     let scene = pile();
-    let mut simulation = engine.simulate(&scene, Fineness { tick_rate: 60.0, substeps: 4 });
+    let mut simulation = engine.simulate(&scene, DEFAULT);
     for _ in 0..120 {
         simulation.step();
     }

@@ -6,9 +6,9 @@
 
 use rustycs::report::{front, order};
 
+use crate::engine::DEFAULT;
 use crate::engine::Fineness;
 use crate::error::rows::Row;
-use crate::error::sweep::DEFAULT;
 
 /// Errors up to this (parts of the scale of the problem, or m) are rounding: `f32` numbers are 1.2e-7 apart, and a run
 /// adds up thousands.

@@ -90,8 +90,8 @@ pub(super) fn measure(
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::engine::DEFAULT;
     use crate::engine::Simulation;
-    use crate::error::sweep::DEFAULT;
     use crate::scene::Scene;
 
     /// An engine with an error of one per cent in something.

@@ -147,8 +147,8 @@ fn label(Fineness { tick_rate, substeps }: Fineness) -> String {
 mod tests {
     use super::*;
     use crate::cli::{EngineOptions, SharedOptions};
+    use crate::engine::DEFAULT;
     use crate::engines;
-    use crate::error::sweep::DEFAULT;
 
     fn contestants() -> Vec<Contestant> {
         let contestant = |engine| Contestant { engine, behaviour: String::new() };

@@ -5,8 +5,8 @@ use std::f64::consts::TAU;
 use rustycs::report::Unit;
 
 use crate::problems::friction::Slope;
-use crate::problems::{Class, DOWN, G, Problem, Range, block, disc, distance, floor};
-use crate::scene::{BodySpec, Scene};
+use crate::problems::{Class, G, Problem, Range, block, disc, distance, floor, on_earth};
+use crate::scene::BodySpec;
 
 pub(super) fn problems() -> Vec<Problem> {
     vec![roll(), slip_to_roll(), bowl()]
@@ -68,11 +68,7 @@ fn slip_to_roll() -> Problem {
         measure: "largest error of the way / way in 2 s, and of the speed / v₀",
         unit: Unit::Part,
         class: Class::Smooth,
-        scene: Scene {
-            bodies: vec![BodySpec { friction: FRICTION, ..floor() }, sliding],
-            gravity: DOWN,
-            ..Scene::default()
-        },
+        scene: on_earth([BodySpec { friction: FRICTION, ..floor() }, sliding]),
         duration: DURATION,
         error: Box::new(move |run| {
             let of_way = run.largest(|run| (run.state(0).position[0] + 5.0 - exact(run.time())).abs()) / way;
@@ -182,7 +178,7 @@ fn bowl() -> Problem {
         measure: "largest distance from the exact place / first amplitude",
         unit: Unit::Part,
         class: Class::Smooth,
-        scene: Scene { bodies, gravity: DOWN, ..Scene::default() },
+        scene: on_earth(bodies),
         duration: 10.0,
         error: Box::new(move |run| {
             run.largest(|run| {

@@ -213,14 +213,9 @@ impl Run {
         self.masses[body][0]
     }
 
-    /// Σ m v²/2 + I w²/2, J.
+    /// Of all dynamic bodies, J.
     pub(super) fn kinetic_energy(&self) -> f64 {
-        let of = |&body: &usize| {
-            let ([mass, inertia], State { velocity: [u, v], spin, .. }) =
-                (self.masses[body], self.state(body));
-            0.5 * mass * (u * u + v * v) + 0.5 * inertia * spin * spin
-        };
-        self.moving.iter().map(of).sum()
+        self.moving.iter().map(|&body| self.state(body).kinetic_energy(self.masses[body])).sum()
     }
 
     /// The kinetic energy, and that of height above where the bodies were set: -Σ m g · Δx, J.
