@@ -18,6 +18,8 @@
 
 #[allow(unsafe_code, reason = "Box2D is a C library; all calls into it are in this module")]
 mod box2d;
+#[cfg(test)]
+mod misled;
 mod rapier;
 
 use rustycs_cases::Rustycs;
@@ -25,6 +27,8 @@ use rustycs_cases::Rustycs;
 use crate::engine::Engine;
 
 pub(crate) use box2d::LANES as BOX2D_LANES;
+#[cfg(test)]
+pub(crate) use misled::Misled;
 
 /// The engines, in the order of tables.
 pub(crate) fn all() -> Vec<Box<dyn Engine>> {
