@@ -9,7 +9,7 @@
 //! | restitution of a pair | larger | larger (its default) | larger |
 //! | slowest approach that bounces | 0.1 m/s (default) | 0 (default 1 m/s) | has none |
 //! | what [`Fineness::substeps`](crate::engine::Fineness::substeps) sets | substeps | substeps | solver iterations, each a substep |
-//! | continuous collision | has none | default: against what is fixed | default: against what is fixed |
+//! | continuous collision | what a step foresees of two bodies (default) | default: against what is fixed | default: against what is fixed |
 //! | softness of contacts, warm starting, top speed | default | default | default |
 //! | numbers | `f32`, centres `f64` | `f32` | `f32` |
 //! | threads | 1 | 1 | 1 |

@@ -14,7 +14,7 @@ pub(crate) struct Row {
     pub(crate) setup: String,
     pub(crate) engine: String,
     pub(crate) version: String,
-    /// Changes with the engine's motions: see [`fingerprint`](crate::error::fingerprint).
+    /// Changes with the engine's motions: see [`fingerprint`](crate::fingerprint).
     pub(crate) behaviour: String,
     pub(crate) fineness: Fineness,
     /// In the unit of the problem; infinite if the run came to nothing.

@@ -45,8 +45,7 @@ fn slide() -> Problem {
         }),
         range: Range::Full,
         goal: None,
-        note: "The impulses of short substeps have few digits beside the velocity that they change, which \
-               sets a floor of 1e-5.",
+        note: "",
     }
 }
 

@@ -40,8 +40,7 @@ fn roll() -> Problem {
         }),
         range: Range::Full,
         goal: None,
-        note: "The impulse acts halfway between the surfaces, r - s/2 from the centre of a disc that has sunk in by s, \
-               and s falls with the length of a substep, not with its square.",
+        note: "",
     }
 }
 
@@ -77,8 +76,7 @@ fn slip_to_roll() -> Problem {
         }),
         range: Range::Full,
         goal: None,
-        note: "The impulse acts halfway between the surfaces, r - s/2 from the centre of a disc that has sunk in by s, \
-               and s falls with the length of a substep, not with its square.",
+        note: "",
     }
 }
 
