@@ -8,7 +8,7 @@ use rustycs::report::Unit;
 
 use super::picture;
 use super::rows::Row;
-use super::scenes::{Course, Sort};
+use super::scenes::{Course, CourseKind};
 use crate::engines;
 use crate::words::{self, circumstances, goes, middle, spread};
 
@@ -60,29 +60,30 @@ pub(super) fn write(folder: &Path, courses: &[Course], rows: &[Row]) -> io::Resu
     lanes.dedup();
     // The narrower first: it is what people get if they ask for nothing.
     lanes.reverse();
-    let builds: Vec<(&str, Vec<Entry<'_>>)> =
-        lanes.iter().map(|lanes| (*lanes, entries(courses, rows, lanes))).collect();
-    let Some((_, first)) = builds.iter().find(|(_, entries)| !entries.is_empty()) else {
+    let builds = lanes.iter().map(|lanes| (*lanes, entries(courses, rows, lanes)));
+    let builds: Vec<(&str, Vec<Entry<'_>>)> = builds.filter(|(_, entries)| !entries.is_empty()).collect();
+    let Some((_, first)) = builds.first() else {
         println!("No row was done, so there is no page.");
         return Ok(());
     };
     let plots = folder.join("speed");
     fs::create_dir_all(&plots)?;
     fs::write(plots.join("overlap.svg"), picture::overlaps(first).to_svg())?;
-    let sizes = entries_of(first, Sort::Size);
+    let sizes = entries_of(first, CourseKind::Size);
     fs::write(plots.join("size.svg"), picture::sizes(&sizes).to_svg())?;
     let path = folder.join("SPEED.md");
-    fs::write(&path, page(&builds, rows))?;
+    fs::write(&path, page(&builds, first, rows))?;
     println!("{}: {} scenes", path.display(), first.len());
     Ok(())
 }
 
-fn entries_of<'a>(entries: &[Entry<'a>], kind: Sort) -> Vec<Entry<'a>> {
+fn entries_of<'a>(entries: &[Entry<'a>], kind: CourseKind) -> Vec<Entry<'a>> {
     let of_kind = entries.iter().filter(|entry| entry.course.kind == kind);
     of_kind.map(|entry| Entry { course: entry.course, rows: entry.rows.clone() }).collect()
 }
 
-fn page(builds: &[(&str, Vec<Entry<'_>>)], rows: &[Row]) -> String {
+/// The page of all builds of Box2D; what is said of one build only is said of the first.
+fn page(builds: &[(&str, Vec<Entry<'_>>)], first: &[Entry<'_>], rows: &[Row]) -> String {
     let mut text = String::from("# Time of a step: rustycs, Box2D, Rapier\n\n");
     text += "Written by `cargo run --release -p rustycs-peers -- speed`, with `--features avx2` for Box2D with lanes of \
              eight; the rows are in [speed.csv](speed.csv).\n\n";
@@ -97,12 +98,10 @@ fn page(builds: &[(&str, Vec<Entry<'_>>)], rows: &[Row]) -> String {
     for (lanes, entries) in builds {
         ends(lanes, entries, &mut text);
     }
-    if let Some((_, entries)) = builds.first() {
-        growth(entries, &mut text);
-        stages(entries, &mut text);
-    }
+    growth(first, &mut text);
+    stages(first, &mut text);
     text += "![Overlap against time by scene](speed/overlap.svg)\n\n## The scenes\n\n";
-    for entry in builds.iter().flat_map(|(_, entries)| entries).take(builds[0].1.len()) {
+    for entry in first {
         let Course { name, statement, warm_up, ticks, .. } = entry.course;
         _ = writeln!(text, "- `{name}`: {statement} {ticks} ticks, after {warm_up} that are not timed.");
     }
@@ -136,9 +135,6 @@ fn tally<'a>(entries: &'a [Entry<'a>], holds: impl Fn(&Entry<'a>) -> bool) -> St
 }
 
 fn in_short(lanes: &str, entries: &[Entry<'_>], text: &mut String) {
-    if entries.is_empty() {
-        return;
-    }
     // What we hold ourselves to is said of the build of Box2D that people get if they ask for nothing.
     let most = if lanes == "AVX2" { OTHERS } else { EVERY };
     let box2d = entries.iter().map(|entry| entry.ratio(1)).collect();
@@ -198,9 +194,6 @@ fn factor(value: f64) -> String {
 }
 
 fn times(lanes: &str, entries: &[Entry<'_>], text: &mut String) {
-    if entries.is_empty() {
-        return;
-    }
     _ = writeln!(
         text,
         "## Times, with Box2D for {lanes}\n\nTime of a step, least and middle; then ours as a part of theirs, of the \
@@ -234,9 +227,6 @@ fn times(lanes: &str, entries: &[Entry<'_>], text: &mut String) {
 }
 
 fn ends(lanes: &str, entries: &[Entry<'_>], text: &mut String) {
-    if entries.is_empty() {
-        return;
-    }
     _ = writeln!(
         text,
         "## How they end, with Box2D for {lanes}\n\nMean overlap, deepest overlap; energy as a part of that at the start, \
@@ -294,7 +284,7 @@ fn stages(entries: &[Entry<'_>], text: &mut String) {
 
 /// From the smallest to the largest of the sizes.
 fn growth(entries: &[Entry<'_>], text: &mut String) {
-    let sizes = entries_of(entries, Sort::Size);
+    let sizes = entries_of(entries, CourseKind::Size);
     let [first, .., last] = sizes.as_slice() else { return };
     text.push_str("## How the time of a body grows\n\n");
     for (engine, row) in first.rows.iter().enumerate() {

@@ -18,14 +18,14 @@ pub(crate) struct Course {
     pub(crate) warm_up: u32,
     /// Ticks that are timed.
     pub(crate) ticks: u32,
-    pub(crate) kind: Sort,
+    pub(crate) kind: CourseKind,
     /// Whether it is left out of quick runs.
     pub(crate) is_dear: bool,
 }
 
 /// What kind of scene it is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Sort {
+pub(crate) enum CourseKind {
     /// One of those that engines race on.
     Race,
     /// One of a row that grows.
@@ -43,7 +43,7 @@ impl Course {
             drum: None,
             warm_up: 1,
             ticks,
-            kind: Sort::Race,
+            kind: CourseKind::Race,
             is_dear: false,
         }
     }

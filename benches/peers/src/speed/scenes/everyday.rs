@@ -2,12 +2,12 @@
 
 use rustycs_cases::chance::Chance;
 
-use super::{Course, Sort, dynamic, fixed, square};
+use super::{Course, CourseKind, dynamic, fixed, square};
 use crate::scene::{BodySpec, Outline, Scene, on_earth};
 
 pub(super) fn courses() -> [Course; 3] {
     let everyday = |name, statement, scene, ticks| Course {
-        kind: Sort::Everyday,
+        kind: CourseKind::Everyday,
         ..Course::race(name, statement, scene, ticks)
     };
     [

@@ -4,7 +4,7 @@ use std::f64::consts::{PI, TAU};
 
 use rustycs_cases::chance::Chance;
 
-use super::{Course, Sort, dynamic, fixed, square};
+use super::{Course, CourseKind, dynamic, fixed, square};
 use crate::scene::{BodySpec, Outline, Scene, on_earth};
 
 pub(super) fn races() -> Vec<Course> {
@@ -54,7 +54,7 @@ pub(super) fn races() -> Vec<Course> {
 
 pub(super) fn sizes() -> Vec<Course> {
     let size = |count: usize| Course {
-        kind: Sort::Size,
+        kind: CourseKind::Size,
         is_dear: count > 16_000,
         ..Course::race(
             &format!("pile-{}k", count / 1000),
