@@ -5,6 +5,7 @@ use std::process::ExitCode;
 
 use clap::{Args, Parser, Subcommand};
 
+use crate::engine::Engine;
 use crate::speed::{self, scenes};
 use crate::{check, engines, error, problems, stability};
 
@@ -24,20 +25,48 @@ enum Command {
     /// range of settings. Writes error.csv, ERROR.md and a plot for each problem.
     Error(ErrorOptions),
     /// Measures how long steps take in large scenes and in everyday ones, beside the overlap and the energy that the
-    /// engines end with. Writes speed.csv, SPEED.md and two plots.
+    /// engines end with. Writes speed.csv, SPEED.md and two plots. Only scenes that this very program has measured count as
+    /// run before.
     Speed(SpeedOptions),
     /// Plays stiff and extreme cases in the engines and judges each by statics or a law of conservation. Writes
     /// stability.csv, STABILITY.md and pictures of how the cases end.
     Stability(StabilityOptions),
 }
 
+/// Options of every command that writes a page.
+#[derive(Args, Clone, Debug, Default)]
+pub(crate) struct SharedOptions {
+    /// Runs again what was run before.
+    #[arg(long)]
+    pub(crate) again: bool,
+
+    /// Where to write; what is found there, and still holds, is not run again.
+    #[arg(long, value_name = "DIR", default_value = "benches/results")]
+    pub(crate) out: PathBuf,
+
+    /// Names what there is to run, with what happens or must hold in each, and runs nothing.
+    #[arg(long, display_order = 0)]
+    pub(crate) list: bool,
+}
+
+/// Which engines are run.
+#[derive(Args, Clone, Debug, Default)]
+pub(crate) struct EngineOptions {
+    /// The engines to run: rustycs, box2d, rapier.
+    #[arg(long, value_name = "NAME,...", value_delimiter = ',', value_parser = engine_name)]
+    pub(crate) engines: Vec<String>,
+}
+
+impl EngineOptions {
+    /// Whether an engine is asked for, by name or as one of all.
+    pub(crate) fn include(&self, engine: &dyn Engine) -> bool {
+        self.engines.is_empty() || self.engines.contains(&engine.name().to_lowercase())
+    }
+}
+
 /// Options of the command `error`.
 #[derive(Args, Clone, Debug, Default)]
 pub(crate) struct ErrorOptions {
-    /// Names the problems and what happens in each.
-    #[arg(long)]
-    pub(crate) list: bool,
-
     /// Runs fewer settings, each timed less often, and not the dearest problems.
     #[arg(long)]
     pub(crate) quick: bool,
@@ -46,30 +75,20 @@ pub(crate) struct ErrorOptions {
     #[arg(long, value_name = "NAME,...", value_delimiter = ',', value_parser = problem_name)]
     pub(crate) only: Vec<String>,
 
-    /// The engines to run: rustycs, box2d, rapier.
-    #[arg(long, value_name = "NAME,...", value_delimiter = ',', value_parser = engine_name)]
-    pub(crate) engines: Vec<String>,
-
-    /// Where to write; rows found there are not run again.
-    #[arg(long, value_name = "DIR", default_value = "benches/results")]
-    pub(crate) out: PathBuf,
-
-    /// Runs rows again that were done before.
-    #[arg(long)]
-    pub(crate) again: bool,
+    #[command(flatten)]
+    pub(crate) engines: EngineOptions,
 
     /// How often each row is timed at least: 5, or 3 in a quick run, if nothing is said.
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]
     pub(crate) repeats: Option<u32>,
+
+    #[command(flatten)]
+    pub(crate) shared: SharedOptions,
 }
 
 /// Options of the command `speed`.
 #[derive(Args, Clone, Debug, Default)]
 pub(crate) struct SpeedOptions {
-    /// Names the scenes and what they are.
-    #[arg(long)]
-    pub(crate) list: bool,
-
     /// Runs each scene less often, and not the largest.
     #[arg(long)]
     pub(crate) quick: bool,
@@ -78,31 +97,17 @@ pub(crate) struct SpeedOptions {
     #[arg(long, value_name = "NAME,...", value_delimiter = ',', value_parser = scene_name)]
     pub(crate) only: Vec<String>,
 
-    /// Where to write; scenes that this very program has measured are not run again.
-    #[arg(long, value_name = "DIR", default_value = "benches/results")]
-    pub(crate) out: PathBuf,
-
-    /// Runs scenes again that were done before.
-    #[arg(long)]
-    pub(crate) again: bool,
-
     /// How often each scene is run: 5 times, or twice in a quick run, if nothing is said.
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]
     pub(crate) repeats: Option<u32>,
-}
 
-/// The beginning of some scene's name.
-fn scene_name(name: &str) -> Result<String, String> {
-    beginning(name, &scenes::all().into_iter().map(|course| course.name).collect::<Vec<_>>(), "scenes")
+    #[command(flatten)]
+    pub(crate) shared: SharedOptions,
 }
 
 /// Options of the command `stability`.
 #[derive(Args, Clone, Debug, Default)]
 pub(crate) struct StabilityOptions {
-    /// Names the cases and what must hold in each.
-    #[arg(long)]
-    pub(crate) list: bool,
-
     /// Leaves out what takes many seconds.
     #[arg(long)]
     pub(crate) quick: bool,
@@ -111,40 +116,41 @@ pub(crate) struct StabilityOptions {
     #[arg(long, value_name = "NAME,...", value_delimiter = ',', value_parser = case_name)]
     pub(crate) only: Vec<String>,
 
-    /// The engines to play them in: rustycs, box2d, rapier.
-    #[arg(long, value_name = "NAME,...", value_delimiter = ',', value_parser = engine_name)]
-    pub(crate) engines: Vec<String>,
+    #[command(flatten)]
+    pub(crate) engines: EngineOptions,
 
-    /// Where to write; what is found there is not played again.
-    #[arg(long, value_name = "DIR", default_value = "benches/results")]
-    pub(crate) out: PathBuf,
+    #[command(flatten)]
+    pub(crate) shared: SharedOptions,
+}
 
-    /// Plays again what was played before.
-    #[arg(long)]
-    pub(crate) again: bool,
+/// Whether something by this name is asked for, by one of these beginnings of names or, where there are none, as one of
+/// all.
+pub(crate) fn is_asked_for(only: &[String], name: &str) -> bool {
+    only.is_empty() || only.iter().any(|beginning| name.starts_with(beginning))
 }
 
 /// The beginning of some problem's name.
 fn problem_name(name: &str) -> Result<String, String> {
-    beginning(name, &problems::all().into_iter().map(|problem| problem.name).collect::<Vec<_>>(), "problems")
+    beginning(name, "problems", problems::all().into_iter().map(|problem| problem.name))
 }
 
-/// A name, if one of these begins with it.
-fn beginning(name: &str, names: &[String], what: &str) -> Result<String, String> {
-    if !name.is_empty() && names.iter().any(|full| full.starts_with(name)) {
-        Ok(name.into())
-    } else {
-        Err(format!("the {what} are {}", names.join(", ")))
-    }
+/// The beginning of some scene's name.
+fn scene_name(name: &str) -> Result<String, String> {
+    beginning(name, "scenes", scenes::all().into_iter().map(|course| course.name))
 }
 
 /// The beginning of some case's name.
 fn case_name(name: &str) -> Result<String, String> {
-    let names: Vec<String> = rustycs_cases::stability::all().into_iter().map(|case| case.name).collect();
+    beginning(name, "cases", rustycs_cases::stability::all().into_iter().map(|case| case.name))
+}
+
+/// A name, if one of these begins with it.
+fn beginning(name: &str, what: &str, names: impl Iterator<Item = String>) -> Result<String, String> {
+    let names: Vec<String> = names.collect();
     if !name.is_empty() && names.iter().any(|full| full.starts_with(name)) {
         Ok(name.into())
     } else {
-        Err(format!("the cases are {}", names.join(", ")))
+        Err(format!("the {what} are {}", names.join(", ")))
     }
 }
 
@@ -182,8 +188,8 @@ mod tests {
     }
 
     #[test]
-    fn problems_go_by_the_beginning_of_their_name_and_engines_by_any_capitals() {
-        assert!(problem_name("stack").is_ok() && problem_name("slide").is_ok());
+    fn what_is_run_goes_by_the_beginning_of_its_name_and_engines_by_any_capitals() {
+        assert!(problem_name("stack").is_ok() && scene_name("pile").is_ok() && case_name("arch").is_ok());
         assert!(problem_name("tack").is_err() && problem_name("").is_err());
         assert_eq!(engine_name("Box2D"), Ok("box2d".into()));
         assert!(engine_name("bullet").is_err());

@@ -1,15 +1,11 @@
 //! How an engine behaves, as a word: rows of an engine that moved otherwise are not taken for its own.
 
-use crate::engine::{Engine, Fineness, State};
-use crate::scene::{BodySpec, Kind, Outline, Scene};
+use crate::engine::{DEFAULT, Engine, State};
+use crate::scene::{BodySpec, Kind, Outline, Scene, floor, on_earth};
 
 /// A pile of boxes and discs, bouncing and not, on a floor.
 fn pile() -> Scene {
-    let floor = BodySpec {
-        position: [0.0, -1.0],
-        ..BodySpec::new(Kind::Fixed, Outline::Box { width: 40.0, height: 2.0 })
-    };
-    let mut bodies = vec![floor];
+    let mut bodies = vec![floor()];
     for index in 0..60 {
         let (column, row) = (f64::from(index % 6), f64::from(index / 6));
         let outline = match index % 2 {
@@ -24,26 +20,28 @@ fn pile() -> Scene {
             ..BodySpec::new(Kind::Dynamic, outline)
         });
     }
-    Scene { bodies, gravity: [0.0, -9.81], ..Scene::default() }
+    on_earth(bodies)
 }
 
-/// FNV-1a of all states of a pile after two seconds.
+/// A word for all states of a pile after two seconds.
 pub(crate) fn of(engine: &dyn Engine) -> String {
     let scene = pile();
-    let mut simulation = engine.simulate(&scene, Fineness { tick_rate: 60.0, substeps: 4 });
+    let mut simulation = engine.simulate(&scene, DEFAULT);
     for _ in 0..120 {
         simulation.step();
     }
     let states = (0..scene.bodies.len()).map(|body| simulation.state(body));
     let numbers = states
         .flat_map(|State { position: [x, y], angle, velocity: [u, v], spin }| [x, y, angle, u, v, spin]);
-    let bytes = numbers.flat_map(f64::to_le_bytes);
-    format!("{:016x}", hash(bytes))
+    word(numbers.flat_map(f64::to_le_bytes))
 }
 
-/// FNV-1a.
-pub(crate) fn hash(bytes: impl Iterator<Item = u8>) -> u64 {
-    bytes.fold(0xcbf2_9ce4_8422_2325, |hash, byte| (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3))
+/// A word that changes when one of the bytes does: FNV-1a, in sixteen digits.
+pub(crate) fn word(bytes: impl IntoIterator<Item = u8>) -> String {
+    let hash = bytes.into_iter().fold(0xcbf2_9ce4_8422_2325_u64, |hash, byte| {
+        (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3)
+    });
+    format!("{hash:016x}")
 }
 
 #[cfg(test)]

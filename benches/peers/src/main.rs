@@ -2,15 +2,17 @@
 
 mod check;
 mod cli;
+mod command;
+mod contestant;
 mod engines;
 mod error;
 mod fingerprint;
-mod interrupt;
 mod machine;
 mod problems;
 mod speed;
 mod stability;
 mod table;
+mod words;
 
 use std::process::ExitCode;
 

@@ -3,8 +3,9 @@
 use std::fs::{self, File, OpenOptions};
 use std::io::{self, Write as _};
 use std::path::{Path, PathBuf};
+use std::str::FromStr;
 
-/// A row of a table.
+/// A row of a table, on one line of its file or on several that follow each other.
 pub(crate) trait Record: Sized {
     /// The names of the fields, in their order.
     const COLUMNS: &[&str];
@@ -12,24 +13,51 @@ pub(crate) trait Record: Sized {
     /// Whether it is a measurement of the same thing.
     fn replaces(&self, other: &Self) -> bool;
 
-    fn fields(&self) -> Vec<String>;
+    /// The fields of each of its lines.
+    fn lines(&self) -> Vec<Vec<String>>;
 
-    /// From its fields, which `next` gives in their order.
-    fn read(next: impl FnMut() -> Option<String>) -> Option<Self>;
+    /// From its first line, and as many of the next as are its own; `None` if they are no row, or not a whole one.
+    fn read(first: Fields, next: &mut dyn Iterator<Item = Fields>) -> Option<Self>;
 }
 
-fn line<R: Record>(row: &R) -> String {
-    let fields: Vec<String> = row.fields().iter().map(|field| quoted(field)).collect();
-    fields.join(",") + "\n"
+/// The fields of a line, to be taken in their order.
+#[derive(Debug)]
+pub(crate) struct Fields(std::vec::IntoIter<String>);
+
+impl Fields {
+    fn new(line: &str) -> Self {
+        Self(fields(line).into_iter())
+    }
+
+    /// The next field, as it is written.
+    pub(crate) fn text(&mut self) -> Option<String> {
+        self.0.next()
+    }
+
+    /// The next field, if it is a number.
+    pub(crate) fn number<T: FromStr>(&mut self) -> Option<T> {
+        self.text()?.parse().ok()
+    }
 }
 
-fn read<R: Record>(line: &str) -> Option<R> {
-    let mut fields = fields(line).into_iter();
-    R::read(|| fields.next())
+/// A row as it stands in the file.
+fn text_of<R: Record>(row: &R) -> String {
+    let quoted = |fields: &Vec<String>| fields.iter().map(|field| quoted(field)).collect::<Vec<_>>();
+    row.lines().iter().map(|fields| quoted(fields).join(",") + "\n").collect()
+}
+
+/// The rows of a file, without its heading. What was cut short by a sudden end is no row.
+fn read_all<R: Record>(text: &str) -> Vec<R> {
+    let mut rows = Vec::new();
+    let mut lines = text.lines().skip(1).map(Fields::new);
+    while let Some(first) = lines.next() {
+        rows.extend(R::read(first, &mut lines));
+    }
+    rows
 }
 
 /// A field as RFC 4180 has it: in quotes where it needs them.
-pub(crate) fn quoted(text: &str) -> String {
+fn quoted(text: &str) -> String {
     if text.contains([',', '"', '\n', '\r']) {
         format!("\"{}\"", text.replace('"', "\"\""))
     } else {
@@ -38,7 +66,7 @@ pub(crate) fn quoted(text: &str) -> String {
 }
 
 /// The fields of a line.
-pub(crate) fn fields(line: &str) -> Vec<String> {
+fn fields(line: &str) -> Vec<String> {
     let mut fields = vec![String::new()];
     let mut is_quoted = false;
     let mut characters = line.chars().peekable();
@@ -70,13 +98,11 @@ impl<R: Record> Table<R> {
     pub(crate) fn open(path: &Path, keeps: impl Fn(&R) -> bool) -> io::Result<Self> {
         let text = if path.exists() { fs::read_to_string(path)? } else { String::new() };
         let mut rows: Vec<R> = Vec::new();
-        // A line that was cut short by a sudden end is no row.
-        for row in text.lines().skip(1).filter_map(read).filter(keeps) {
-            rows.retain(|other| !row.replaces(other));
-            rows.push(row);
+        for row in read_all(&text).into_iter().filter(keeps) {
+            replace(&mut rows, row);
         }
         let mut text = R::COLUMNS.join(",") + "\n";
-        text.extend(rows.iter().map(line));
+        text.extend(rows.iter().map(text_of));
         let new = path.with_extension("csv.new");
         fs::write(&new, text)?;
         fs::rename(&new, path)?;
@@ -93,12 +119,18 @@ impl<R: Record> Table<R> {
 
     /// Adds a row, in the file too.
     pub(crate) fn add(&mut self, row: R) -> io::Result<()> {
-        self.file.write_all(line(&row).as_bytes())?;
+        self.file.write_all(text_of(&row).as_bytes())?;
         self.file.flush()?;
-        self.rows.retain(|other| !row.replaces(other));
-        self.rows.push(row);
+        // In the file, the later one of two is read.
+        replace(&mut self.rows, row);
         Ok(())
     }
+}
+
+/// Adds a row in the place of the one it replaces, if there is one.
+fn replace<R: Record>(rows: &mut Vec<R>, row: R) {
+    rows.retain(|other| !row.replaces(other));
+    rows.push(row);
 }
 
 #[cfg(test)]
@@ -110,11 +142,9 @@ mod tests {
     #[test]
     fn rows_are_read_as_they_were_written() {
         let lost = Row { error: f64::INFINITY, unit: "m".into(), ..row() };
-        for row in [row(), lost] {
-            assert_eq!(read(line(&row).trim_end()), Some(row));
-        }
-        let cut = line(&row());
-        assert_eq!(read::<Row>(&cut[..cut.len() - 25]), None);
+        let text = format!("heading\n{}{}", text_of(&row()), text_of(&lost));
+        assert_eq!(read_all::<Row>(&text), [row(), lost]);
+        assert_eq!(read_all::<Row>(&text[..text.len() - 25]), [row()]);
     }
 
     #[test]

@@ -26,33 +26,29 @@ const SPEED: f32 = 60.0;
 /// Share of its speed that a ball loses to the cloth, 1/s.
 const CLOTH: f32 = 0.25;
 
+/// Colours of the balls 1 to 8: yellow, blue, red, purple, orange, green, brown and black. Those from 9 on have them
+/// again.
+const COLOURS: [[u8; 3]; 8] = [
+    [240, 200, 60],
+    [70, 110, 220],
+    [220, 70, 60],
+    [140, 90, 190],
+    [240, 140, 50],
+    [60, 160, 90],
+    [160, 80, 60],
+    [70, 74, 84],
+];
+
 /// The cue ball and the fifteen, in the colours of the game.
 const LABELS: [Label; 16] = {
-    let yellow = [240, 200, 60];
-    let blue = [70, 110, 220];
-    let red = [220, 70, 60];
-    let purple = [140, 90, 190];
-    let orange = [240, 140, 50];
-    let green = [60, 160, 90];
-    let brown = [160, 80, 60];
-    [
-        Label::painted("cue", [244, 244, 238]),
-        Label::painted("1", yellow),
-        Label::painted("2", blue),
-        Label::painted("3", red),
-        Label::painted("4", purple),
-        Label::painted("5", orange),
-        Label::painted("6", green),
-        Label::painted("7", brown),
-        Label::painted("8", [70, 74, 84]),
-        Label::painted("9", yellow),
-        Label::painted("10", blue),
-        Label::painted("11", red),
-        Label::painted("12", purple),
-        Label::painted("13", orange),
-        Label::painted("14", green),
-        Label::painted("15", brown),
-    ]
+    let names = ["cue", "1", "2", "3", "4", "5", "6", "7", "8", "9", "10", "11", "12", "13", "14", "15"];
+    let mut labels = [Label::painted(names[0], [244, 244, 238]); 16];
+    let mut ball = 1;
+    while ball < labels.len() {
+        labels[ball] = Label::painted(names[ball], COLOURS[(ball - 1) % COLOURS.len()]);
+        ball += 1;
+    }
+    labels
 };
 
 /// The balls of the rack touch but for 1/1000 of a radius; the cue ball comes a little off the middle.

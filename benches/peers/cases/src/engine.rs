@@ -27,6 +27,15 @@ pub struct State {
     pub spin: f64,
 }
 
+impl State {
+    /// m v²/2 + I w²/2 of a body of this mass, kg, and moment of inertia, kg m², in J.
+    #[must_use]
+    pub fn kinetic_energy(&self, [mass, inertia]: [f64; 2]) -> f64 {
+        let [u, v] = self.velocity;
+        0.5 * mass * (u * u + v * v) + 0.5 * inertia * self.spin * self.spin
+    }
+}
+
 /// A world of some engine.
 pub trait Simulation {
     /// One tick, on one thread.

@@ -20,6 +20,16 @@ pub enum Outline {
 }
 
 impl Outline {
+    /// A regular polygon with its corners this far from the centre, m, one of them to the right.
+    #[must_use]
+    pub fn regular(corners: u32, radius: f64) -> Self {
+        let corner = |index: u32| {
+            let angle = std::f64::consts::TAU * f64::from(index) / f64::from(corners);
+            [radius * angle.cos(), radius * angle.sin()]
+        };
+        Self::Polygon((0..corners).map(corner).collect())
+    }
+
     /// Distance of the farthest point from the centre, m.
     #[must_use]
     pub fn reach(&self) -> f64 {
@@ -115,6 +125,15 @@ pub struct Scene {
     pub pull: Option<Pull>,
     /// Whether bodies at rest may fall asleep.
     pub sleeps: bool,
+}
+
+/// Gravity of the Earth, m/s².
+pub const G: f64 = 9.81;
+
+/// These bodies under the gravity of the Earth.
+#[must_use]
+pub fn on_earth(bodies: impl IntoIterator<Item = BodySpec>) -> Scene {
+    Scene { bodies: bodies.into_iter().collect(), gravity: [0.0, -G], ..Scene::default() }
 }
 
 /// A dynamic disc.

@@ -4,7 +4,7 @@ use std::f64::consts::{PI, TAU};
 
 use super::Proof;
 use crate::engine::{Engine, Fineness, Simulation, State};
-use crate::scene::{BodySpec, Kind, Outline, Pull, Scene};
+use crate::scene::{BodySpec, G, Kind, Outline, Pull, Scene, disc, floor, on_earth, rectangle};
 
 pub(super) const PROOFS: &[Proof] = &[
     // A few roundings of f32.
@@ -60,22 +60,7 @@ pub(super) const PROOFS: &[Proof] = &[
     Proof { claim: "they have 1 + 2 + 2 contact points; difference", limit: 0.0, deviation: contact_points },
 ];
 
-const GRAVITY: f64 = 9.81;
 const FINE: Fineness = Fineness { tick_rate: 240.0, substeps: 4 };
-
-fn disc(radius: f64) -> BodySpec {
-    BodySpec::new(Kind::Dynamic, Outline::Circle { radius })
-}
-
-fn slab(width: f64, height: f64) -> BodySpec {
-    BodySpec::new(Kind::Dynamic, Outline::Box { width, height })
-}
-
-/// A floor whose upper side is at height 0.
-fn floor() -> BodySpec {
-    let outline = Outline::Box { width: 40.0, height: 2.0 };
-    BodySpec { position: [0.0, -1.0], ..BodySpec::new(Kind::Fixed, outline) }
-}
 
 /// Legs of 3 and 4 m.
 fn triangle() -> BodySpec {
@@ -84,20 +69,14 @@ fn triangle() -> BodySpec {
     BodySpec::new(Kind::Dynamic, Outline::Polygon(corners))
 }
 
-/// Regular, with a corner to the right.
+/// With a corner to the right.
 fn hexagon(side: f64) -> BodySpec {
-    let corner = |k: u32| [side * (f64::from(k) * PI / 3.0).cos(), side * (f64::from(k) * PI / 3.0).sin()];
-    BodySpec::new(Kind::Dynamic, Outline::Polygon((0..6).map(corner).collect()))
+    BodySpec::new(Kind::Dynamic, Outline::regular(6, side))
 }
 
 /// Bodies without gravity.
 fn float(bodies: Vec<BodySpec>) -> Scene {
     Scene { bodies, ..Scene::default() }
-}
-
-/// Bodies under the gravity of the Earth.
-fn heavy(bodies: Vec<BodySpec>) -> Scene {
-    Scene { bodies, gravity: [0.0, -GRAVITY], ..Scene::default() }
 }
 
 /// The world of a scene after so many seconds.
@@ -126,7 +105,7 @@ fn masses(engine: &dyn Engine) -> f64 {
     // Outline, area, and inertia over mass: r²/2, (w² + h²)/12, (a² + b²)/18 of legs, 5 s²/12 of a side.
     let known = [
         (disc(0.7), PI * 0.49, 0.245),
-        (slab(2.0, 0.5), 1.0, 4.25 / 12.0),
+        (rectangle(2.0, 0.5), 1.0, 4.25 / 12.0),
         (triangle(), 6.0, 25.0 / 18.0),
         (hexagon(0.5), 1.5 * 3.0_f64.sqrt() * 0.25, 1.25 / 12.0),
     ];
@@ -144,7 +123,7 @@ fn masses(engine: &dyn Engine) -> f64 {
 }
 
 fn given(engine: &dyn Engine) -> f64 {
-    let bodies: Vec<_> = [disc(0.7), slab(2.0, 0.5), triangle()]
+    let bodies: Vec<_> = [disc(0.7), rectangle(2.0, 0.5), triangle()]
         .into_iter()
         .enumerate()
         .map(|(i, body)| BodySpec {
@@ -182,15 +161,15 @@ fn step_length(engine: &dyn Engine) -> f64 {
 
 fn throw(engine: &dyn Engine) -> f64 {
     let ball = BodySpec { velocity: [3.0, 4.0], ..disc(0.5) };
-    let scene = Scene { bodies: vec![ball], gravity: [0.5, -GRAVITY], ..Scene::default() };
+    let scene = Scene { bodies: vec![ball], gravity: [0.5, -G], ..Scene::default() };
     let end = after(1.0, engine, &scene, FINE).state(0).position;
-    distance(end, [3.0 + 0.25, 4.0 - 0.5 * GRAVITY]) / (0.5 * GRAVITY)
+    distance(end, [3.0 + 0.25, 4.0 - 0.5 * G]) / (0.5 * G)
 }
 
 /// How far a ball is, m, from where it should be after a second.
 fn fall_error(engine: &dyn Engine, tick_rate: f64, substeps: u32) -> f64 {
-    let world = after(1.0, engine, &heavy(vec![disc(0.5)]), Fineness { tick_rate, substeps });
-    (world.state(0).position[1] + 0.5 * GRAVITY).abs()
+    let world = after(1.0, engine, &on_earth([disc(0.5)]), Fineness { tick_rate, substeps });
+    (world.state(0).position[1] + 0.5 * G).abs()
 }
 
 /// Below this, m, the error of a fall of 5 m is that of `f32`.
@@ -215,10 +194,11 @@ fn substeps(engine: &dyn Engine) -> f64 {
 
 fn slide(engine: &dyn Engine) -> f64 {
     let speed = 4.0;
-    let sled = BodySpec { position: [0.0, 0.25], velocity: [speed, 0.0], friction: 0.8, ..slab(1.0, 0.5) };
-    let scene = heavy(vec![sled, BodySpec { friction: 0.2, ..floor() }]);
+    let sled =
+        BodySpec { position: [0.0, 0.25], velocity: [speed, 0.0], friction: 0.8, ..rectangle(1.0, 0.5) };
+    let scene = on_earth([sled, BodySpec { friction: 0.2, ..floor() }]);
     let end = after(2.0, engine, &scene, FINE).state(0).position;
-    relative(end[0], speed * speed / (2.0 * 0.4 * GRAVITY))
+    relative(end[0], speed * speed / (2.0 * 0.4 * G))
 }
 
 fn exchange(engine: &dyn Engine) -> f64 {
@@ -229,7 +209,7 @@ fn exchange(engine: &dyn Engine) -> f64 {
 
 fn rebound(engine: &dyn Engine) -> f64 {
     let ball = BodySpec { position: [0.0, 1.5], restitution: 0.5, ..disc(0.5) };
-    let mut world = engine.simulate(&heavy(vec![ball, floor()]), Fineness { tick_rate: 960.0, substeps: 4 });
+    let mut world = engine.simulate(&on_earth([ball, floor()]), Fineness { tick_rate: 960.0, substeps: 4 });
     let (mut fastest_fall, mut fastest_rise) = (0.0_f64, 0.0_f64);
     // It falls for √(2·1/g) = 0.45 s and rises for half of that.
     for _ in 0..576 {
@@ -268,7 +248,7 @@ fn circle(engine: &dyn Engine) -> f64 {
 }
 
 fn kinematic(engine: &dyn Engine) -> f64 {
-    let body = slab(1.0, 1.0);
+    let body = rectangle(1.0, 1.0);
     let lift = BodySpec { kind: Kind::Kinematic, velocity: [1.0, -0.5], spin: 0.7, ..body };
     let in_its_way = BodySpec { position: [1.5, -0.5], density: 100.0, ..disc(0.5) };
     let State { position, angle, .. } = after(1.0, engine, &float(vec![lift, in_its_way]), FINE).state(0);
@@ -284,7 +264,7 @@ fn creep(engine: &dyn Engine) -> f64 {
 fn resting() -> Scene {
     let hexagon = hexagon(1.0 / 3.0_f64.sqrt());
     let place = |x, body| BodySpec { position: [x, 0.5], ..body };
-    heavy(vec![place(-3.0, disc(0.5)), place(0.0, slab(2.0, 1.0)), place(3.0, hexagon), floor()])
+    on_earth([place(-3.0, disc(0.5)), place(0.0, rectangle(2.0, 1.0)), place(3.0, hexagon), floor()])
 }
 
 fn rest(engine: &dyn Engine) -> f64 {

@@ -1,8 +1,8 @@
 //! The engines pass, and engines that are set up wrongly do not.
 
 use super::PROOFS;
-use crate::engine::{Engine, Fineness, Simulation};
-use crate::engines;
+use crate::engine::{Engine, Fineness};
+use crate::engines::{self, Misled};
 use crate::scene::{BodySpec, Kind, Scene};
 
 /// The claims that do not hold for an engine.
@@ -20,28 +20,6 @@ fn every_engine_solves_the_same_problem() {
 #[test]
 fn box2d_is_compiled_for_a_fair_race() {
     engines::fair_box2d().unwrap();
-}
-
-/// An engine that is handed another scene than it was asked for.
-struct Misled {
-    engine: Box<dyn Engine>,
-    mislead: fn(&mut Scene, &mut Fineness),
-}
-
-impl Engine for Misled {
-    fn name(&self) -> &'static str {
-        self.engine.name()
-    }
-
-    fn version(&self) -> String {
-        self.engine.version()
-    }
-
-    fn simulate(&self, scene: &Scene, fineness: Fineness) -> Box<dyn Simulation> {
-        let (mut scene, mut fineness) = (scene.clone(), fineness);
-        (self.mislead)(&mut scene, &mut fineness);
-        self.engine.simulate(&scene, fineness)
-    }
 }
 
 /// Fails unless the proofs notice, with every engine.

@@ -9,7 +9,7 @@
 //! | restitution of a pair | larger | larger (its default) | larger |
 //! | slowest approach that bounces | 0.1 m/s (default) | 0 (default 1 m/s) | has none |
 //! | what [`Fineness::substeps`](crate::engine::Fineness::substeps) sets | substeps | substeps | solver iterations, each a substep |
-//! | continuous collision | has none | default: against what is fixed | default: against what is fixed |
+//! | continuous collision | what a step foresees of two bodies (default) | default: against what is fixed | default: against what is fixed |
 //! | softness of contacts, warm starting, top speed | default | default | default |
 //! | numbers | `f32`, centres `f64` | `f32` | `f32` |
 //! | threads | 1 | 1 | 1 |
@@ -18,6 +18,8 @@
 
 #[allow(unsafe_code, reason = "Box2D is a C library; all calls into it are in this module")]
 mod box2d;
+#[cfg(test)]
+mod misled;
 mod rapier;
 
 use rustycs_cases::Rustycs;
@@ -25,6 +27,8 @@ use rustycs_cases::Rustycs;
 use crate::engine::Engine;
 
 pub(crate) use box2d::LANES as BOX2D_LANES;
+#[cfg(test)]
+pub(crate) use misled::Misled;
 
 /// The engines, in the order of tables.
 pub(crate) fn all() -> Vec<Box<dyn Engine>> {

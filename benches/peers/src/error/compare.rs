@@ -6,9 +6,9 @@
 
 use rustycs::report::{front, order};
 
+use crate::engine::DEFAULT;
 use crate::engine::Fineness;
 use crate::error::rows::Row;
-use crate::error::sweep::DEFAULT;
 
 /// Errors up to this (parts of the scale of the problem, or m) are rounding: `f32` numbers are 1.2e-7 apart, and a run
 /// adds up thousands.
@@ -134,8 +134,8 @@ pub(super) struct Comparison<'a> {
 }
 
 impl Comparison<'_> {
-    /// Our error at default settings over the least one of the peers at theirs. `None` if both are rounding, or if one
-    /// was not run.
+    /// Our error at default settings, and the least one of the peers at theirs; `None` if we or all peers were not run
+    /// there.
     pub(super) fn at_default(&self) -> Option<[f64; 2]> {
         let theirs = self.peers.iter().filter_map(Runs::default_row).map(|row| row.error).reduce(f64::min)?;
         Some([self.ours.default_row()?.error, theirs])

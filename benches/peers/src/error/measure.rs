@@ -90,37 +90,16 @@ pub(super) fn measure(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::engine::Simulation;
-    use crate::error::sweep::DEFAULT;
+    use crate::engine::DEFAULT;
+    use crate::engines::Misled;
     use crate::scene::Scene;
-
-    /// An engine with an error of one per cent in something.
-    struct Planted {
-        engine: Box<dyn Engine>,
-        error: fn(&mut Scene),
-    }
-
-    impl Engine for Planted {
-        fn name(&self) -> &'static str {
-            self.engine.name()
-        }
-
-        fn version(&self) -> String {
-            self.engine.version()
-        }
-
-        fn simulate(&self, scene: &Scene, fineness: Fineness) -> Box<dyn Simulation> {
-            let mut scene = scene.clone();
-            (self.error)(&mut scene);
-            self.engine.simulate(&scene, fineness)
-        }
-    }
 
     /// The error of rustycs on a problem, with something planted, at default settings.
     fn with_planted(name: &str, planted: fn(&mut Scene)) -> f64 {
         let problems = problems::all();
         let problem = problems.iter().find(|problem| problem.name == name).expect("it is one of them");
-        error(problem, &Planted { engine: engines().remove(0), error: planted }, DEFAULT)
+        let mislead = |scene: &mut Scene, _: &mut Fineness| planted(scene);
+        error(problem, &Misled { engine: engines().remove(0), mislead }, DEFAULT)
     }
 
     fn engines() -> Vec<Box<dyn Engine>> {

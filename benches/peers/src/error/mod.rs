@@ -11,16 +11,14 @@ use std::fs;
 use std::io;
 use std::process::ExitCode;
 
-use indicatif::{ProgressBar, ProgressStyle};
 use rustycs::report::Unit;
 
-use crate::cli::ErrorOptions;
+use crate::cli::{ErrorOptions, is_asked_for};
+use crate::command;
+use crate::contestant::Contestant;
 use crate::engine::{Engine, Fineness};
-use crate::engines;
 use crate::error::measure::Measured;
 use crate::error::rows::Row;
-use crate::fingerprint;
-use crate::interrupt;
 use crate::machine;
 use crate::problems::{self, Problem};
 use crate::table::Table;
@@ -31,23 +29,8 @@ const REPEATS: [u32; 2] = [5, 3];
 /// Runs what is asked for. The exit code is 130 if Ctrl-C ended it early.
 pub(crate) fn run(options: &ErrorOptions) -> ExitCode {
     let problems = problems::all();
-    if options.list {
-        for problem in &problems {
-            println!("{:<14} {}", problem.name, problem.statement);
-        }
-        return ExitCode::SUCCESS;
-    }
-    if let Err(reason) = engines::fair_build() {
-        eprintln!("{reason}");
-        return ExitCode::FAILURE;
-    }
-    interrupt::exit_code(&options.out, |is_stopped| command(options, &problems, is_stopped))
-}
-
-/// An engine, and how it behaves.
-struct Contestant {
-    engine: Box<dyn Engine>,
-    behaviour: String,
+    let entries = problems.iter().map(|problem| (problem.name.as_str(), problem.statement.as_str()));
+    command::run(&options.shared, entries, |is_stopped| compare_all(options, &problems, is_stopped))
 }
 
 /// A problem at a fineness, in the engines that have no row of it yet.
@@ -64,26 +47,26 @@ impl Task<'_> {
 }
 
 /// Whether all was run.
-fn command(options: &ErrorOptions, problems: &[Problem], is_stopped: &dyn Fn() -> bool) -> io::Result<bool> {
-    fs::create_dir_all(&options.out)?;
-    let contestants: Vec<Contestant> = engines::all()
-        .into_iter()
-        .map(|engine| Contestant { behaviour: fingerprint::of(engine.as_ref()), engine })
-        .collect();
+fn compare_all(
+    options: &ErrorOptions,
+    problems: &[Problem],
+    is_stopped: &dyn Fn() -> bool,
+) -> io::Result<bool> {
+    let folder = &options.shared.out;
+    fs::create_dir_all(folder)?;
+    let contestants = Contestant::all();
     let repeats = options.repeats.unwrap_or(REPEATS[usize::from(options.quick)]);
     let holds = |row: &Row| {
-        let is_same = |Contestant { engine, behaviour }: &Contestant| {
-            engine.name() == row.engine && engine.version() == row.version && *behaviour == row.behaviour
-        };
+        let is_same = |one: &Contestant| one.is_of(&row.engine, &row.version, &row.behaviour);
         let problem = problems.iter().find(|problem| problem.name == row.problem);
         problem.is_some_and(|problem| rows::setup(problem) == row.setup) && contestants.iter().any(is_same)
     };
-    let mut table = Table::open(&options.out.join("error.csv"), holds)?;
+    let mut table = Table::open(&folder.join("error.csv"), holds)?;
     let tasks = tasks(options, problems, &contestants, table.rows(), repeats);
     let is_complete = measure(&tasks, &mut table, repeats, is_stopped)?;
     println!("{}: {} rows", table.path().display(), table.rows().len());
     let engines: Vec<&dyn Engine> = contestants.iter().map(|contestant| contestant.engine.as_ref()).collect();
-    page::write(&options.out, problems, &engines, table.rows())?;
+    page::write(folder, problems, &engines, table.rows())?;
     Ok(is_complete)
 }
 
@@ -95,9 +78,7 @@ fn tasks<'a>(
     done: &[Row],
     repeats: u32,
 ) -> Vec<Task<'a>> {
-    let is_wanted = |problem: &&Problem| {
-        options.only.is_empty() || options.only.iter().any(|name| problem.name.starts_with(name))
-    };
+    let is_wanted = |problem: &&Problem| is_asked_for(&options.only, &problem.name);
     let mut tasks = Vec::new();
     for problem in problems.iter().filter(is_wanted) {
         for fineness in sweep::settings(problem, options.quick) {
@@ -106,9 +87,7 @@ fn tasks<'a>(
                 let is_it =
                     |row: &Row| row.problem == problem.name && row.engine == name && row.fineness == fineness;
                 let is_done = done.iter().any(|row| is_it(row) && row.repeats >= repeats);
-                let is_asked_for =
-                    options.engines.is_empty() || options.engines.contains(&name.to_lowercase());
-                is_asked_for && (options.again || !is_done)
+                options.engines.include(contestant.engine.as_ref()) && (options.shared.again || !is_done)
             };
             let contestants: Vec<&Contestant> = contestants.iter().filter(is_open).collect();
             if !contestants.is_empty() {
@@ -126,31 +105,17 @@ fn measure(
     repeats: u32,
     is_stopped: &dyn Fn() -> bool,
 ) -> io::Result<bool> {
-    const STEPS: f64 = 1000.0;
     let begun = machine::now();
-    let all: f64 = tasks.iter().map(Task::work).sum();
-    let bar = ProgressBar::new(STEPS as u64);
-    // A style that is wrong would be a mistake here; the plain bar does as well.
-    if let Ok(style) = ProgressStyle::with_template("{wide_bar} {percent:>3} %  {eta} left  {msg}") {
-        bar.set_style(style);
-    }
-    let mut done = 0.0;
-    for task in tasks {
-        let Task { problem, fineness, contestants } = task;
-        let engines: Vec<&dyn Engine> = contestants.iter().map(|one| one.engine.as_ref()).collect();
-        bar.set_message(format!("{} {}", problem.name, label(*fineness)));
-        let Some(measured) = measure::measure(problem, &engines, *fineness, repeats, is_stopped) else {
-            bar.finish_and_clear();
-            return Ok(false);
-        };
-        for (contestant, measured) in contestants.iter().zip(&measured) {
+    let name = |task: &Task<'_>| format!("{} {}", task.problem.name, label(task.fineness));
+    command::do_all(tasks, Task::work, name, |task| {
+        let engines: Vec<&dyn Engine> = task.contestants.iter().map(|one| one.engine.as_ref()).collect();
+        let measured = measure::measure(task.problem, &engines, task.fineness, repeats, is_stopped);
+        let Some(measured) = measured else { return Ok(false) };
+        for (contestant, measured) in task.contestants.iter().zip(&measured) {
             table.add(row(task, contestant, measured, repeats, &begun))?;
         }
-        done += task.work();
-        bar.set_position((done / all * STEPS) as u64);
-    }
-    bar.finish_and_clear();
-    Ok(true)
+        Ok(true)
+    })
 }
 
 fn row(task: &Task<'_>, contestant: &Contestant, measured: &Measured, repeats: u32, begun: &str) -> Row {
@@ -181,7 +146,9 @@ fn label(Fineness { tick_rate, substeps }: Fineness) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::error::sweep::DEFAULT;
+    use crate::cli::{EngineOptions, SharedOptions};
+    use crate::engine::DEFAULT;
+    use crate::engines;
 
     fn contestants() -> Vec<Contestant> {
         let contestant = |engine| Contestant { engine, behaviour: String::new() };
@@ -216,9 +183,12 @@ mod tests {
         assert_eq!(at_default(&open_tasks(&slide, &done, 3)), ["rustycs", "Rapier"]);
         assert_eq!(open_tasks(&slide, &done, 3).len(), all.len());
         assert_eq!(at_default(&open_tasks(&slide, &done, 4)).len(), 3, "more repeats are asked for");
-        let again = ErrorOptions { again: true, ..slide.clone() };
+        let again = ErrorOptions {
+            shared: SharedOptions { again: true, ..SharedOptions::default() },
+            ..slide.clone()
+        };
         assert_eq!(at_default(&open_tasks(&again, &done, 3)).len(), 3);
-        let one_engine = ErrorOptions { engines: vec!["box2d".into()], ..slide };
+        let one_engine = ErrorOptions { engines: EngineOptions { engines: vec!["box2d".into()] }, ..slide };
         assert!(
             open_tasks(&one_engine, &done, 3).iter().all(|task| task.1 != DEFAULT && task.2 == ["Box2D"])
         );

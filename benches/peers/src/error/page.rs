@@ -10,8 +10,8 @@ use crate::engine::Engine;
 use crate::error::compare::{Comparison, InTime, Order, ROUNDING, Runs};
 use crate::error::rows::Row;
 use crate::error::{label, picture};
-use crate::machine;
 use crate::problems::{Class, Problem};
+use crate::words::{self, circumstances, goes, link, list, spread};
 
 /// What we hold ourselves to in the same time on smooth problems: this part of the best peer's error ...
 const TENTH: f64 = 0.1;
@@ -158,20 +158,8 @@ fn page(entries: &[Entry<'_>], engines: &[&dyn Engine], rows: &[Row]) -> String 
 }
 
 fn what_was_run(engines: &[&dyn Engine], rows: &[Row], text: &mut String) {
-    _ = writeln!(text, "- Machine: {}.", machine::name());
-    for engine in engines {
-        _ = writeln!(text, "- {}.", engine.version());
-    }
-    let mut times: Vec<&str> = rows.iter().map(|row| row.begun.as_str()).collect();
-    times.sort_unstable();
-    times.dedup();
-    let when = match times.as_slice() {
-        [once] => format!("in one go, begun {once}"),
-        [first, .., last] => format!("in {} goes, begun {first} to {last}", times.len()),
-        [] => String::new(),
-    };
-    let mut spreads: Vec<f64> = rows.iter().map(|row| row.run_time[1] / row.run_time[0] - 1.0).collect();
-    spreads.sort_by(f64::total_cmp);
+    circumstances(engines.iter().map(|engine| engine.version()), text);
+    let when = goes(rows.iter().map(|row| row.begun.as_str()));
     _ = writeln!(
         text,
         "- {} rows, {when}. The engines take turns in one process; a run time is the least of {} or more, of whole runs \
@@ -179,25 +167,13 @@ fn what_was_run(engines: &[&dyn Engine], rows: &[Row], text: &mut String) {
          tells how quiet the machine was.\n",
         rows.len(),
         rows.iter().map(|row| row.runs).min().unwrap_or_default(),
-        Unit::Part.figure(spreads[spreads.len() / 2]),
+        spread(rows.iter().map(|row| row.run_time)),
     );
 }
 
-/// Names of problems, as a list.
-fn names<'a>(entries: impl Iterator<Item = &'a Entry<'a>>) -> String {
-    let names: Vec<String> = entries.map(|entry| format!("`{}`", entry.problem.name)).collect();
-    if names.is_empty() { "none".into() } else { names.join(", ") }
-}
-
-/// How many hold, and the names of those that do not.
+/// How many problems keep to something, and the names of those that do not.
 fn tally<'a>(what: &str, entries: &[&'a Entry<'a>], holds: impl Fn(&Entry<'a>) -> bool) -> String {
-    let fails: Vec<&Entry<'_>> = entries.iter().copied().filter(|entry| !holds(entry)).collect();
-    let (all, held) = (entries.len(), entries.len() - fails.len());
-    if fails.is_empty() {
-        format!("all {all} {what}")
-    } else {
-        format!("{held} of {all} {what}; not on {}", names(fails.into_iter()))
-    }
+    words::tally(what, entries.iter().map(|entry| (entry.problem.name.as_str(), holds(entry))))
 }
 
 fn in_short(entries: &[Entry<'_>], text: &mut String) {
@@ -210,13 +186,10 @@ fn in_short(entries: &[Entry<'_>], text: &mut String) {
         "- At default settings the error of rustycs is no larger than that of the better peer on {}.",
         tally("problems", &compared, is_best)
     );
-    let none: Vec<&Entry<'_>> = compared.iter().copied().filter(|entry| entry.is_lost_by_all()).collect();
-    if !none.is_empty() {
-        _ = writeln!(
-            text,
-            "- At default settings none of the three comes through {}.",
-            names(none.into_iter())
-        );
+    let lost = compared.iter().filter(|entry| entry.is_lost_by_all());
+    let lost = list(lost.map(|entry| entry.problem.name.as_str()));
+    if !lost.is_empty() {
+        _ = writeln!(text, "- At default settings none of the three comes through {lost}.");
     }
     let smooth: Vec<&Entry<'_>> = compared.into_iter().filter(|entry| entry.is_smooth()).collect();
     _ = writeln!(
@@ -288,15 +261,9 @@ fn table(
             last = Some(entry.problem.class);
             _ = writeln!(text, "| *{}* {}", class_name(entry.problem.class), "|".repeat(columns));
         }
-        let name = &entry.problem.name;
-        _ = writeln!(text, "| [{name}](#{}) | {} |", anchor(name), cells.join(" | "));
+        _ = writeln!(text, "| {} | {} |", link(&entry.problem.name), cells.join(" | "));
     }
     text.push('\n');
-}
-
-/// The place of a heading on the page, as renderers of Markdown name it.
-fn anchor(name: &str) -> String {
-    name.chars().filter(|c| c.is_alphanumeric() || *c == '-').collect::<String>().to_lowercase()
 }
 
 /// A factor with two digits.
@@ -375,7 +342,7 @@ fn losses(entries: &[Entry<'_>], text: &mut String) {
         if !findings.is_empty() {
             is_any = true;
             let Problem { name, note, .. } = entry.problem;
-            _ = writeln!(text, "- [{name}](#{}): {}. {note}", anchor(name), findings.join("; "));
+            _ = writeln!(text, "- {}: {}. {note}", link(name), findings.join("; "));
         }
     }
     if !is_any {

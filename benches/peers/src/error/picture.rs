@@ -2,10 +2,10 @@
 
 use rustycs::report::{Axis, Chart, Mark, Point, Series, Unit};
 
+use crate::engine::DEFAULT;
 use crate::error::compare::{Order, Runs};
 use crate::error::label;
 use crate::error::rows::Row;
-use crate::error::sweep::DEFAULT;
 use crate::problems::Problem;
 
 /// A series for each engine: its front joined, other settings beside it.

@@ -1,10 +1,10 @@
 //! The rows that were measured.
 
 use crate::engine::Fineness;
-use crate::fingerprint::hash;
+use crate::fingerprint::word;
 use crate::problems::Problem;
 use crate::scene::Scene;
-use crate::table::Record;
+use crate::table::{Fields, Record};
 
 /// A problem in an engine at some settings: how wrong it is, and how long it takes.
 #[derive(Clone, Debug, PartialEq)]
@@ -14,7 +14,7 @@ pub(crate) struct Row {
     pub(crate) setup: String,
     pub(crate) engine: String,
     pub(crate) version: String,
-    /// Changes with the engine's motions: see [`fingerprint`](crate::error::fingerprint).
+    /// Changes with the engine's motions: see [`fingerprint`](crate::fingerprint).
     pub(crate) behaviour: String,
     pub(crate) fineness: Fineness,
     /// In the unit of the problem; infinite if the run came to nothing.
@@ -54,8 +54,8 @@ impl Record for Row {
         self.problem == other.problem && self.engine == other.engine && self.fineness == other.fineness
     }
 
-    fn fields(&self) -> Vec<String> {
-        vec![
+    fn lines(&self) -> Vec<Vec<String>> {
+        vec![vec![
             self.problem.clone(),
             self.setup.clone(),
             self.engine.clone(),
@@ -70,36 +70,36 @@ impl Record for Row {
             self.runs.to_string(),
             self.repeats.to_string(),
             self.begun.clone(),
-        ]
+        ]]
     }
 
-    fn read(mut next: impl FnMut() -> Option<String>) -> Option<Self> {
+    fn read(mut first: Fields, _: &mut dyn Iterator<Item = Fields>) -> Option<Self> {
         Some(Self {
-            problem: next()?,
-            setup: next()?,
-            engine: next()?,
-            version: next()?,
-            behaviour: next()?,
-            fineness: Fineness { tick_rate: next()?.parse().ok()?, substeps: next()?.parse().ok()? },
-            error: next()?.parse().ok()?,
-            unit: next()?,
-            run_time: [next()?.parse().ok()?, next()?.parse().ok()?],
-            runs: next()?.parse().ok()?,
-            repeats: next()?.parse().ok()?,
-            begun: next()?,
+            problem: first.text()?,
+            setup: first.text()?,
+            engine: first.text()?,
+            version: first.text()?,
+            behaviour: first.text()?,
+            fineness: Fineness { tick_rate: first.number()?, substeps: first.number()? },
+            error: first.number()?,
+            unit: first.text()?,
+            run_time: [first.number()?, first.number()?],
+            runs: first.number()?,
+            repeats: first.number()?,
+            begun: first.text()?,
         })
     }
 }
 
-/// A word that changes when the scene, the duration or the measure of a problem does (FNV-1a of all of them): rows of
-/// another problem by the same name are not taken for this one's.
+/// A word that changes when the scene, the duration or the measure of a problem does: rows of another problem by the
+/// same name are not taken for this one's.
 pub(crate) fn setup(problem: &Problem) -> String {
     let Problem { scene, duration, measure, unit, statement, .. } = problem;
     // In no problem anything sleeps.
     let Scene { bodies, gravity, pull, sleeps: _ } = scene;
     let scene = format!("Scene {{ bodies: {bodies:?}, gravity: {gravity:?}, pull: {pull:?} }}");
     let text = format!("{scene} {duration} {measure} {unit:?} {statement}");
-    format!("{:016x}", hash(text.bytes()))
+    word(text.bytes())
 }
 
 #[cfg(test)]

@@ -3,9 +3,6 @@
 use crate::engine::Fineness;
 use crate::problems::{Problem, Range};
 
-/// What all three engines do if nothing is said: 60 Hz, 4 substeps.
-pub(super) const DEFAULT: Fineness = Fineness { tick_rate: 60.0, substeps: 4 };
-
 /// Rates (1/s) and substeps of a problem, the coarsest first.
 pub(super) fn settings(problem: &Problem, is_quick: bool) -> Vec<Fineness> {
     let (rates, substeps): (&[f64], &[u32]) = match (problem.range, is_quick) {
@@ -28,6 +25,7 @@ pub(super) fn work(problem: &Problem, Fineness { tick_rate, substeps }: Fineness
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::engine::DEFAULT;
 
     #[test]
     fn every_problem_is_run_at_default_settings() {

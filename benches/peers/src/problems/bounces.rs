@@ -2,7 +2,7 @@
 
 use rustycs::report::Unit;
 
-use crate::problems::{Class, DOWN, G, Problem, Range, Run, disc, floor};
+use crate::problems::{Class, G, Problem, Range, Run, disc, floor, on_earth};
 use crate::scene::{BodySpec, Scene};
 
 pub(super) fn problems() -> Vec<Problem> {
@@ -14,7 +14,7 @@ const RADIUS: f64 = 0.25;
 /// A ball with its lowest point this high above a floor, and the floor.
 fn drop(height: f64, restitution: f64) -> Scene {
     let ball = BodySpec { position: [0.0, RADIUS + height], restitution, ..disc(RADIUS) };
-    Scene { bodies: vec![BodySpec { restitution, ..floor() }, ball], gravity: DOWN, ..Scene::default() }
+    on_earth([BodySpec { restitution, ..floor() }, ball])
 }
 
 /// The height to which the ball would rise from here, m: its energy over its weight.

@@ -2,7 +2,7 @@
 
 use rustycs::report::Unit;
 
-use crate::problems::{Class, DOWN, G, Problem, Range, Run, disc, distance, rectangle};
+use crate::problems::{Class, G, Problem, Range, Run, disc, distance, on_earth, rectangle};
 use crate::scene::{BodySpec, Scene};
 
 pub(super) fn problems() -> Vec<Problem> {
@@ -48,11 +48,7 @@ fn throw(from: [f64; 2]) -> Problem {
         measure: "largest distance from the exact place / fall",
         unit: Unit::Part,
         class: Class::Smooth,
-        scene: Scene {
-            bodies: vec![BodySpec { position: from, velocity: THROW, ..disc(0.5) }],
-            gravity: DOWN,
-            ..Scene::default()
-        },
+        scene: on_earth([BodySpec { position: from, velocity: THROW, ..disc(0.5) }]),
         duration: DURATION,
         error: Box::new(move |run: &mut Run| {
             run.largest(|run| distance(run.state(0).position, exact(run.time()))) / fall

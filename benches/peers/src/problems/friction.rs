@@ -3,7 +3,7 @@
 use rustycs::report::Unit;
 
 use crate::engine::State;
-use crate::problems::{Class, DOWN, G, Problem, Range, block, rectangle};
+use crate::problems::{Class, G, Problem, Range, block, on_earth, rectangle};
 use crate::scene::{BodySpec, Scene};
 
 pub(super) fn problems() -> Vec<Problem> {
@@ -36,7 +36,7 @@ fn slide() -> Problem {
         measure: "largest error of a way until the stop / that way",
         unit: Unit::Part,
         class: Class::Smooth,
-        scene: Scene { bodies, gravity: DOWN, ..Scene::default() },
+        scene: on_earth(bodies),
         duration: 2.0,
         error: Box::new(move |run| {
             run.finish();
@@ -45,8 +45,7 @@ fn slide() -> Problem {
         }),
         range: Range::Full,
         goal: None,
-        note: "The impulses of short substeps have few digits beside the velocity that they change, which \
-               sets a floor of 1e-5.",
+        note: "",
     }
 }
 
@@ -78,7 +77,7 @@ impl Slope {
         let body = BodySpec { position: self.place(0.0, above), angle: -self.angle, ..body };
         let ground =
             BodySpec { position: self.place(0.0, -1.0), angle: -self.angle, friction, ..block(40.0, 2.0) };
-        Scene { bodies: vec![ground, body], gravity: DOWN, ..Scene::default() }
+        on_earth([ground, body])
     }
 
     /// How far the body has come, m.

@@ -13,14 +13,9 @@ mod toppling;
 
 use rustycs::report::Unit;
 
-use crate::scene::{Scene, block, disc, floor, rectangle};
+use crate::scene::{G, Scene, block, disc, floor, on_earth, rectangle};
 
 pub(crate) use run::{Run, ticks};
-
-/// Gravity, m/s².
-const G: f64 = 9.81;
-/// Gravity of the scenes on the Earth.
-const DOWN: [f64; 2] = [0.0, -G];
 
 /// A scene, and how far a run of it is from the truth.
 pub(crate) struct Problem {

@@ -5,8 +5,8 @@ use std::f64::consts::TAU;
 use rustycs::report::Unit;
 
 use crate::problems::friction::Slope;
-use crate::problems::{Class, DOWN, G, Problem, Range, block, disc, distance, floor};
-use crate::scene::{BodySpec, Scene};
+use crate::problems::{Class, G, Problem, Range, block, disc, distance, floor, on_earth};
+use crate::scene::BodySpec;
 
 pub(super) fn problems() -> Vec<Problem> {
     vec![roll(), slip_to_roll(), bowl()]
@@ -40,8 +40,7 @@ fn roll() -> Problem {
         }),
         range: Range::Full,
         goal: None,
-        note: "The impulse acts halfway between the surfaces, r - s/2 from the centre of a disc that has sunk in by s, \
-               and s falls with the length of a substep, not with its square.",
+        note: "",
     }
 }
 
@@ -68,11 +67,7 @@ fn slip_to_roll() -> Problem {
         measure: "largest error of the way / way in 2 s, and of the speed / v₀",
         unit: Unit::Part,
         class: Class::Smooth,
-        scene: Scene {
-            bodies: vec![BodySpec { friction: FRICTION, ..floor() }, sliding],
-            gravity: DOWN,
-            ..Scene::default()
-        },
+        scene: on_earth([BodySpec { friction: FRICTION, ..floor() }, sliding]),
         duration: DURATION,
         error: Box::new(move |run| {
             let of_way = run.largest(|run| (run.state(0).position[0] + 5.0 - exact(run.time())).abs()) / way;
@@ -81,8 +76,7 @@ fn slip_to_roll() -> Problem {
         }),
         range: Range::Full,
         goal: None,
-        note: "The impulse acts halfway between the surfaces, r - s/2 from the centre of a disc that has sunk in by s, \
-               and s falls with the length of a substep, not with its square.",
+        note: "",
     }
 }
 
@@ -182,7 +176,7 @@ fn bowl() -> Problem {
         measure: "largest distance from the exact place / first amplitude",
         unit: Unit::Part,
         class: Class::Smooth,
-        scene: Scene { bodies, gravity: DOWN, ..Scene::default() },
+        scene: on_earth(bodies),
         duration: 10.0,
         error: Box::new(move |run| {
             run.largest(|run| {

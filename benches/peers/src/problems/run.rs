@@ -111,8 +111,7 @@ impl Run {
     pub(super) fn totals(&self) -> Totals {
         let mut totals = Totals::default();
         for &body in &self.moving {
-            let [mass, inertia] = self.simulation.mass(body);
-            totals.add(mass, inertia, self.simulation.state(body));
+            totals.add(self.simulation.mass(body), self.simulation.state(body));
         }
         totals
     }
@@ -134,21 +133,17 @@ pub(super) struct Totals {
     pub(super) angular_momentum: f64,
     /// Σ m |x| |v| + I |w|, kg m²/s.
     pub(super) angular_size: f64,
-    /// Σ m v²/2 + I w²/2, J.
+    /// J.
     pub(super) kinetic_energy: f64,
 }
 
 impl Totals {
-    fn add(
-        &mut self,
-        mass: f64,
-        inertia: f64,
-        State { position: [x, y], velocity: [u, v], spin, .. }: State,
-    ) {
+    fn add(&mut self, [mass, inertia]: [f64; 2], state: State) {
+        let State { position: [x, y], velocity: [u, v], spin, .. } = state;
         self.momentum = [self.momentum[0] + mass * u, self.momentum[1] + mass * v];
         self.momentum_size += mass * u.hypot(v);
         self.angular_momentum += mass * (x * v - y * u) + inertia * spin;
         self.angular_size += mass * x.hypot(y) * u.hypot(v) + inertia * spin.abs();
-        self.kinetic_energy += 0.5 * mass * (u * u + v * v) + 0.5 * inertia * spin * spin;
+        self.kinetic_energy += state.kinetic_energy([mass, inertia]);
     }
 }

@@ -2,7 +2,7 @@
 
 use rustycs::report::Unit;
 
-use crate::problems::{Class, DOWN, Problem, Range, Run, distance, floor, rectangle};
+use crate::problems::{Class, Problem, Range, Run, distance, floor, on_earth, rectangle};
 use crate::scene::{BodySpec, Scene};
 
 pub(super) fn problems() -> Vec<Problem> {
@@ -18,7 +18,7 @@ fn pile(densities: impl Iterator<Item = f64>) -> Scene {
         density,
         ..rectangle(1.0, 1.0)
     });
-    Scene { bodies: [floor()].into_iter().chain(boxes).collect(), gravity: DOWN, ..Scene::default() }
+    on_earth([floor()].into_iter().chain(boxes))
 }
 
 /// Largest distance of one of the boxes from its place during the last second, m; at most what it is when the pile

@@ -2,8 +2,8 @@
 
 use rustycs::report::Unit;
 
-use crate::problems::{Class, DOWN, G, Problem, Range, Run, floor, rectangle};
-use crate::scene::{BodySpec, Scene};
+use crate::problems::{Class, G, Problem, Range, Run, floor, on_earth, rectangle};
+use crate::scene::BodySpec;
 
 /// Width and height of the plank, m.
 const PLANK: [f64; 2] = [0.4, 2.0];
@@ -61,7 +61,7 @@ pub(super) fn problems() -> Vec<Problem> {
         measure: "largest error of a time / time",
         unit: Unit::Part,
         class: Class::Hard,
-        scene: Scene { bodies, gravity: DOWN, ..Scene::default() },
+        scene: on_earth(bodies),
         duration: 1.2,
         error: Box::new(move |run| largest_error(&exact, run)),
         range: Range::Full,

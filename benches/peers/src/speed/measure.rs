@@ -2,14 +2,12 @@
 
 use std::time::Instant;
 
-use super::overlap::{Overlap, overlap};
+use rustycs_cases::overlap::{Overlap, overlap};
+
 use super::scenes::Course;
-use crate::engine::{Engine, Fineness, Simulation};
+use crate::engine::{DEFAULT, Engine, Simulation, State};
 use crate::engines;
 use crate::scene::Kind;
-
-/// 60 Hz and 4 substeps, which all three have by default.
-pub(super) const FINENESS: Fineness = Fineness { tick_rate: 60.0, substeps: 4 };
 
 /// Parts that a run is timed in: the least of a part over all runs is less disturbed than the least of whole runs.
 const PARTS: u32 = 50;
@@ -58,17 +56,17 @@ impl<'a> Run<'a> {
     fn new(course: &'a Course, engine: &dyn Engine) -> Self {
         let bodies = course.scene.bodies.iter().enumerate();
         let parts = bodies.filter(|(_, body)| body.kind == Kind::Kinematic).map(|(index, _)| index).collect();
-        Self { course, simulation: engine.simulate(&course.scene, FINENESS), ticks: 0, parts }
+        Self { course, simulation: engine.simulate(&course.scene, DEFAULT), ticks: 0, parts }
     }
 
     fn tick(&mut self) {
         self.ticks += 1;
         if let Some(drum) = &self.course.drum {
-            let seconds = f64::from(self.ticks) / FINENESS.tick_rate;
+            let seconds = f64::from(self.ticks) / DEFAULT.tick_rate;
             for &part in &self.parts {
                 let next = drum.place(self.course.scene.bodies[part].position, seconds);
                 let now = self.simulation.state(part).position;
-                let velocity = [0, 1].map(|axis| (next[axis] - now[axis]) * FINENESS.tick_rate);
+                let velocity = [0, 1].map(|axis| (next[axis] - now[axis]) * DEFAULT.tick_rate);
                 self.simulation.set_velocity(part, velocity);
             }
         }
@@ -82,19 +80,19 @@ impl<'a> Run<'a> {
             if body.kind != Kind::Dynamic {
                 continue;
             }
-            let [mass, inertia] = self.simulation.mass(index);
-            let state = self.simulation.state(index);
-            let [u, v] = state.velocity;
-            energy[0] += 0.5 * mass * (u * u + v * v) + 0.5 * inertia * state.spin * state.spin;
-            energy[1] -= mass * self.course.scene.gravity[1] * state.position[1];
+            let (mass, state) = (self.simulation.mass(index), self.simulation.state(index));
+            energy[0] += state.kinetic_energy(mass);
+            energy[1] -= mass[0] * self.course.scene.gravity[1] * state.position[1];
         }
         energy
     }
 
     fn end(&self, start: [f64; 2]) -> End {
         let [kinetic, potential] = self.energy();
+        let bodies = &self.course.scene.bodies;
+        let states: Vec<State> = (0..bodies.len()).map(|body| self.simulation.state(body)).collect();
         End {
-            overlap: overlap(&self.course.scene, |index| self.simulation.state(index)),
+            overlap: overlap(bodies, &states),
             kinetic_energy: kinetic,
             energy: (kinetic + potential) / (start[0] + start[1]),
             points: self.simulation.contact_points(),

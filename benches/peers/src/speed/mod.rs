@@ -1,7 +1,6 @@
 //! The command `speed`: how long a step takes, beside the overlap and the energy that the engines end with.
 
 mod measure;
-mod overlap;
 mod page;
 mod picture;
 mod rows;
@@ -11,12 +10,10 @@ use std::fs;
 use std::io;
 use std::process::ExitCode;
 
-use indicatif::{ProgressBar, ProgressStyle};
-
-use crate::cli::SpeedOptions;
+use crate::cli::{SpeedOptions, is_asked_for};
+use crate::command;
 use crate::engine::Engine;
 use crate::engines;
-use crate::interrupt;
 use crate::machine;
 use crate::scene::Kind;
 use crate::table::Table;
@@ -29,31 +26,23 @@ const REPEATS: [u32; 2] = [5, 2];
 /// Runs what is asked for. The exit code is 130 if Ctrl-C ended it early.
 pub(crate) fn run(options: &SpeedOptions) -> ExitCode {
     let courses = scenes::all();
-    if options.list {
-        for course in &courses {
-            println!("{:<14} {}", course.name, course.statement);
-        }
-        return ExitCode::SUCCESS;
-    }
-    if let Err(reason) = engines::fair_build() {
-        eprintln!("{reason}");
-        return ExitCode::FAILURE;
-    }
-    interrupt::exit_code(&options.out, |is_stopped| command(options, &courses, is_stopped))
+    let entries = courses.iter().map(|course| (course.name.as_str(), course.statement.as_str()));
+    command::run(&options.shared, entries, |is_stopped| race_all(options, &courses, is_stopped))
 }
 
 /// Whether all was run.
-fn command(options: &SpeedOptions, courses: &[Course], is_stopped: &dyn Fn() -> bool) -> io::Result<bool> {
-    fs::create_dir_all(&options.out)?;
+fn race_all(options: &SpeedOptions, courses: &[Course], is_stopped: &dyn Fn() -> bool) -> io::Result<bool> {
+    let folder = &options.shared.out;
+    fs::create_dir_all(folder)?;
     let engines = engines::all();
     let engines: Vec<&dyn Engine> = engines.iter().map(Box::as_ref).collect();
     let repeats = options.repeats.unwrap_or(REPEATS[usize::from(options.quick)]);
     let holds =
         |row: &Row| courses.iter().any(|course| course.name == row.scene && rows::setup(course) == row.setup);
-    let mut table = Table::open(&options.out.join("speed.csv"), holds)?;
+    let mut table = Table::open(&folder.join("speed.csv"), holds)?;
     let is_complete = measure(options, courses, &engines, &mut table, repeats, is_stopped)?;
     println!("{}: {} rows", table.path().display(), table.rows().len());
-    page::write(&options.out, courses, table.rows())?;
+    page::write(folder, courses, table.rows())?;
     Ok(is_complete)
 }
 
@@ -77,44 +66,42 @@ fn measure(
         engines.iter().all(|&engine| table.rows().iter().any(|row| is_it(row, engine)))
     };
     let is_wanted = |course: &&Course| {
-        let is_named = options.only.iter().any(|name| course.name.starts_with(name));
-        let is_open = if options.only.is_empty() { !(options.quick && course.is_dear) } else { is_named };
-        is_open && (options.again || !is_done(course))
+        // What is named is run in a quick run too.
+        let is_left_out = options.quick && course.is_dear && options.only.is_empty();
+        is_asked_for(&options.only, &course.name)
+            && !is_left_out
+            && (options.shared.again || !is_done(course))
     };
     let tasks: Vec<&Course> = courses.iter().filter(is_wanted).collect();
-    let bar = ProgressBar::new(tasks.iter().map(|course| work(course)).sum());
-    // A style that is wrong would be a mistake here; the plain bar does as well.
-    if let Ok(style) = ProgressStyle::with_template("{wide_bar} {percent:>3} %  {eta} left  {msg}") {
-        bar.set_style(style);
-    }
-    for course in tasks {
-        bar.set_message(course.name.clone());
-        let Some(measured) = measure::measure(course, engines, repeats, is_stopped) else {
-            bar.finish_and_clear();
-            return Ok(false);
-        };
-        let shares = stages(course);
-        for (engine, measured) in engines.iter().zip(&measured) {
-            let is_ours = engine.name() == engines[0].name();
-            table.add(Row {
-                scene: course.name.clone(),
-                setup: rows::setup(course),
-                engine: engine.name().into(),
-                version: engine.version(),
-                lanes: engines::BOX2D_LANES.into(),
-                build: build.clone(),
-                bodies: bodies(course),
-                step_time: measured.step_time(course),
-                end: measured.end,
-                stages: if is_ours { shares.clone() } else { String::new() },
-                repeats,
-                begun: begun.clone(),
-            })?;
-        }
-        bar.inc(work(course));
-    }
-    bar.finish_and_clear();
-    Ok(true)
+    command::do_all(
+        &tasks,
+        |course| work(course),
+        |course| course.name.clone(),
+        |course| {
+            let Some(measured) = measure::measure(course, engines, repeats, is_stopped) else {
+                return Ok(false);
+            };
+            let shares = stages(course);
+            for (engine, measured) in engines.iter().zip(&measured) {
+                let is_ours = engine.name() == engines[0].name();
+                table.add(Row {
+                    scene: course.name.clone(),
+                    setup: rows::setup(course),
+                    engine: engine.name().into(),
+                    version: engine.version(),
+                    lanes: engines::BOX2D_LANES.into(),
+                    build: build.clone(),
+                    bodies: bodies(course),
+                    step_time: measured.step_time(course),
+                    end: measured.end,
+                    stages: if is_ours { shares.clone() } else { String::new() },
+                    repeats,
+                    begun: begun.clone(),
+                })?;
+            }
+            Ok(true)
+        },
+    )
 }
 
 /// The share of each stage in the time of our step.
@@ -133,6 +120,6 @@ fn bodies(course: &Course) -> usize {
 }
 
 /// Bodies times ticks: to tell how far the command is.
-fn work(course: &Course) -> u64 {
-    bodies(course) as u64 * u64::from(course.warm_up + course.ticks)
+fn work(course: &Course) -> f64 {
+    bodies(course) as f64 * f64::from(course.warm_up + course.ticks)
 }

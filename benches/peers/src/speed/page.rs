@@ -8,9 +8,9 @@ use rustycs::report::Unit;
 
 use super::picture;
 use super::rows::Row;
-use super::scenes::{Course, Sort};
+use super::scenes::{Course, CourseKind};
 use crate::engines;
-use crate::machine;
+use crate::words::{self, circumstances, goes, middle, spread};
 
 /// What we hold ourselves to: at most this part of the time of Box2D for SSE2 in every scene, ...
 const EVERY: f64 = 0.8;
@@ -60,29 +60,30 @@ pub(super) fn write(folder: &Path, courses: &[Course], rows: &[Row]) -> io::Resu
     lanes.dedup();
     // The narrower first: it is what people get if they ask for nothing.
     lanes.reverse();
-    let builds: Vec<(&str, Vec<Entry<'_>>)> =
-        lanes.iter().map(|lanes| (*lanes, entries(courses, rows, lanes))).collect();
-    let Some((_, first)) = builds.iter().find(|(_, entries)| !entries.is_empty()) else {
+    let builds = lanes.iter().map(|lanes| (*lanes, entries(courses, rows, lanes)));
+    let builds: Vec<(&str, Vec<Entry<'_>>)> = builds.filter(|(_, entries)| !entries.is_empty()).collect();
+    let Some((_, first)) = builds.first() else {
         println!("No row was done, so there is no page.");
         return Ok(());
     };
     let plots = folder.join("speed");
     fs::create_dir_all(&plots)?;
     fs::write(plots.join("overlap.svg"), picture::overlaps(first).to_svg())?;
-    let sizes = entries_of(first, Sort::Size);
+    let sizes = entries_of(first, CourseKind::Size);
     fs::write(plots.join("size.svg"), picture::sizes(&sizes).to_svg())?;
     let path = folder.join("SPEED.md");
-    fs::write(&path, page(&builds, rows))?;
+    fs::write(&path, page(&builds, first, rows))?;
     println!("{}: {} scenes", path.display(), first.len());
     Ok(())
 }
 
-fn entries_of<'a>(entries: &[Entry<'a>], kind: Sort) -> Vec<Entry<'a>> {
+fn entries_of<'a>(entries: &[Entry<'a>], kind: CourseKind) -> Vec<Entry<'a>> {
     let of_kind = entries.iter().filter(|entry| entry.course.kind == kind);
     of_kind.map(|entry| Entry { course: entry.course, rows: entry.rows.clone() }).collect()
 }
 
-fn page(builds: &[(&str, Vec<Entry<'_>>)], rows: &[Row]) -> String {
+/// The page of all builds of Box2D; what is said of one build only is said of the first.
+fn page(builds: &[(&str, Vec<Entry<'_>>)], first: &[Entry<'_>], rows: &[Row]) -> String {
     let mut text = String::from("# Time of a step: rustycs, Box2D, Rapier\n\n");
     text += "Written by `cargo run --release -p rustycs-peers -- speed`, with `--features avx2` for Box2D with lanes of \
              eight; the rows are in [speed.csv](speed.csv).\n\n";
@@ -97,12 +98,10 @@ fn page(builds: &[(&str, Vec<Entry<'_>>)], rows: &[Row]) -> String {
     for (lanes, entries) in builds {
         ends(lanes, entries, &mut text);
     }
-    if let Some((_, entries)) = builds.first() {
-        growth(entries, &mut text);
-        stages(entries, &mut text);
-    }
+    growth(first, &mut text);
+    stages(first, &mut text);
     text += "![Overlap against time by scene](speed/overlap.svg)\n\n## The scenes\n\n";
-    for entry in builds.iter().flat_map(|(_, entries)| entries).take(builds[0].1.len()) {
+    for entry in first {
         let Course { name, statement, warm_up, ticks, .. } = entry.course;
         _ = writeln!(text, "- `{name}`: {statement} {ticks} ticks, after {warm_up} that are not timed.");
     }
@@ -110,26 +109,14 @@ fn page(builds: &[(&str, Vec<Entry<'_>>)], rows: &[Row]) -> String {
 }
 
 fn what_was_run(rows: &[Row], text: &mut String) {
-    _ = writeln!(text, "- Machine: {}.", machine::name());
     let mut versions: Vec<&str> = Vec::new();
     for row in rows {
         if !versions.contains(&row.version.as_str()) {
             versions.push(&row.version);
         }
     }
-    for version in versions {
-        _ = writeln!(text, "- {version}.");
-    }
-    let mut times: Vec<&str> = rows.iter().map(|row| row.begun.as_str()).collect();
-    times.sort_unstable();
-    times.dedup();
-    let when = match times.as_slice() {
-        [once] => format!("in one go, begun {once}"),
-        [first, .., last] => format!("in {} goes, begun {first} to {last}", times.len()),
-        [] => String::new(),
-    };
-    let mut spreads: Vec<f64> = rows.iter().map(|row| row.step_time[1] / row.step_time[0] - 1.0).collect();
-    spreads.sort_by(f64::total_cmp);
+    circumstances(versions, text);
+    let when = goes(rows.iter().map(|row| row.begun.as_str()));
     _ = writeln!(
         text,
         "- {} rows, {when}, {} runs each or more. The three engines of a scene take turns in one process, on one thread, \
@@ -137,35 +124,17 @@ fn what_was_run(rows: &[Row], text: &mut String) {
          how quiet the machine was.\n",
         rows.len(),
         rows.iter().map(|row| row.repeats).min().unwrap_or_default(),
-        Unit::Part.figure(spreads[spreads.len() / 2]),
+        spread(rows.iter().map(|row| row.step_time)),
     );
 }
 
-/// Names of scenes, as a list.
-fn names<'a>(entries: impl Iterator<Item = &'a Entry<'a>>) -> String {
-    let names: Vec<String> = entries.map(|entry| format!("`{}`", entry.course.name)).collect();
-    names.join(", ")
-}
-
-/// How many hold, and the names of those that do not.
+/// On how many scenes something holds, and the names of those where it does not.
 fn tally<'a>(entries: &'a [Entry<'a>], holds: impl Fn(&Entry<'a>) -> bool) -> String {
-    let all = entries.len();
-    let fails: Vec<&Entry<'_>> = entries.iter().filter(|entry| !holds(entry)).collect();
-    if fails.is_empty() {
-        return format!("on all {all} scenes");
-    }
-    format!("on {} of {all} scenes; not on {}", all - fails.len(), names(fails.into_iter()))
-}
-
-fn middle(mut values: Vec<f64>) -> f64 {
-    values.sort_by(f64::total_cmp);
-    values[values.len() / 2]
+    let verdicts = entries.iter().map(|entry| (entry.course.name.as_str(), holds(entry)));
+    format!("on {}", words::tally("scenes", verdicts))
 }
 
 fn in_short(lanes: &str, entries: &[Entry<'_>], text: &mut String) {
-    if entries.is_empty() {
-        return;
-    }
     // What we hold ourselves to is said of the build of Box2D that people get if they ask for nothing.
     let most = if lanes == "AVX2" { OTHERS } else { EVERY };
     let box2d = entries.iter().map(|entry| entry.ratio(1)).collect();
@@ -225,9 +194,6 @@ fn factor(value: f64) -> String {
 }
 
 fn times(lanes: &str, entries: &[Entry<'_>], text: &mut String) {
-    if entries.is_empty() {
-        return;
-    }
     _ = writeln!(
         text,
         "## Times, with Box2D for {lanes}\n\nTime of a step, least and middle; then ours as a part of theirs, of the \
@@ -261,9 +227,6 @@ fn times(lanes: &str, entries: &[Entry<'_>], text: &mut String) {
 }
 
 fn ends(lanes: &str, entries: &[Entry<'_>], text: &mut String) {
-    if entries.is_empty() {
-        return;
-    }
     _ = writeln!(
         text,
         "## How they end, with Box2D for {lanes}\n\nMean overlap, deepest overlap; energy as a part of that at the start, \
@@ -321,7 +284,7 @@ fn stages(entries: &[Entry<'_>], text: &mut String) {
 
 /// From the smallest to the largest of the sizes.
 fn growth(entries: &[Entry<'_>], text: &mut String) {
-    let sizes = entries_of(entries, Sort::Size);
+    let sizes = entries_of(entries, CourseKind::Size);
     let [first, .., last] = sizes.as_slice() else { return };
     text.push_str("## How the time of a body grows\n\n");
     for (engine, row) in first.rows.iter().enumerate() {

@@ -1,10 +1,11 @@
 //! The rows that were measured.
 
+use rustycs_cases::overlap::Overlap;
+
 use super::measure::End;
-use super::overlap::Overlap;
 use super::scenes::Course;
-use crate::fingerprint::hash;
-use crate::table::Record;
+use crate::fingerprint::word;
+use crate::table::{Fields, Record};
 
 /// A scene in an engine: how long a step takes, and in what state it ends.
 #[derive(Clone, Debug, PartialEq)]
@@ -55,8 +56,8 @@ impl Record for Row {
         self.scene == other.scene && self.engine == other.engine && self.lanes == other.lanes
     }
 
-    fn fields(&self) -> Vec<String> {
-        vec![
+    fn lines(&self) -> Vec<Vec<String>> {
+        vec![vec![
             self.scene.clone(),
             self.setup.clone(),
             self.engine.clone(),
@@ -74,28 +75,28 @@ impl Record for Row {
             self.stages.clone(),
             self.repeats.to_string(),
             self.begun.clone(),
-        ]
+        ]]
     }
 
-    fn read(mut next: impl FnMut() -> Option<String>) -> Option<Self> {
+    fn read(mut first: Fields, _: &mut dyn Iterator<Item = Fields>) -> Option<Self> {
         Some(Self {
-            scene: next()?,
-            setup: next()?,
-            engine: next()?,
-            version: next()?,
-            lanes: next()?,
-            build: next()?,
-            bodies: next()?.parse().ok()?,
-            step_time: [next()?.parse().ok()?, next()?.parse().ok()?],
+            scene: first.text()?,
+            setup: first.text()?,
+            engine: first.text()?,
+            version: first.text()?,
+            lanes: first.text()?,
+            build: first.text()?,
+            bodies: first.number()?,
+            step_time: [first.number()?, first.number()?],
             end: End {
-                overlap: Overlap { deepest: next()?.parse().ok()?, mean: next()?.parse().ok()? },
-                kinetic_energy: next()?.parse().ok()?,
-                energy: next()?.parse().ok()?,
-                points: next()?.parse().ok()?,
+                overlap: Overlap { deepest: first.number()?, mean: first.number()? },
+                kinetic_energy: first.number()?,
+                energy: first.number()?,
+                points: first.number()?,
             },
-            stages: next()?,
-            repeats: next()?.parse().ok()?,
-            begun: next()?,
+            stages: first.text()?,
+            repeats: first.number()?,
+            begun: first.text()?,
         })
     }
 }
@@ -103,11 +104,10 @@ impl Record for Row {
 /// A word that changes when the scene or its duration does.
 pub(super) fn setup(course: &Course) -> String {
     let Course { scene, drum, warm_up, ticks, .. } = course;
-    format!("{:016x}", hash(format!("{scene:?} {drum:?} {warm_up} {ticks}").bytes()))
+    word(format!("{scene:?} {drum:?} {warm_up} {ticks}").bytes())
 }
 
 /// A word that changes when this program does: times of another one are measured again.
 pub(super) fn build() -> String {
-    let program = std::env::current_exe().and_then(std::fs::read).unwrap_or_default();
-    format!("{:016x}", hash(program.into_iter()))
+    word(std::env::current_exe().and_then(std::fs::read).unwrap_or_default())
 }

@@ -6,9 +6,6 @@ mod turning;
 
 use crate::scene::{BodySpec, Kind, Outline, Scene};
 
-/// Gravity of the scenes on the Earth, m/s².
-const DOWN: [f64; 2] = [0.0, -9.81];
-
 /// A scene, and how long it is run.
 pub(crate) struct Course {
     /// In lower case, without spaces.
@@ -21,14 +18,14 @@ pub(crate) struct Course {
     pub(crate) warm_up: u32,
     /// Ticks that are timed.
     pub(crate) ticks: u32,
-    pub(crate) kind: Sort,
+    pub(crate) kind: CourseKind,
     /// Whether it is left out of quick runs.
     pub(crate) is_dear: bool,
 }
 
 /// What kind of scene it is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Sort {
+pub(crate) enum CourseKind {
     /// One of those that engines race on.
     Race,
     /// One of a row that grows.
@@ -46,7 +43,7 @@ impl Course {
             drum: None,
             warm_up: 1,
             ticks,
-            kind: Sort::Race,
+            kind: CourseKind::Race,
             is_dear: false,
         }
     }
@@ -95,25 +92,6 @@ fn fixed(width: f64, height: f64, position: [f64; 2]) -> BodySpec {
 
 fn square(side: f64) -> Outline {
     Outline::Box { width: side, height: side }
-}
-
-/// On the Earth.
-fn heavy(bodies: Vec<BodySpec>) -> Scene {
-    Scene { bodies, gravity: DOWN, ..Scene::default() }
-}
-
-/// The same numbers on every machine. (S. Vigna, SplitMix64.)
-struct Random(u64);
-
-impl Random {
-    fn between(&mut self, least: f64, most: f64) -> f64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mut z = self.0;
-        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        let part = ((z ^ (z >> 31)) >> 11) as f64 / (1_u64 << 53) as f64;
-        least + (most - least) * part
-    }
 }
 
 #[cfg(test)]

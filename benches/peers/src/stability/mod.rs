@@ -12,54 +12,36 @@ use std::process::ExitCode;
 
 use rustycs_cases::stability::{self, Case, Lab, Seen};
 
-use crate::cli::StabilityOptions;
+use crate::cli::{StabilityOptions, is_asked_for};
+use crate::command;
+use crate::contestant::Contestant;
 use crate::engine::Engine;
-use crate::engines;
-use crate::interrupt::{self, Progress};
-use crate::stability::rows::{Outcome, Row, Table};
-use crate::{fingerprint, machine};
+use crate::machine;
+use crate::stability::rows::{Outcome, Row};
+use crate::table::Table;
 
 /// Runs what is asked for. The exit code is 130 if Ctrl-C ended it early.
 pub(crate) fn run(options: &StabilityOptions) -> ExitCode {
     let cases = stability::all();
-    if options.list {
-        for case in &cases {
-            println!("{:<24} {}", case.name, case.statement);
-        }
-        return ExitCode::SUCCESS;
-    }
-    if let Err(reason) = engines::fair_build() {
-        eprintln!("{reason}");
-        return ExitCode::FAILURE;
-    }
-    interrupt::exit_code(&options.out, |is_stopped| command(options, &cases, is_stopped))
-}
-
-/// An engine, and how it behaves.
-struct Contestant {
-    engine: Box<dyn Engine>,
-    behaviour: String,
+    let entries = cases.iter().map(|case| (case.name.as_str(), case.statement.as_str()));
+    command::run(&options.shared, entries, |is_stopped| judge_all(options, &cases, is_stopped))
 }
 
 /// Whether all was played.
-fn command(options: &StabilityOptions, cases: &[Case], is_stopped: &dyn Fn() -> bool) -> io::Result<bool> {
-    fs::create_dir_all(options.out.join("stability"))?;
-    let contestants: Vec<Contestant> = engines::all()
-        .into_iter()
-        .map(|engine| Contestant { behaviour: fingerprint::of(engine.as_ref()), engine })
-        .collect();
+fn judge_all(options: &StabilityOptions, cases: &[Case], is_stopped: &dyn Fn() -> bool) -> io::Result<bool> {
+    let folder = &options.shared.out;
+    fs::create_dir_all(folder.join("stability"))?;
+    let contestants = Contestant::all();
     let holds = |row: &Row| {
-        let is_same = |Contestant { engine, behaviour }: &Contestant| {
-            engine.name() == row.engine && engine.version() == row.version && *behaviour == row.behaviour
-        };
+        let is_same = |one: &Contestant| one.is_of(&row.engine, &row.version, &row.behaviour);
         let case = cases.iter().find(|case| case.name == row.case);
         case.is_some_and(|case| rows::setup(case) == row.setup) && contestants.iter().any(is_same)
     };
-    let mut table = Table::open(&options.out.join("stability.csv"), holds)?;
+    let mut table = Table::open(&folder.join("stability.csv"), holds)?;
     let tasks = tasks(options, cases, &contestants, table.rows());
-    let is_complete = play_all(&tasks, &options.out, &mut table, is_stopped)?;
+    let is_complete = play_all(&tasks, folder, &mut table, is_stopped)?;
     let engines: Vec<&dyn Engine> = contestants.iter().map(|contestant| contestant.engine.as_ref()).collect();
-    page::write(&options.out, cases, &engines, table.rows())?;
+    page::write(folder, cases, &engines, table.rows())?;
     Ok(is_complete)
 }
 
@@ -70,16 +52,14 @@ fn tasks<'a>(
     contestants: &'a [Contestant],
     done: &[Row],
 ) -> Vec<(&'a Case, &'a Contestant)> {
-    let is_named =
-        |case: &Case| options.only.is_empty() || options.only.iter().any(|name| case.name.starts_with(name));
-    let is_wanted = |case: &&Case| is_named(case) && !(options.quick && case.is_long);
+    let is_wanted =
+        |case: &&Case| is_asked_for(&options.only, &case.name) && !(options.quick && case.is_long);
     let pairs =
         cases.iter().filter(is_wanted).flat_map(|case| contestants.iter().map(move |one| (case, one)));
     let is_open = |(case, contestant): &(&Case, &Contestant)| {
         let name = contestant.engine.name();
-        let is_asked_for = options.engines.is_empty() || options.engines.contains(&name.to_lowercase());
         let is_done = done.iter().any(|row| row.case == case.name && row.engine == name);
-        is_asked_for && (options.again || !is_done)
+        options.engines.include(contestant.engine.as_ref()) && (options.shared.again || !is_done)
     };
     pairs.filter(is_open).collect()
 }
@@ -93,33 +73,35 @@ fn work(case: &Case) -> f64 {
 fn play_all(
     tasks: &[(&Case, &Contestant)],
     folder: &Path,
-    table: &mut Table,
+    table: &mut Table<Row>,
     is_stopped: &dyn Fn() -> bool,
 ) -> io::Result<bool> {
     let begun = machine::now();
-    let progress = Progress::new(tasks.iter().map(|(case, _)| work(case)).sum());
-    let mut done = 0.0;
-    for (case, contestant) in tasks {
-        if is_stopped() {
-            return Ok(false);
-        }
-        let engine = contestant.engine.as_ref();
-        progress.say(format!("{} in {}", case.name, engine.name()));
-        let (outcome, step_seconds) = play(case, engine, folder)?;
-        table.add(Row {
-            case: case.name.clone(),
-            setup: rows::setup(case),
-            engine: engine.name().into(),
-            version: engine.version(),
-            behaviour: contestant.behaviour.clone(),
-            outcome,
-            step_seconds,
-            begun: begun.clone(),
-        })?;
-        done += work(case);
-        progress.done(done);
-    }
-    Ok(true)
+    let name =
+        |(case, contestant): &(&Case, &Contestant)| format!("{} in {}", case.name, contestant.engine.name());
+    command::do_all(
+        tasks,
+        |(case, _)| work(case),
+        name,
+        |(case, contestant)| {
+            if is_stopped() {
+                return Ok(false);
+            }
+            let engine = contestant.engine.as_ref();
+            let (outcome, step_seconds) = play(case, engine, folder)?;
+            table.add(Row {
+                case: case.name.clone(),
+                setup: rows::setup(case),
+                engine: engine.name().into(),
+                version: engine.version(),
+                behaviour: contestant.behaviour.clone(),
+                outcome,
+                step_seconds,
+                begun: begun.clone(),
+            })?;
+            Ok(true)
+        },
+    )
 }
 
 /// Plays a case, and writes its picture if there is to be one. What came out, and the mean time of a step, s.
@@ -145,25 +127,26 @@ fn play(case: &Case, engine: &dyn Engine, folder: &Path) -> io::Result<(Outcome,
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::cli::SharedOptions;
 
     /// From the cases to the page, with a stop on the way.
     #[test]
     fn a_run_that_is_stopped_keeps_its_rows_and_the_next_one_goes_on() {
         let folder = std::env::temp_dir().join(format!("rustycs-peers-stability-{}", std::process::id()));
         let only = ["mass-10", "arch", "restitution"].map(String::from).into();
-        let options =
-            StabilityOptions { only, quick: true, out: folder.clone(), ..StabilityOptions::default() };
+        let shared = SharedOptions { out: folder.clone(), ..SharedOptions::default() };
+        let options = StabilityOptions { only, quick: true, shared, ..StabilityOptions::default() };
         let cases = stability::all();
         let calls = std::cell::Cell::new(0);
         let stop_soon = || {
             calls.set(calls.get() + 1);
             calls.get() > 4
         };
-        assert!(!command(&options, &cases, &stop_soon).unwrap());
+        assert!(!judge_all(&options, &cases, &stop_soon).unwrap());
         let path = folder.join("stability.csv");
-        assert_eq!(Table::open(&path, |_| true).unwrap().rows().len(), 4);
-        assert!(command(&options, &cases, &|| false).unwrap());
-        let table = Table::open(&path, |_| true).unwrap();
+        assert_eq!(Table::<Row>::open(&path, |_| true).unwrap().rows().len(), 4);
+        assert!(judge_all(&options, &cases, &|| false).unwrap());
+        let table = Table::<Row>::open(&path, |_| true).unwrap();
         let of_case = |name: &str| table.rows().iter().filter(|row| row.case == name).count();
         assert_eq!([of_case("mass-10"), of_case("arch"), of_case("restitution-above-1")], [3; 3]);
         let page = fs::read_to_string(folder.join("STABILITY.md")).unwrap();

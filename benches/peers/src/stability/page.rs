@@ -8,9 +8,9 @@ use rustycs::report::Unit;
 use rustycs_cases::stability::{COUNT, Case, Check, Group, Judge, Limit, SHARE, Seen};
 
 use crate::engine::Engine;
-use crate::machine;
 use crate::stability::picture;
 use crate::stability::rows::{Outcome, Row};
+use crate::words::{circumstances, link, list};
 
 /// A case, and what came out of it in each engine, in their order.
 struct Entry<'a> {
@@ -27,7 +27,7 @@ impl<'a> Entry<'a> {
         self.outcome(engine)?.verdict()
     }
 
-    /// Microseconds per step, in words.
+    /// Time of a step, in words.
     fn step_time(&self, engine: usize) -> String {
         let seconds = self.rows[engine].and_then(|row| row.step_seconds);
         seconds.map_or("–".into(), |seconds| Unit::Of("s".into()).figure(seconds))
@@ -133,10 +133,7 @@ fn page(
 }
 
 fn what_was_run(engines: &[&dyn Engine], rows: &[Row], text: &mut String) {
-    _ = writeln!(text, "- Machine: {}.", machine::name());
-    for engine in engines {
-        _ = writeln!(text, "- {}.", engine.version());
-    }
+    circumstances(engines.iter().map(|engine| engine.version()), text);
     let mut times: Vec<&str> = rows.iter().map(|row| row.begun.as_str()).collect();
     times.sort_unstable();
     let [first, .., last] = times.as_slice() else { return };
@@ -148,13 +145,10 @@ fn in_short(entries: &[Entry<'_>], cases: &[Case], engines: &[&dyn Engine], text
     for (index, engine) in engines.iter().enumerate() {
         _ = writeln!(text, "- {}: {}.", engine.name(), tally(entries, index));
     }
-    let absent: Vec<String> = cases
-        .iter()
-        .filter(|case| entries.iter().all(|entry| entry.case.name != case.name))
-        .map(|case| format!("`{}`", case.name))
-        .collect();
+    let is_absent = |case: &&Case| entries.iter().all(|entry| entry.case.name != case.name);
+    let absent = list(cases.iter().filter(is_absent).map(|case| case.name.as_str()));
     if !absent.is_empty() {
-        _ = writeln!(text, "- Not played: {}.", absent.join(", "));
+        _ = writeln!(text, "- Not played: {absent}.");
     }
     text.push('\n');
 }
@@ -175,10 +169,6 @@ fn how_to_read(text: &mut String) {
     );
 }
 
-fn anchor(name: &str) -> String {
-    format!("[{name}](#{name})")
-}
-
 fn table(group: Group, entries: &[Entry<'_>], engines: &[&dyn Engine], text: &mut String) {
     let of_group: Vec<&Entry<'_>> = entries.iter().filter(|entry| entry.case.group == group).collect();
     if of_group.is_empty() {
@@ -192,13 +182,7 @@ fn table(group: Group, entries: &[Entry<'_>], engines: &[&dyn Engine], text: &mu
     for entry in of_group {
         let cells: Vec<String> = (0..engines.len()).map(|engine| cell(entry.outcome(engine))).collect();
         let times: Vec<String> = (0..engines.len()).map(|engine| entry.step_time(engine)).collect();
-        _ = writeln!(
-            text,
-            "| {} | {} | {} |",
-            anchor(&entry.case.name),
-            cells.join(" | "),
-            times.join(" | ")
-        );
+        _ = writeln!(text, "| {} | {} | {} |", link(&entry.case.name), cells.join(" | "), times.join(" | "));
     }
     text.push('\n');
 }
@@ -213,7 +197,7 @@ fn failures(entries: &[Entry<'_>], text: &mut String) {
     for Entry { case, rows } in failed {
         let outcome = rows[0].map(|row| &row.outcome);
         let cause = if case.cause().is_empty() { "The cause is not known yet." } else { case.cause() };
-        _ = writeln!(text, "- {}: {}. {cause}", anchor(&case.name), cell(outcome));
+        _ = writeln!(text, "- {}: {}. {cause}", link(&case.name), cell(outcome));
     }
     text.push('\n');
 }

@@ -3,7 +3,8 @@
 use std::fmt::Write as _;
 use std::path::PathBuf;
 
-use rustycs_cases::stability::{Case, Seen, Snapshot, corners};
+use rustycs_cases::overlap::corners;
+use rustycs_cases::stability::{Case, Seen, Snapshot};
 
 use crate::engine::State;
 use crate::scene::{BodySpec, Kind, Outline, Scene};

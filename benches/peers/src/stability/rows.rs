@@ -1,16 +1,9 @@
-//! What came out of each case in each engine, as a table that is written while it comes and read again by the next run.
-
-use std::fs::{self, File, OpenOptions};
-use std::io::{self, Write as _};
-use std::path::Path;
+//! What came out of each case in each engine.
 
 use rustycs_cases::stability::{COUNT, Case, Check, Limit, SHARE};
 
-use crate::fingerprint::hash;
-use crate::table::{fields, quoted};
-
-const COLUMNS: &str =
-    "case,setup,engine,version,behaviour,outcome,checks,what,value,rule,limit,unit,step_seconds,begun\n";
+use crate::fingerprint::word;
+use crate::table::{Fields, Record};
 
 /// What came out of a case in an engine.
 #[derive(Clone, Debug, PartialEq)]
@@ -63,46 +56,36 @@ pub(super) struct Row {
 }
 
 impl Row {
-    fn is_same(&self, other: &Self) -> bool {
-        self.case == other.case && self.engine == other.engine
-    }
-
-    /// A line for each check; one if there is none.
-    fn lines(&self) -> String {
-        let checks: &[Check] = if let Outcome::Judged(checks) = &self.outcome { checks } else { &[] };
-        let line = |check: Option<&Check>| {
-            let [rule, limit] = check.map_or_else(Default::default, |check| match check.limit {
-                Limit::AtMost(limit) => ["at most".into(), format!("{limit:e}")],
-                Limit::AtLeast(limit) => ["at least".into(), format!("{limit:e}")],
-            });
-            let fields = [
-                quoted(&self.case),
-                self.setup.clone(),
-                quoted(&self.engine),
-                quoted(&self.version),
-                self.behaviour.clone(),
-                self.outcome.word().into(),
-                checks.len().to_string(),
-                check.map(|check| quoted(&check.what)).unwrap_or_default(),
-                check.map(|check| format!("{:e}", check.value)).unwrap_or_default(),
-                rule,
-                limit,
-                check.map(|check| check.unit.into()).unwrap_or_default(),
-                self.step_seconds.map(|seconds| format!("{seconds:e}")).unwrap_or_default(),
-                quoted(&self.begun),
-            ];
-            fields.join(",") + "\n"
-        };
-        if checks.is_empty() { line(None) } else { checks.iter().map(|check| line(Some(check))).collect() }
+    /// A line with one of the checks, or with none.
+    fn line(&self, check: Option<&Check>, checks: usize) -> Vec<String> {
+        let [rule, limit] = check.map_or_else(Default::default, |check| match check.limit {
+            Limit::AtMost(limit) => ["at most".into(), format!("{limit:e}")],
+            Limit::AtLeast(limit) => ["at least".into(), format!("{limit:e}")],
+        });
+        vec![
+            self.case.clone(),
+            self.setup.clone(),
+            self.engine.clone(),
+            self.version.clone(),
+            self.behaviour.clone(),
+            self.outcome.word().into(),
+            checks.to_string(),
+            check.map(|check| check.what.clone()).unwrap_or_default(),
+            check.map(|check| format!("{:e}", check.value)).unwrap_or_default(),
+            rule,
+            limit,
+            check.map(|check| check.unit.into()).unwrap_or_default(),
+            self.step_seconds.map(|seconds| format!("{seconds:e}")).unwrap_or_default(),
+            self.begun.clone(),
+        ]
     }
 
     /// A row with the check of this line alone, and how many checks the row has.
-    fn read(line: &str) -> Option<(Self, usize)> {
-        let mut fields = fields(line).into_iter();
-        let mut next = || fields.next();
-        let [case, setup, engine, version, behaviour] = [next()?, next()?, next()?, next()?, next()?];
-        let (word, count) = (next()?, next()?.parse().ok()?);
-        let (what, value, rule, limit, unit) = (next()?, next()?, next()?, next()?, next()?);
+    fn of_line(mut line: Fields) -> Option<(Self, usize)> {
+        let [case, setup, engine] = [line.text()?, line.text()?, line.text()?];
+        let [version, behaviour, word] = [line.text()?, line.text()?, line.text()?];
+        let (count, what, value) = (line.number()?, line.text()?, line.text()?);
+        let [rule, limit, unit] = [line.text()?, line.text()?, line.text()?];
         let outcome = match word.as_str() {
             "judged" => {
                 let limit = limit.parse().ok()?;
@@ -116,76 +99,74 @@ impl Row {
             "panicked" => Outcome::Panicked,
             _ => return None,
         };
-        let step_seconds = next()?.parse().ok();
-        Some((Self { case, setup, engine, version, behaviour, outcome, step_seconds, begun: next()? }, count))
+        let step_seconds = line.text()?.parse().ok();
+        let begun = line.text()?;
+        Some((Self { case, setup, engine, version, behaviour, outcome, step_seconds, begun }, count))
     }
 }
 
-/// A word that changes when the case does (FNV-1a of what is known of it): rows of another case by the same name are not
-/// taken for this one's.
-pub(super) fn setup(case: &Case) -> String {
-    let Case { scene, seconds, statement, seen, .. } = case;
-    format!("{:016x}", hash(format!("{scene:?} {seconds} {statement} {seen:?}").bytes()))
-}
+impl Record for Row {
+    const COLUMNS: &[&str] = &[
+        "case",
+        "setup",
+        "engine",
+        "version",
+        "behaviour",
+        "outcome",
+        "checks",
+        "what",
+        "value",
+        "rule",
+        "limit",
+        "unit",
+        "step_seconds",
+        "begun",
+    ];
 
-fn text_of(rows: &[Row]) -> String {
-    let lines: String = rows.iter().map(Row::lines).collect();
-    format!("{COLUMNS}{lines}")
-}
+    fn replaces(&self, other: &Self) -> bool {
+        self.case == other.case && self.engine == other.engine
+    }
 
-/// The table and its file.
-#[derive(Debug)]
-pub(super) struct Table {
-    rows: Vec<Row>,
-    file: File,
-}
+    /// A line for each check; one if there is none.
+    fn lines(&self) -> Vec<Vec<String>> {
+        match &self.outcome {
+            Outcome::Judged(checks) if !checks.is_empty() => {
+                checks.iter().map(|check| self.line(Some(check), checks.len())).collect()
+            }
+            _ => vec![self.line(None, 0)],
+        }
+    }
 
-impl Table {
-    /// Reads the rows of a file for which `keeps` holds, if there is one, and writes them back without the others.
-    pub(super) fn open(path: &Path, keeps: impl Fn(&Row) -> bool) -> io::Result<Self> {
-        let text = if path.exists() { fs::read_to_string(path)? } else { String::new() };
-        let mut rows: Vec<Row> = Vec::new();
-        let mut lines = text.lines().skip(1).filter_map(Row::read);
-        while let Some((mut row, count)) = lines.next() {
-            let rest: Vec<Row> = lines.by_ref().take(count.saturating_sub(1)).map(|(row, _)| row).collect();
-            // Lines that were cut short by a sudden end are no row.
-            let is_whole = rest.len() + 1 >= count && rest.iter().all(|other| row.is_same(other));
-            if let Outcome::Judged(checks) = &mut row.outcome {
-                for other in rest {
-                    if let Outcome::Judged(more) = other.outcome {
-                        checks.extend(more);
-                    }
+    fn read(first: Fields, next: &mut dyn Iterator<Item = Fields>) -> Option<Self> {
+        let (mut row, count) = Self::of_line(first)?;
+        let rest: Vec<Self> =
+            next.take(count.saturating_sub(1)).filter_map(Self::of_line).map(|(row, _)| row).collect();
+        if rest.len() + 1 < count || !rest.iter().all(|other| row.replaces(other)) {
+            return None;
+        }
+        if let Outcome::Judged(checks) = &mut row.outcome {
+            for other in rest {
+                if let Outcome::Judged(more) = other.outcome {
+                    checks.extend(more);
                 }
             }
-            if is_whole && keeps(&row) {
-                rows.retain(|other| !row.is_same(other));
-                rows.push(row);
-            }
         }
-        let new = path.with_extension("csv.new");
-        fs::write(&new, text_of(&rows))?;
-        fs::rename(&new, path)?;
-        Ok(Self { rows, file: OpenOptions::new().append(true).open(path)? })
+        Some(row)
     }
+}
 
-    pub(super) fn rows(&self) -> &[Row] {
-        &self.rows
-    }
-
-    /// Adds a row, in the file too.
-    pub(super) fn add(&mut self, row: Row) -> io::Result<()> {
-        self.file.write_all(row.lines().as_bytes())?;
-        self.file.flush()?;
-        // In the file, the later one of two is read.
-        self.rows.retain(|other| !row.is_same(other));
-        self.rows.push(row);
-        Ok(())
-    }
+/// A word that changes when the case does : rows of another case by the same name are not taken for this one's.
+pub(super) fn setup(case: &Case) -> String {
+    let Case { scene, seconds, statement, seen, .. } = case;
+    word(format!("{scene:?} {seconds} {statement} {seen:?}").bytes())
 }
 
 #[cfg(test)]
 mod tests {
+    use std::fs;
+
     use super::*;
+    use crate::table::Table;
 
     fn row(engine: &str, outcome: Outcome) -> Row {
         Row {
@@ -217,18 +198,20 @@ mod tests {
             Row { step_seconds: None, ..row("Rapier", Outcome::NotAsked) },
         ];
         {
-            let mut table = Table::open(&path, |_| true).unwrap();
+            let mut table = Table::<Row>::open(&path, |_| true).unwrap();
             table.add(row("rustycs", Outcome::Panicked)).unwrap();
             for row in &rows {
                 table.add(row.clone()).unwrap();
             }
             assert_eq!(table.rows(), rows);
         }
-        let cut = row("Bullet", checks()).lines();
-        let text = fs::read_to_string(&path).unwrap() + &cut[..cut.len() / 2 + 5];
+        Table::<Row>::open(&path, |_| true).unwrap().add(row("Bullet", checks())).unwrap();
+        // The second of its two lines ends early.
+        let text = fs::read_to_string(&path).unwrap();
+        let text = &text[..text.len() - 30];
         fs::write(&path, text).unwrap();
-        assert_eq!(Table::open(&path, |_| true).unwrap().rows(), rows);
-        assert_eq!(Table::open(&path, |row| row.engine == "Box2D").unwrap().rows(), &rows[1..2]);
+        assert_eq!(Table::<Row>::open(&path, |_| true).unwrap().rows(), rows);
+        assert_eq!(Table::open(&path, |row: &Row| row.engine == "Box2D").unwrap().rows(), &rows[1..2]);
         fs::remove_dir_all(&folder).unwrap();
     }
 

@@ -31,8 +31,8 @@ pub(super) fn of(case: &str) -> &'static str {
              6,400 km, so contacts do not see that they sink, and yield at 1 cm/s."
         }
         "random-worlds-100" | "random-worlds-10000" => {
-            "Light bodies wedged under ones up to a hundred times as heavy. Solved by sweeps alone, three times as many worlds do \
-             not hold; these are what the direct solve leaves."
+            "Light bodies wedged under ones up to a hundred times as heavy. Solved by sweeps alone, twice as many worlds do not \
+             hold; these are what the direct solve leaves."
         }
         _ => "",
     }

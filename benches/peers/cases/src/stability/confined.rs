@@ -2,11 +2,12 @@
 
 use std::f64::consts::PI;
 
+use crate::chance::Chance;
 use crate::scene::{BodySpec, Kind, Outline, Scene, disc, rectangle};
+use crate::stability::G;
 use crate::stability::case::{COUNT, Case, Check, Group, SHARE, Seen};
 use crate::stability::rest::{Scale, apart};
 use crate::stability::run::{Lab, Run};
-use crate::stability::{G, figures::Chance};
 
 pub(super) fn cases() -> Vec<Case> {
     let mut cases = vec![squeezed(), crowd()];

@@ -1,9 +1,10 @@
 //! Far from the origin.
 
+use crate::chance::Chance;
 use crate::engine::State;
 use crate::scene::{BodySpec, Scene, block, disc, floor};
 use crate::stability::case::{Case, Check, Group, SHARE};
-use crate::stability::figures::{Chance, any};
+use crate::stability::figures::any;
 use crate::stability::on_earth;
 use crate::stability::rest::stack;
 use crate::stability::run::{Lab, Run, worse};

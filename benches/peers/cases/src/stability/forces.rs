@@ -2,10 +2,10 @@
 
 use rustycs::prelude::{Attractor, Body, BodyId, Force, Settings, Shape, World};
 
+use crate::chance::Chance;
 use crate::engine::{DEFAULT, Fineness};
 use crate::scene::{BodySpec, Scene, block, floor, rectangle};
 use crate::stability::case::{Case, Check, Group, SHARE};
-use crate::stability::figures::Chance;
 use crate::stability::rest::{STANDS, Scale, stack, stands, tower};
 use crate::stability::run::{Lab, worse};
 use crate::stability::{G, on_earth};

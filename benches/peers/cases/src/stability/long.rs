@@ -5,9 +5,10 @@ use std::f64::consts::TAU;
 use rustycs::prelude::{Attractor, Body, BodyId, Settings, Shape, World};
 
 use crate::Rustycs;
+use crate::chance::Chance;
 use crate::scene::{BodySpec, Scene, block, floor};
 use crate::stability::case::{COUNT, Case, Check, Group, SHARE};
-use crate::stability::figures::{Chance, any};
+use crate::stability::figures::any;
 use crate::stability::on_earth;
 use crate::stability::rest::Scale;
 use crate::stability::run::{Lab, Run, worse};

@@ -21,7 +21,6 @@ mod figures;
 mod forces;
 mod houses;
 mod long;
-mod overlap;
 mod piles;
 mod random;
 mod rest;
@@ -33,15 +32,9 @@ mod tipping;
 mod walls;
 
 pub use case::{COUNT, Case, Check, Group, Judge, Limit, Play, PlayOurs, SHARE, Seen};
-pub use overlap::corners;
 pub use run::{Lab, Run, Snapshot};
 
-use crate::scene::{BodySpec, Scene};
-
-/// Gravity, m/s².
-const G: f64 = 9.81;
-/// Gravity of the scenes on the Earth.
-const DOWN: [f64; 2] = [0.0, -G];
+use crate::scene::{G, on_earth};
 
 /// All cases, in the order of the page.
 #[must_use]
@@ -62,11 +55,6 @@ pub fn all() -> Vec<Case> {
         random::cases(),
     ];
     lists.into_iter().flatten().collect()
-}
-
-/// These bodies under the gravity of the Earth.
-fn on_earth(bodies: impl IntoIterator<Item = BodySpec>) -> Scene {
-    Scene { bodies: bodies.into_iter().collect(), gravity: DOWN, ..Scene::default() }
 }
 
 #[cfg(test)]

@@ -1,8 +1,9 @@
 //! Worlds by chance.
 
+use crate::chance::Chance;
 use crate::scene::{BodySpec, Scene, block};
 use crate::stability::case::{COUNT, Case, Check, Group};
-use crate::stability::figures::{Chance, any};
+use crate::stability::figures::any;
 use crate::stability::run::{Lab, worse};
 
 pub(super) fn cases() -> Vec<Case> {

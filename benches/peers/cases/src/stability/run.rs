@@ -5,8 +5,8 @@ use std::rc::Rc;
 use std::time::{Duration, Instant};
 
 use crate::engine::{DEFAULT, Engine, Fineness, Simulation, State};
+use crate::overlap::overlap;
 use crate::scene::{Kind, Scene};
-use crate::stability::overlap;
 
 /// A scene as it stood at some time.
 #[derive(Clone, Debug)]
@@ -213,14 +213,9 @@ impl Run {
         self.masses[body][0]
     }
 
-    /// Σ m v²/2 + I w²/2, J.
+    /// Of all dynamic bodies, J.
     pub(super) fn kinetic_energy(&self) -> f64 {
-        let of = |&body: &usize| {
-            let ([mass, inertia], State { velocity: [u, v], spin, .. }) =
-                (self.masses[body], self.state(body));
-            0.5 * mass * (u * u + v * v) + 0.5 * inertia * spin * spin
-        };
-        self.moving.iter().map(of).sum()
+        self.moving.iter().map(|&body| self.state(body).kinetic_energy(self.masses[body])).sum()
     }
 
     /// The kinetic energy, and that of height above where the bodies were set: -Σ m g · Δx, J.
@@ -235,7 +230,7 @@ impl Run {
 
     /// Depth of the deepest overlap of two bodies, one of them dynamic at least, m.
     pub(super) fn deepest_overlap(&self) -> f64 {
-        overlap::deepest(&self.scene.bodies, &self.states())
+        overlap(&self.scene.bodies, &self.states()).deepest
     }
 
     /// How many dynamic bodies have a number that is none in their state.

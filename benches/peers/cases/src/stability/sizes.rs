@@ -1,8 +1,9 @@
 //! Very large, very small, very thin.
 
+use crate::chance::Chance;
 use crate::scene::{BodySpec, Kind, Outline, Scene, block, disc, floor, rectangle};
 use crate::stability::case::{Case, Check, Group, SHARE, Seen};
-use crate::stability::figures::{Chance, any, polygon};
+use crate::stability::figures::{any, polygon};
 use crate::stability::rest::{STANDS, Scale, apart, calm, stack, stands, tower};
 use crate::stability::run::Run;
 use crate::stability::{G, on_earth};

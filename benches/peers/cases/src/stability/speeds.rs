@@ -2,9 +2,9 @@
 
 use rustycs::prelude::{Body, Settings, Shape, World};
 
+use crate::chance::Chance;
 use crate::scene::{BodySpec, Scene, block, disc, rectangle};
 use crate::stability::case::{COUNT, Case, Check, Group, SHARE};
-use crate::stability::figures::Chance;
 use crate::stability::on_earth;
 use crate::stability::run::Run;
 

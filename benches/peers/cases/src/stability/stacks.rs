@@ -3,9 +3,9 @@
 use crate::engine::{DEFAULT, Fineness};
 use crate::scene::{BodySpec, Scene, block, disc, floor, rectangle};
 use crate::stability::case::{Case, Check, Group, SHARE};
-use crate::stability::on_earth;
 use crate::stability::rest::{STANDS, Scale, apart, calm, stack, stands, tower};
 use crate::stability::run::Lab;
+use crate::stability::{G, on_earth};
 
 pub(super) fn cases() -> Vec<Case> {
     let mut cases: Vec<Case> = [10, 20, 50, 100, 200].map(high).into();
@@ -150,7 +150,7 @@ fn bridge() -> Case {
             Check::at_most("its tilt", run.state(plank).angle.abs(), 0.01, "rad"),
             apart(&run, scale),
             // The least that f32 can tell from the fall of the ball.
-            Check::at_most("energy gained / that of the fall", energy / (785.4 * 9.81 * 2.0), 1e-5, SHARE),
+            Check::at_most("energy gained / that of the fall", energy / (785.4 * G * 2.0), 1e-5, SHARE),
         ]
     })
     .seen()

@@ -1,11 +1,13 @@
 //! Scenes as games have them.
 
-use super::{Course, Random, Sort, dynamic, fixed, heavy, square};
-use crate::scene::{BodySpec, Outline, Scene};
+use rustycs_cases::chance::Chance;
+
+use super::{Course, CourseKind, dynamic, fixed, square};
+use crate::scene::{BodySpec, Outline, Scene, on_earth};
 
 pub(super) fn courses() -> [Course; 3] {
     let everyday = |name, statement, scene, ticks| Course {
-        kind: Sort::Everyday,
+        kind: CourseKind::Everyday,
         ..Course::race(name, statement, scene, ticks)
     };
     [
@@ -26,32 +28,26 @@ pub(super) fn courses() -> [Course; 3] {
 }
 
 fn platformer() -> Scene {
-    let mut random = Random(4);
+    let mut chance = Chance(4);
     let mut bodies = Vec::new();
     for ledge in 0..20 {
-        let (left, height) = (random.between(-60.0, 50.0), 2.0 + 2.0 * f64::from(ledge % 10));
+        let (left, height) = (chance.between(-60.0, 50.0), 2.0 + 2.0 * f64::from(ledge % 10));
         for tile in 0..10 {
             bodies.push(fixed(1.0, 1.0, [left + f64::from(tile), height - 0.5]));
         }
     }
     for index in 0..100 {
-        let place = [random.between(-60.0, 60.0), 24.0 + 0.1 * f64::from(index)];
+        let place = [chance.between(-60.0, 60.0), 24.0 + 0.1 * f64::from(index)];
         let outline = match index % 10 {
             0..6 => square(0.8),
             6..9 => Outline::Circle { radius: 0.35 },
-            _ => {
-                let corner = |k: u32| {
-                    let angle = f64::from(k) * std::f64::consts::TAU / 5.0;
-                    [0.5 * angle.cos(), 0.5 * angle.sin()]
-                };
-                Outline::Polygon((0..5).map(corner).collect())
-            }
+            _ => Outline::regular(5, 0.5),
         };
         bodies.push(BodySpec { restitution: 0.2, ..dynamic(outline, place) });
     }
     // What falls between the ledges lands here.
     bodies[199] = fixed(160.0, 2.0, [0.0, -1.0]);
-    heavy(bodies)
+    on_earth(bodies)
 }
 
 fn puzzle() -> Scene {
@@ -74,10 +70,10 @@ fn puzzle() -> Scene {
         let place = [side * (8.5 + 0.3 * f64::from(ball / 2 % 3)), 15.5 + 0.7 * f64::from(ball / 2)];
         bodies.push(BodySpec { restitution: 0.3, ..dynamic(Outline::Circle { radius: 0.3 }, place) });
     }
-    heavy(bodies)
+    on_earth(bodies)
 }
 
 fn one_ball() -> Scene {
     let ball = BodySpec { restitution: 0.8, ..dynamic(Outline::Circle { radius: 0.5 }, [0.0, 5.0]) };
-    heavy(vec![fixed(20.0, 1.0, [0.0, -0.5]), ball])
+    on_earth(vec![fixed(20.0, 1.0, [0.0, -0.5]), ball])
 }

@@ -2,8 +2,10 @@
 
 use std::f64::consts::{PI, TAU};
 
-use super::{Course, Random, Sort, dynamic, fixed, heavy, square};
-use crate::scene::{BodySpec, Outline, Scene};
+use rustycs_cases::chance::Chance;
+
+use super::{Course, CourseKind, dynamic, fixed, square};
+use crate::scene::{BodySpec, Outline, Scene, on_earth};
 
 pub(super) fn races() -> Vec<Course> {
     vec![
@@ -52,7 +54,7 @@ pub(super) fn races() -> Vec<Course> {
 
 pub(super) fn sizes() -> Vec<Course> {
     let size = |count: usize| Course {
-        kind: Sort::Size,
+        kind: CourseKind::Size,
         is_dear: count > 16_000,
         ..Course::race(
             &format!("pile-{}k", count / 1000),
@@ -74,7 +76,7 @@ fn pyramid(base: usize, middle: f64, bottom: f64) -> impl Iterator<Item = BodySp
 }
 
 fn large_pyramid() -> Scene {
-    heavy([fixed(200.0, 2.0, [0.0, -1.0])].into_iter().chain(pyramid(100, 0.0, 0.0)).collect())
+    on_earth([fixed(200.0, 2.0, [0.0, -1.0])].into_iter().chain(pyramid(100, 0.0, 0.0)))
 }
 
 fn many_pyramids() -> Scene {
@@ -91,7 +93,7 @@ fn many_pyramids() -> Scene {
             bodies.extend(pyramid(base, x, row as f64 * spacing[1]));
         }
     }
-    heavy(bodies)
+    on_earth(bodies)
 }
 
 fn smash() -> Scene {
@@ -115,21 +117,21 @@ fn pool(width: f64, height: f64) -> [BodySpec; 3] {
 
 fn pool_of_discs() -> Scene {
     let (width, cell) = (50.0, 0.65);
-    let mut random = Random(1);
+    let mut chance = Chance(1);
     let mut bodies: Vec<_> = pool(width, 120.0).into();
     let columns = ((width - 1.0) / cell) as usize;
     for index in 0..10_000 {
-        let radius = random.between(0.2, 0.3);
+        let radius = chance.between(0.2, 0.3);
         let (column, row) = (index % columns, index / columns);
-        let x = (column as f64 - 0.5 * (columns - 1) as f64) * cell + random.between(-0.02, 0.02);
+        let x = (column as f64 - 0.5 * (columns - 1) as f64) * cell + chance.between(-0.02, 0.02);
         bodies.push(dynamic(Outline::Circle { radius }, [x, 0.5 + row as f64 * cell]));
     }
-    heavy(bodies)
+    on_earth(bodies)
 }
 
 fn gas() -> Scene {
     let (width, columns, speed) = (200.0, 142, 2.0);
-    let mut random = Random(2);
+    let mut chance = Chance(2);
     let wall = |x: f64, y: f64| {
         let [w, h] = if y == 0.0 { [2.0, width + 4.0] } else { [width + 4.0, 2.0] };
         fixed(w, h, [x * (0.5 * width + 1.0), y * (0.5 * width + 1.0)])
@@ -139,10 +141,10 @@ fn gas() -> Scene {
     for index in 0..20_000 {
         let (column, row) = (index % columns, index / columns);
         let place = |cells: usize| (cells as f64 + 0.5) * cell - 0.5 * width;
-        let offset = [random.between(-0.4, 0.4), random.between(-0.4, 0.4)];
+        let offset = [chance.between(-0.4, 0.4), chance.between(-0.4, 0.4)];
         let disc =
             dynamic(Outline::Circle { radius: 0.1 }, [place(column) + offset[0], place(row) + offset[1]]);
-        let (way, fast) = (random.between(0.0, TAU), random.between(0.0, speed));
+        let (way, fast) = (chance.between(0.0, TAU), chance.between(0.0, speed));
         bodies.push(BodySpec { velocity: [fast * way.cos(), fast * way.sin()], ..disc });
     }
     for body in &mut bodies {
@@ -152,39 +154,32 @@ fn gas() -> Scene {
 }
 
 /// A disc, a box or a polygon of 3 to 6 corners.
-fn any_outline(random: &mut Random) -> Outline {
-    let reach = random.between(0.15, 0.42);
-    match random.between(0.0, 6.0) as usize {
+fn any_outline(chance: &mut Chance) -> Outline {
+    let reach = chance.between(0.15, 0.42);
+    match chance.one_of(6) {
         0 | 1 => Outline::Circle { radius: reach },
         2 | 3 => {
-            let half = random.between(0.2 * PI, 0.3 * PI);
+            let half = chance.between(0.2 * PI, 0.3 * PI);
             Outline::Box { width: 2.0 * reach * half.cos(), height: 2.0 * reach * half.sin() }
         }
-        _ => {
-            let corners = 3 + random.between(0.0, 4.0) as usize;
-            // Regular, so that the centre of mass is the middle.
-            let corner = |k: usize| {
-                let angle = k as f64 * TAU / corners as f64;
-                [reach * angle.cos(), reach * angle.sin()]
-            };
-            Outline::Polygon((0..corners).map(corner).collect())
-        }
+        // Regular, so that the centre of mass is the middle.
+        _ => Outline::regular(3 + chance.one_of(4), reach),
     }
 }
 
 fn mixed_pile(count: usize) -> Scene {
     let (width, cell) = (0.8 * (count as f64).sqrt(), 0.95);
-    let mut random = Random(3);
+    let mut chance = Chance(3);
     let mut bodies: Vec<_> = pool(width, 2.0 * width).into();
     let columns = (width / cell) as usize;
     for index in 0..count {
         let (column, row) = (index % columns, index / columns);
-        let outline = any_outline(&mut random);
-        let x = (column as f64 - 0.5 * (columns - 1) as f64) * cell + random.between(-0.05, 0.05);
-        let y = 1.0 + (row as f64 + 0.5) * cell + random.between(-0.05, 0.05);
-        bodies.push(BodySpec { angle: random.between(0.0, TAU), ..dynamic(outline, [x, y]) });
+        let outline = any_outline(&mut chance);
+        let x = (column as f64 - 0.5 * (columns - 1) as f64) * cell + chance.between(-0.05, 0.05);
+        let y = 1.0 + (row as f64 + 0.5) * cell + chance.between(-0.05, 0.05);
+        bodies.push(BodySpec { angle: chance.between(0.0, TAU), ..dynamic(outline, [x, y]) });
     }
-    heavy(bodies)
+    on_earth(bodies)
 }
 
 fn asleep() -> Scene {
@@ -198,5 +193,5 @@ fn asleep() -> Scene {
             bodies.push(dynamic(square(1.0), place));
         }
     }
-    Scene { sleeps: true, ..heavy(bodies) }
+    Scene { sleeps: true, ..on_earth(bodies) }
 }

@@ -2,8 +2,8 @@
 
 use std::f64::consts::{PI, TAU};
 
-use super::{Course, Drum, dynamic, heavy, square};
-use crate::scene::{BodySpec, Outline, Scene};
+use super::{Course, Drum, dynamic, square};
+use crate::scene::{BodySpec, Outline, Scene, on_earth};
 
 /// 25 degrees a second, rad/s.
 const SPIN: f64 = 25.0 * PI / 180.0;
@@ -42,7 +42,7 @@ fn tumbler() -> (Scene, Drum) {
     };
     let mut bodies = vec![wall(1.0, 0.0), wall(-1.0, 0.0), wall(0.0, 1.0), wall(0.0, -1.0)];
     grid(45, 0.4, 0.25, 10.0, &mut bodies);
-    (heavy(bodies), drum)
+    (on_earth(bodies), drum)
 }
 
 /// Boxes in rows and columns about (0, `middle`), m.
@@ -83,5 +83,5 @@ fn washer() -> (Scene, Drum) {
         }
     }
     grid(90, 0.21, 0.2, 16.0, &mut bodies);
-    (heavy(bodies), drum)
+    (on_earth(bodies), drum)
 }

@@ -1,8 +1,17 @@
-//! How deep bodies are in each other, from their states alone: in `f64`, by separating axes, without any engine.
+//! How deep bodies are in each other, from their outlines and states alone: in `f64`, by separating axes. No engine has
+//! a part in it.
 
 use crate::engine::State;
 use crate::scene::{BodySpec, Kind, Outline};
-use crate::stability::run::worse;
+
+/// Overlaps of a scene, m.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Overlap {
+    /// The deepest of all.
+    pub deepest: f64,
+    /// The mean over the dynamic bodies of the deepest that each has.
+    pub mean: f64,
+}
 
 /// Where the corners of a body are, counter-clockwise, m; none for a circle.
 #[must_use]
@@ -20,11 +29,12 @@ pub fn corners(outline: &Outline, state: &State) -> Vec<[f64; 2]> {
     }
 }
 
-/// A body in its place, relative to some origin near it.
+/// A body in its place.
 struct Placed {
     center: [f64; 2],
     /// Of a circle; 0 for polygons.
     radius: f64,
+    /// Counter-clockwise; empty for circles.
     corners: Vec<[f64; 2]>,
     is_dynamic: bool,
     /// From and to, along x and along y.
@@ -48,7 +58,9 @@ impl Placed {
 
     /// Largest distance of a point from the edges of the polygon, negative within it, m.
     fn outside(&self, point: [f64; 2]) -> f64 {
-        edges(&self.corners).map(|(from, normal)| along(normal, from, point)).fold(f64::NEG_INFINITY, worse)
+        edges(&self.corners)
+            .map(|(from, normal)| along(normal, from, point))
+            .fold(f64::NEG_INFINITY, f64::max)
     }
 
     /// Distance of a point from the polygon, negative within it, m.
@@ -66,18 +78,20 @@ impl Placed {
         let nearest = |(from, normal): ([f64; 2], [f64; 2])| {
             other.corners.iter().map(|&corner| along(normal, from, corner)).fold(f64::INFINITY, f64::min)
         };
-        edges(&self.corners).map(nearest).fold(f64::NEG_INFINITY, worse)
+        edges(&self.corners).map(nearest).fold(f64::NEG_INFINITY, f64::max)
     }
 
-    fn overlap(&self, other: &Self) -> f64 {
+    /// By how much one of the two would have to be moved until they part, m; less than 0 where they are apart.
+    fn depth(&self, other: &Self) -> f64 {
         let separation = match (self.corners.is_empty(), other.corners.is_empty()) {
             (true, true) => {
                 let [x, y] = [0, 1].map(|axis| self.center[axis] - other.center[axis]);
-                x.hypot(y) - self.radius - other.radius
+                x.hypot(y) - (self.radius + other.radius)
             }
             (true, false) => other.distance(self.center) - self.radius,
             (false, true) => self.distance(other.center) - other.radius,
-            (false, false) => worse(self.gap(other), other.gap(self)),
+            // Convex outlines part soonest along the normal of an edge of one of them.
+            (false, false) => self.gap(other).max(other.gap(self)),
         };
         -separation
     }
@@ -102,69 +116,105 @@ fn distance_to_segment(from: [f64; 2], to: [f64; 2], point: [f64; 2]) -> f64 {
     (point[0] - from[0] - part * x).hypot(point[1] - from[1] - part * y)
 }
 
-/// Depth of the deepest overlap of two bodies, one of them dynamic at least, m; 0 if there is none, and no number if
-/// some state is none.
-pub(super) fn deepest(bodies: &[BodySpec], states: &[State]) -> f64 {
+/// The overlaps of pairs of bodies, one of them dynamic at least, by a sweep along x: 0 where there are none, and no
+/// numbers if some state is none.
+#[must_use]
+pub fn overlap(bodies: &[BodySpec], states: &[State]) -> Overlap {
     let mut placed: Vec<Placed> =
         bodies.iter().zip(states).map(|(spec, state)| Placed::new(spec, state)).collect();
     if placed.iter().any(|body| !body.bounds.as_flattened().iter().all(|end| end.is_finite())) {
-        return f64::NAN;
+        return Overlap { deepest: f64::NAN, mean: f64::NAN };
     }
     placed.sort_by(|one, other| one.bounds[0][0].total_cmp(&other.bounds[0][0]));
-    let mut deepest = 0.0;
+    // The deepest that each has.
+    let mut deepest = vec![0.0_f64; placed.len()];
     // What may reach the next ones, from left to right.
     let mut open: Vec<usize> = Vec::new();
-    for index in 0..placed.len() {
-        let body = &placed[index];
+    for (index, body) in placed.iter().enumerate() {
         open.retain(|&other| placed[other].bounds[0][1] > body.bounds[0][0]);
-        for &other in &open {
-            let other = &placed[other];
+        for &at in &open {
+            let other = &placed[at];
             let meets = other.bounds[1][0] < body.bounds[1][1] && body.bounds[1][0] < other.bounds[1][1];
             if meets && (body.is_dynamic || other.is_dynamic) {
-                deepest = worse(deepest, body.overlap(other));
+                let depth = body.depth(other);
+                deepest[index] = deepest[index].max(depth);
+                deepest[at] = deepest[at].max(depth);
             }
         }
         open.push(index);
     }
-    deepest
+    let of_dynamic = placed.iter().zip(deepest).filter(|(body, _)| body.is_dynamic).map(|(_, depth)| depth);
+    let of_dynamic: Vec<f64> = of_dynamic.collect();
+    Overlap {
+        deepest: of_dynamic.iter().copied().fold(0.0, f64::max),
+        mean: of_dynamic.iter().sum::<f64>() / of_dynamic.len().max(1) as f64,
+    }
 }
 
 #[cfg(test)]
 mod tests {
+    use std::f64::consts::FRAC_PI_4;
+
     use super::*;
     use crate::scene::{block, disc, rectangle};
 
-    fn depth(one: BodySpec, other: BodySpec) -> f64 {
-        let states: Vec<State> = [&one, &other]
-            .iter()
-            .map(|spec| State { position: spec.position, angle: spec.angle, ..State::default() })
-            .collect();
-        deepest(&[one, other], &states)
+    fn of(bodies: &[BodySpec]) -> Overlap {
+        let state =
+            |spec: &BodySpec| State { position: spec.position, angle: spec.angle, ..State::default() };
+        overlap(bodies, &bodies.iter().map(state).collect::<Vec<_>>())
     }
 
     fn at(x: f64, y: f64, spec: BodySpec) -> BodySpec {
         BodySpec { position: [x, y], ..spec }
     }
 
+    fn near(found: f64, expected: f64) {
+        assert!((found - expected).abs() < 1e-12, "{found}, expected {expected}");
+    }
+
     #[test]
-    fn overlaps_are_those_of_the_drawing_board() {
-        let near =
-            |found: f64, expected: f64| assert!((found - expected).abs() < 1e-12, "{found} {expected}");
-        near(depth(disc(1.0), at(1.5, 0.0, disc(1.0))), 0.5);
-        near(depth(disc(1.0), at(2.5, 0.0, disc(1.0))), 0.0);
-        near(depth(rectangle(1.0, 1.0), at(0.9, 0.3, rectangle(1.0, 1.0))), 0.1);
-        // A box on its corner: half its diagonal reaches down.
-        let corner = BodySpec { angle: std::f64::consts::FRAC_PI_4, ..at(0.0, 1.2, rectangle(1.0, 1.0)) };
-        near(depth(block(4.0, 1.0), corner), 0.5 + 0.5_f64.sqrt() - 1.2);
-        near(depth(rectangle(1.0, 1.0), at(0.8, 0.0, disc(0.5))), 0.2);
-        // Off the corner, by the corner's distance.
-        near(depth(rectangle(1.0, 1.0), at(0.8, 0.9, disc(0.6))), 0.1);
-        near(depth(rectangle(1.0, 1.0), at(0.9, 0.9, disc(0.5))), 0.0);
-        near(depth(block(1.0, 1.0), at(0.5, 0.0, block(1.0, 1.0))), 0.0);
+    fn overlaps_are_those_of_plane_geometry() {
+        let (cube, turned) = (rectangle(1.0, 1.0), BodySpec { angle: FRAC_PI_4, ..rectangle(1.0, 1.0) });
+        let half_diagonal = 0.5_f64.sqrt();
+        for (one, other, expected) in [
+            (disc(1.0), at(1.5, 0.0, disc(1.0)), 0.5),
+            (disc(1.0), at(2.5, 0.0, disc(1.0)), 0.0),
+            (cube.clone(), at(0.9, 0.3, cube.clone()), 0.1),
+            (cube.clone(), at(1.1, 0.0, cube.clone()), 0.0),
+            // A box on its corner: half its diagonal reaches out.
+            (cube.clone(), at(1.1, 0.0, turned.clone()), half_diagonal - 0.6),
+            (block(4.0, 1.0), at(0.0, 1.2, turned.clone()), 0.5 + half_diagonal - 1.2),
+            // From the side of a box, off its corner, and a corner that comes to 0.1 m before the rim.
+            (cube.clone(), at(0.8, 0.0, disc(0.5)), 0.2),
+            (disc(0.5), at(1.01, 0.0, cube.clone()), 0.0),
+            (cube.clone(), at(0.8, 0.9, disc(0.6)), 0.1),
+            (cube.clone(), at(0.9, 0.9, disc(0.5)), 0.0),
+            (disc(0.5), at(0.4 + half_diagonal, 0.0, turned), 0.1),
+            // The centre of the disc is 0.2 m within the box.
+            (cube.clone(), at(0.3, 0.1, disc(0.5)), 0.7),
+        ] {
+            for found in [of(&[one.clone(), other.clone()]), of(&[other, one])] {
+                near(found.deepest, expected);
+            }
+        }
+    }
+
+    #[test]
+    fn the_mean_is_that_of_the_deepest_of_each_dynamic_body() {
+        // Overlaps of 0.1 m and 0.3 m in a row: the one in the middle has both, the fixed one does not count.
+        let row = [block(1.0, 1.0), at(0.9, 0.0, rectangle(1.0, 1.0)), at(1.6, 0.0, rectangle(1.0, 1.0))];
+        let found = of(&row);
+        near(found.deepest, 0.3);
+        near(found.mean, 0.3);
+        let found = of(&[row[0].clone(), row[1].clone(), at(9.0, 0.0, disc(1.0))]);
+        near(found.deepest, 0.1);
+        near(found.mean, 0.05);
+        assert_eq!(of(&[block(1.0, 1.0), at(0.5, 0.0, block(1.0, 1.0))]), Overlap::default());
     }
 
     #[test]
     fn what_is_no_number_is_not_passed_over() {
-        assert!(depth(disc(1.0), at(f64::NAN, 0.0, disc(1.0))).is_nan());
+        let found = of(&[disc(1.0), at(f64::NAN, 0.0, disc(1.0))]);
+        assert!(found.deepest.is_nan() && found.mean.is_nan());
     }
 }
