@@ -182,11 +182,8 @@ impl<L: Lane> ContactConstraint<L> {
 impl ContactConstraint<f32> {
     /// Takes normal and points over from a manifold of the bodies as they were when the step began.
     pub(crate) fn set_geometry(&mut self, manifold: &Manifold) {
-        self.normal = manifold.normal.into();
-        for (to, point) in self.points.iter_mut().zip(manifold.points()) {
-            to.anchor_a = point.anchor_a.into();
-            to.anchor_b = point.anchor_b.into();
-            to.separation = point.separation;
+        self.set_points(manifold);
+        for (to, _) in self.points.iter_mut().zip(manifold.points()) {
             to.normal_k = THERE;
         }
         self.find_masses();
@@ -195,7 +192,22 @@ impl ContactConstraint<f32> {
     /// Takes normal and points over from a manifold of the bodies in the states `a` and `b`, within the step. It
     /// must have as many points as before.
     pub(crate) fn set_geometry_in(&mut self, manifold: &Manifold, a: &BodyState, b: &BodyState) {
-        self.set_geometry(manifold);
+        self.set_points_in(manifold, a, b);
+        self.find_masses();
+    }
+
+    fn set_points(&mut self, manifold: &Manifold) {
+        self.normal = manifold.normal.into();
+        for (to, point) in self.points.iter_mut().zip(manifold.points()) {
+            to.anchor_a = point.anchor_a.into();
+            to.anchor_b = point.anchor_b.into();
+            to.separation = point.separation;
+        }
+    }
+
+    /// As [`set_geometry_in`](Self::set_geometry_in), but for the effective masses, which stay as they are.
+    pub(crate) fn set_points_in(&mut self, manifold: &Manifold, a: &BodyState, b: &BodyState) {
+        self.set_points(manifold);
         for (index, point) in manifold.points().iter().enumerate() {
             // Separations count from the start of the step.
             let moved = self.separation(&self.points[index], a, b) - point.separation;

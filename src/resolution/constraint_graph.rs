@@ -223,7 +223,7 @@ impl ConstraintGraph {
         (&self.colours[colour as usize].blocks[place as usize / COLUMN], place as usize % COLUMN)
     }
 
-    fn block_mut(&mut self, (colour, place): (u32, u32)) -> (&mut ContactBlock, usize) {
+    pub(crate) fn block_mut(&mut self, (colour, place): (u32, u32)) -> (&mut ContactBlock, usize) {
         (&mut self.colours[colour as usize].blocks[place as usize / COLUMN], place as usize % COLUMN)
     }
 

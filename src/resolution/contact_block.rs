@@ -158,6 +158,12 @@ impl ContactBlock {
         self.columns.load(place, special)
     }
 
+    /// Writes normals and points back, but for the effective masses.
+    #[inline(always)]
+    pub(crate) fn store_points<L: Lane>(&mut self, place: usize, constraint: &ContactConstraint<L>) {
+        self.columns.store_points(place, constraint);
+    }
+
     /// Writes normals and points back.
     #[inline(always)]
     pub(crate) fn store_geometry<L: Lane>(&mut self, place: usize, constraint: &ContactConstraint<L>) {
@@ -278,13 +284,20 @@ impl ContactConstraint<Column> {
     }
 
     #[inline(always)]
-    fn store_geometry<L: Lane>(&mut self, place: usize, constraint: &ContactConstraint<L>) {
+    fn store_points<L: Lane>(&mut self, place: usize, constraint: &ContactConstraint<L>) {
         self.normal.store(place, constraint.normal);
-        constraint.coupling.store(&mut self.coupling, place);
         for (to, point) in self.points.iter_mut().zip(&constraint.points) {
             to.anchor_a.store(place, point.anchor_a);
             to.anchor_b.store(place, point.anchor_b);
             point.separation.store(&mut to.separation, place);
+        }
+    }
+
+    #[inline(always)]
+    fn store_geometry<L: Lane>(&mut self, place: usize, constraint: &ContactConstraint<L>) {
+        self.store_points(place, constraint);
+        constraint.coupling.store(&mut self.coupling, place);
+        for (to, point) in self.points.iter_mut().zip(&constraint.points) {
             point.normal_k.store(&mut to.normal_k, place);
         }
         for (to, friction) in self.frictions.iter_mut().zip(&constraint.frictions) {

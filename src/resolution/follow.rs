@@ -91,36 +91,40 @@ pub(crate) struct Constraints<'a> {
 }
 
 impl Constraints<'_> {
-    /// Gives the constraint at a place of the graph the geometry of a manifold of its bodies in the states `a` and `b`,
-    /// and turns its part of the shares.
+    /// Gives the constraint at a place of the graph the normal and the points of a manifold of its bodies in the states
+    /// `a` and `b`, and turns its part of the shares. Effective masses stay as they are: they decide how fast sweeps
+    /// come to what the normal and the points ask for, not what that is.
     fn bring_to(&mut self, place: (u32, u32), manifold: &Manifold, [a, b]: [&BodyState; 2]) {
-        let before = self.graph.constraint(place);
+        let (block, place) = self.graph.block_mut(place);
+        let before = block.load(place);
         let mut constraint = before;
-        constraint.set_geometry_in(manifold, a, b);
-        self.graph.set_geometry(place, &constraint);
+        constraint.set_points_in(manifold, a, b);
+        block.store_points(place, &constraint);
         let has_share = before.frictions.iter().any(|friction| friction.normal_share > 0.0);
         if has_share && !self.shares.is_empty() {
-            let rows = self.graph.moved_rows(place);
-            add_share(&before, -1.0, rows, self.shares);
-            add_share(&constraint, 1.0, rows, self.shares);
+            let rows = block.moved_rows(place);
+            add_shares([(&before, -1.0), (&constraint, 1.0)], rows, self.shares);
         }
     }
 }
 
-/// Adds what the share of a contact gives its bodies, times `sign`, to their rows. Before the sweep after the move, the
-/// impulse along the tangent is the share.
-pub(crate) fn add_share(
-    constraint: &ContactConstraint<f32>,
-    sign: f32,
+/// Adds what the share of a contact gives its bodies, times a factor, to their rows; of each of `constraints`, which are
+/// the contact with different geometries. Before the sweep after the move, the impulse along the tangent is the share.
+pub(crate) fn add_shares<const N: usize>(
+    constraints: [(&ContactConstraint<f32>, f32); N],
     rows: [u32; 2],
     shares: &mut [BodyState],
 ) {
     let mut pair = rows.map(|row| shares[row as usize]);
     let [a, b] = &mut pair;
-    for (point, friction) in constraint.points.iter().zip(&constraint.frictions) {
-        let normal = constraint.normal * (sign * friction.normal_share);
-        let tangent = constraint.normal.perp() * (sign * friction.impulse);
-        constraint.apply(point, normal + tangent, a, b);
+    for (constraint, factor) in constraints {
+        for (point, friction) in constraint.points.iter().zip(&constraint.frictions) {
+            if friction.normal_share > 0.0 || friction.impulse != 0.0 {
+                let normal = constraint.normal * (factor * friction.normal_share);
+                let tangent = constraint.normal.perp() * (factor * friction.impulse);
+                constraint.apply(point, normal + tangent, a, b);
+            }
+        }
     }
     for (row, share) in rows.into_iter().zip(pair) {
         if row != GROUND_ROW {

@@ -10,7 +10,7 @@ use crate::resolution::constraint::StepResidual;
 use crate::resolution::constraint_graph::ConstraintGraph;
 use crate::resolution::direct::{Aim, DirectSolver};
 use crate::resolution::effort::{EffortClass, Loads};
-use crate::resolution::follow::{Constraints, Followers, add_share};
+use crate::resolution::follow::{Constraints, Followers, add_shares};
 use crate::resolution::handover::{HandoverScene, Handovers};
 use crate::resolution::impacts::{ImpactScene, Impacts, bounce_threshold};
 use crate::resolution::integrate::{
@@ -370,7 +370,7 @@ impl Solver {
         });
         for &place in &self.loaded_newcomers {
             let constraint = graph.constraint(place);
-            add_share(&constraint, 1.0, graph.moved_rows(place), &mut self.shares);
+            add_shares([(&constraint, 1.0)], graph.moved_rows(place), &mut self.shares);
         }
     }
 
