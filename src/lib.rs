@@ -44,7 +44,7 @@
 //! |---|---|---|
 //! | 0 | [`math`] | vectors, places, rotations, poses, boxes, our own sine and cosine |
 //! | 0 | `store` | generational ids, slots, bit set, pair set |
-//! | 0 | `compute` | numbers in lanes (scalar, SSE2, AVX2, NEON), the width chosen at run time, the hot rows of bodies |
+//! | 0 | `compute` | numbers in lanes (scalar, SSE2, AVX2, NEON), the width chosen at run time, the hot rows of bodies, threads |
 //! | 1 | [`shape`] | circle, boxes, convex polygon; mass, rays, points |
 //! | 2 | [`body`] | description, material, and how many bodies are kept |
 //! | 3 | [`collision`] | broad phase, detection, manifolds, contacts |
@@ -54,12 +54,13 @@
 //!
 //! # Determinism
 //!
-//! Same calls, same bits: on every machine and build profile, at every width of lanes, in every clone. The library reads no clock, draws
+//! Same calls, same bits: on every machine and build profile, at every width of lanes, on any number of threads, in every clone. The library reads no clock, draws
 //! no random number and uses no trigonometry but its own.
 //!
 //! # Features
 //!
-//! `report`: error against run time, without a dependency. `mint`, `glam-027`, `glam-029`, `glam-030`: conversions
+//! `report`: error against run time, without a dependency. `parallel`: several threads for the steps of large worlds, as
+//! [`Settings::threads`] says, without a dependency. `mint`, `glam-027`, `glam-029`, `glam-030`: conversions
 //! of vectors. None is on by default, and the default build has no dependency.
 
 pub mod body;

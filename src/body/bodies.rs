@@ -74,6 +74,15 @@ pub(crate) struct Forcing {
     pub(crate) angular_damping: f32,
 }
 
+impl Forcing {
+    /// What acts on the body acts for one step.
+    #[inline(always)]
+    pub(crate) fn end_step(&mut self) {
+        self.force = Vec2::ZERO;
+        self.torque = 0.0;
+    }
+}
+
 /// All bodies of a world. A body keeps its slot for life; only the rows of the awake move.
 #[derive(Clone, Debug)]
 pub(crate) struct Bodies {

@@ -8,7 +8,7 @@ use crate::body::{Bodies, NONE};
 use crate::collision::{Manifold, ManifoldPoint};
 use crate::compute::prefetch;
 use crate::math::{Rot, Vec2};
-use crate::store::Slots;
+use crate::store::{SharedSlots, Slots};
 
 /// The relative pose for which a manifold was computed; while the bodies stay near it, the manifold's normal
 /// and anchors are kept.
@@ -126,6 +126,25 @@ impl Contact {
     /// Which of the two bodies `slot` is: 0 for a, 1 for b.
     fn side(&self, slot: u32) -> usize {
         usize::from(self.slots[0] != slot)
+    }
+}
+
+/// Contacts that several threads change, each of them others.
+pub(crate) type SharedContacts<'a> = SharedSlots<'a, Contact>;
+
+impl SharedContacts<'_> {
+    /// Asks for what the contacts further on in a list are read for, which no other thread changes; `ahead` names the
+    /// one so many places ahead.
+    #[inline(always)]
+    pub(crate) fn prefetch_ahead(&self, bodies: &Bodies, ahead: impl Fn(usize) -> Option<u32>) {
+        if let Some(index) = ahead(AHEAD) {
+            for slot in self.change(index, |contact| contact.slots) {
+                prefetch(&bodies.motions, slot as usize);
+            }
+        }
+        if let Some(index) = ahead(2 * AHEAD) {
+            self.prefetch(index);
+        }
     }
 }
 
@@ -274,6 +293,16 @@ impl Contacts {
         if let Some(index) = ahead(2 * AHEAD) {
             self.prefetch(index);
         }
+    }
+
+    /// The contacts, for several threads to change: each contact by one of them.
+    pub(crate) fn shared(&mut self) -> SharedContacts<'_> {
+        self.all.shared()
+    }
+
+    /// The same, and the indices of the awake ones.
+    pub(crate) fn awake_shared(&mut self) -> (&[u32], SharedContacts<'_>) {
+        (&self.awake, self.all.shared())
     }
 
     /// How many contacts there are.

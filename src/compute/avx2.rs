@@ -11,7 +11,7 @@
 use core::arch::x86_64::*;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
-use crate::compute::{BodyState, Column, Lane, LaneRot, LaneVec2, RowPairs, each_alone};
+use crate::compute::{BodyState, Column, Lane, LaneRot, LaneVec2, RowPairs, Rows, Shared, each_alone};
 use crate::math::trig;
 
 #[derive(Clone, Copy, Debug)]
@@ -101,14 +101,15 @@ fn sin_cos_of_small(angles: __m128) -> [__m128; 2] {
 /// # Safety
 /// `states` has both rows.
 #[inline(always)]
-unsafe fn load_pair<const OFFSET: usize>(states: &[BodyState], low: u32, high: u32) -> __m256 {
+unsafe fn load_pair<const OFFSET: usize>(states: &(impl Rows + ?Sized), low: u32, high: u32) -> __m256 {
     const { assert!(OFFSET == 0 || OFFSET == 4) };
-    debug_assert!(states.len() > low.max(high) as usize);
+    states.note_read(low as usize);
+    states.note_read(high as usize);
     // SAFETY: AVX2 is there, see the module. The rows are, says the caller and checks the line above in debug. A row
     // is eight numbers, aligned to 32 bytes, of which the offset leaves four, aligned to 16.
     unsafe {
-        let low = states.as_ptr().add(low as usize).cast::<f32>().add(OFFSET);
-        let high = states.as_ptr().add(high as usize).cast::<f32>().add(OFFSET);
+        let low = states.first_row().add(low as usize).cast::<f32>().add(OFFSET);
+        let high = states.first_row().add(high as usize).cast::<f32>().add(OFFSET);
         _mm256_insertf128_ps::<1>(_mm256_castps128_ps256(_mm_load_ps(low)), _mm_load_ps(high))
     }
 }
@@ -118,7 +119,7 @@ unsafe fn load_pair<const OFFSET: usize>(states: &[BodyState], low: u32, high: u
 /// # Safety
 /// `states` has the rows.
 #[inline(always)]
-unsafe fn gather_half<const OFFSET: usize>(states: &[BodyState], rows: &[u32; 8]) -> [F32x8; 4] {
+unsafe fn gather_half<const OFFSET: usize>(states: &(impl Rows + ?Sized), rows: &[u32; 8]) -> [F32x8; 4] {
     // SAFETY: the rows are there, says the caller; `load_pair` checks it in debug.
     let pairs = unsafe {
         [
@@ -135,7 +136,7 @@ unsafe fn gather_half<const OFFSET: usize>(states: &[BodyState], rows: &[u32; 8]
 /// # Safety
 /// `states` has the rows.
 #[inline(always)]
-unsafe fn gather(states: &[BodyState], rows: &[u32; 8]) -> BodyState<F32x8> {
+unsafe fn gather(states: &(impl Rows + ?Sized), rows: &[u32; 8]) -> BodyState<F32x8> {
     // SAFETY: the rows are there, says the caller; `load_pair` checks it in debug.
     let (velocities, deltas) = unsafe { (gather_half::<0>(states, rows), gather_half::<4>(states, rows)) };
     let [x, y, angular_velocity, padding] = velocities;
@@ -152,7 +153,7 @@ unsafe fn gather(states: &[BodyState], rows: &[u32; 8]) -> BodyState<F32x8> {
 /// # Safety
 /// `states` has the rows.
 #[inline(always)]
-unsafe fn gather_velocities(states: &[BodyState], rows: &[u32; 8]) -> BodyState<F32x8> {
+unsafe fn gather_velocities(states: &(impl Rows + ?Sized), rows: &[u32; 8]) -> BodyState<F32x8> {
     // SAFETY: the rows are there, says the caller; `load_pair` checks it in debug.
     let [x, y, angular_velocity, padding] = unsafe { gather_half::<0>(states, rows) };
     BodyState { velocity: LaneVec2 { x, y }, angular_velocity, padding, ..BodyState::at_rest() }
@@ -163,7 +164,7 @@ unsafe fn gather_velocities(states: &[BodyState], rows: &[u32; 8]) -> BodyState<
 /// # Safety
 /// `states` has the rows.
 #[inline(always)]
-unsafe fn scatter(states: &mut [BodyState], rows: &[u32; 8], state: &BodyState<F32x8>, moves: Mask8) {
+unsafe fn scatter(states: &Shared<'_, BodyState>, rows: &[u32; 8], state: &BodyState<F32x8>, moves: Mask8) {
     // SAFETY: AVX2 is there, see the module.
     let moves = unsafe { _mm256_movemask_ps(moves.0) };
     if moves == 0 {
@@ -175,14 +176,15 @@ unsafe fn scatter(states: &mut [BodyState], rows: &[u32; 8], state: &BodyState<F
     let all_move = moves == 0xFF;
     for (place, pair) in pairs.into_iter().enumerate() {
         let (low, high) = (rows[place] as usize, rows[place + 4] as usize);
-        debug_assert!(low.max(high) < states.len());
-        // SAFETY: AVX2 is there, see the module. The rows are, says the caller and checks the line above in debug. A
+        // SAFETY: AVX2 is there, see the module. The rows are, says the caller and checks `note_write` in debug. A
         // row begins with four numbers, aligned to 16 bytes.
         unsafe {
             if all_move || moves & 1 << place != 0 {
+                states.note_write(low);
                 _mm_store_ps(states.as_mut_ptr().add(low).cast(), _mm256_castps256_ps128(pair));
             }
             if all_move || moves & 1 << (place + 4) != 0 {
+                states.note_write(high);
                 _mm_store_ps(states.as_mut_ptr().add(high).cast(), _mm256_extractf128_ps::<1>(pair));
             }
         }
@@ -288,7 +290,7 @@ impl Lane for F32x8 {
     fn load_rows(states: &[BodyState], first: usize) -> BodyState<Self> {
         let states: &[BodyState; 8] = states[first..].first_chunk().expect("eight rows");
         // SAFETY: these are the rows of eight states.
-        unsafe { gather(states, &[0, 1, 2, 3, 4, 5, 6, 7]) }
+        unsafe { gather(&states[..], &[0, 1, 2, 3, 4, 5, 6, 7]) }
     }
 
     #[inline(always)]
@@ -310,14 +312,18 @@ impl Lane for F32x8 {
     }
 
     #[inline(always)]
-    fn gather(states: &[BodyState], rows: &RowPairs, place: usize) -> [BodyState<Self>; 2] {
+    fn gather(states: &(impl Rows + ?Sized), rows: &RowPairs, place: usize) -> [BodyState<Self>; 2] {
         let [a, b] = rows.part(states, place);
         // SAFETY: `part` has seen that the rows are there.
         unsafe { [gather(states, a), gather(states, b)] }
     }
 
     #[inline(always)]
-    fn gather_velocities(states: &[BodyState], rows: &RowPairs, place: usize) -> [BodyState<Self>; 2] {
+    fn gather_velocities(
+        states: &(impl Rows + ?Sized),
+        rows: &RowPairs,
+        place: usize,
+    ) -> [BodyState<Self>; 2] {
         let [a, b] = rows.part(states, place);
         // SAFETY: `part` has seen that the rows are there.
         unsafe { [gather_velocities(states, a), gather_velocities(states, b)] }
@@ -325,7 +331,7 @@ impl Lane for F32x8 {
 
     #[inline(always)]
     fn scatter_velocities(
-        states: &mut [BodyState],
+        states: &Shared<'_, BodyState>,
         rows: &RowPairs,
         place: usize,
         [a, b]: &[BodyState<Self>; 2],

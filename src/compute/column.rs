@@ -3,7 +3,7 @@
 //! A column has a place for as many numbers as the widest lane, whatever lane is in use. A narrower lane takes it
 //! in parts, so that the layout, and all code that looks at one place only, know nothing of lanes.
 
-use crate::compute::BodyState;
+use crate::compute::Rows;
 
 /// How many numbers a column holds: as many as the widest lane.
 pub(crate) const COLUMN: usize = 8;
@@ -83,8 +83,9 @@ impl RowPairs {
     /// # Panics
     /// If there is no such row.
     #[inline(always)]
-    pub(super) fn part<const N: usize>(&self, states: &[BodyState], place: usize) -> [&[u32; N]; 2] {
-        assert!((self.greatest as usize) < states.len(), "a row beyond the {} there are", states.len());
+    pub(super) fn part<const N: usize>(&self, states: &(impl Rows + ?Sized), place: usize) -> [&[u32; N]; 2] {
+        let count = states.row_count();
+        assert!((self.greatest as usize) < count, "a row beyond the {count} there are");
         [part_of(&self.a, place), part_of(&self.b, place)]
     }
 }

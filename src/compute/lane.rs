@@ -3,7 +3,7 @@
 use core::fmt::Debug;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
-use crate::compute::{BodyState, Column, RowPairs};
+use crate::compute::{BodyState, Column, RowPairs, Rows, Shared};
 use crate::math::trig;
 
 /// `WIDTH` numbers that are computed with at once. Every operation rounds as IEEE 754 says for each number
@@ -66,19 +66,23 @@ pub(crate) trait Lane:
     ///
     /// # Panics
     /// If there is no such row.
-    fn gather(states: &[BodyState], rows: &RowPairs, place: usize) -> [BodyState<Self>; 2];
+    fn gather(states: &(impl Rows + ?Sized), rows: &RowPairs, place: usize) -> [BodyState<Self>; 2];
     /// The same where only velocities are needed: the rest is at rest.
     ///
     /// # Panics
     /// If there is no such row.
-    fn gather_velocities(states: &[BodyState], rows: &RowPairs, place: usize) -> [BodyState<Self>; 2];
+    fn gather_velocities(
+        states: &(impl Rows + ?Sized),
+        rows: &RowPairs,
+        place: usize,
+    ) -> [BodyState<Self>; 2];
     /// Writes the velocities of the pairs from `place` on, a multiple of `WIDTH`, back where `moves` holds. There,
     /// rows differ from each other.
     ///
     /// # Panics
     /// If there is no such row.
     fn scatter_velocities(
-        states: &mut [BodyState],
+        states: &Shared<'_, BodyState>,
         rows: &RowPairs,
         place: usize,
         pair: &[BodyState<Self>; 2],
@@ -156,24 +160,21 @@ impl Lane for f32 {
     }
 
     #[inline(always)]
-    fn gather(states: &[BodyState], rows: &RowPairs, place: usize) -> [BodyState; 2] {
-        let [a, b] = rows.get(place);
-        [states[a as usize], states[b as usize]]
+    fn gather(states: &(impl Rows + ?Sized), rows: &RowPairs, place: usize) -> [BodyState; 2] {
+        rows.get(place).map(|row| states.row(row))
     }
 
     #[inline(always)]
-    fn gather_velocities(states: &[BodyState], rows: &RowPairs, place: usize) -> [BodyState; 2] {
-        let [a, b] = rows.get(place);
-        let velocities = |row: u32| {
-            let BodyState { velocity, angular_velocity, .. } = states[row as usize];
+    fn gather_velocities(states: &(impl Rows + ?Sized), rows: &RowPairs, place: usize) -> [BodyState; 2] {
+        rows.get(place).map(|row| {
+            let BodyState { velocity, angular_velocity, .. } = states.row(row);
             BodyState { velocity, angular_velocity, ..BodyState::REST }
-        };
-        [velocities(a), velocities(b)]
+        })
     }
 
     #[inline(always)]
     fn scatter_velocities(
-        states: &mut [BodyState],
+        states: &Shared<'_, BodyState>,
         rows: &RowPairs,
         place: usize,
         pair: &[BodyState; 2],
@@ -181,9 +182,10 @@ impl Lane for f32 {
     ) {
         for ((row, state), moves) in rows.get(place).into_iter().zip(pair).zip(moves) {
             if moves {
-                let to = &mut states[row as usize];
-                to.velocity = state.velocity;
-                to.angular_velocity = state.angular_velocity;
+                states.change(row as usize, |to| {
+                    to.velocity = state.velocity;
+                    to.angular_velocity = state.angular_velocity;
+                });
             }
         }
     }

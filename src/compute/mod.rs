@@ -6,21 +6,32 @@
 //! width.
 //!
 //! [`run`] is where a width is chosen: a [`Job`] is compiled once per width, all of it inlined into one function
-//! that may use the instructions of that width. This is the only module with `unsafe` in it.
+//! that may use the instructions of that width.
+//!
+//! [`Crew`] divides work among threads, where there are several; [`Shared`] is what its parts write to where a slice
+//! cannot be divided. This is the only module with `unsafe` in it.
 
 #[cfg(target_arch = "x86_64")]
 mod avx2;
 mod column;
+mod crew;
 mod dispatch;
 mod lane;
 #[cfg(target_arch = "aarch64")]
 mod neon;
+#[cfg_attr(not(feature = "parallel"), allow(dead_code))]
+mod owners;
 #[cfg(any(test, not(any(target_arch = "x86_64", target_arch = "aarch64"))))]
 mod portable;
 mod prefetch;
+// Portable lanes read and write row by row.
+#[cfg_attr(not(any(target_arch = "x86_64", target_arch = "aarch64")), allow(dead_code))]
+mod shared;
 #[cfg(target_arch = "x86_64")]
 mod sse2;
 mod state;
+#[cfg_attr(not(feature = "parallel"), path = "alone.rs")]
+mod team;
 #[cfg(test)]
 mod tests;
 mod vector;
@@ -33,10 +44,12 @@ use portable as four;
 use sse2 as four;
 
 pub(crate) use column::{COLUMN, Column, RowPairs};
+pub(crate) use crew::{Crew, Divide, MOST_THREADS};
 pub use dispatch::Lanes;
 pub(crate) use dispatch::{Job, Width, run};
 pub(crate) use lane::Lane;
 use lane::each_alone;
 pub(crate) use prefetch::prefetch;
+pub(crate) use shared::{Rows, Shared};
 pub(crate) use state::{BodyState, GROUND_ROW};
 pub(crate) use vector::{LaneRot, LaneVec2};

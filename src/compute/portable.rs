@@ -2,7 +2,7 @@
 
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
-use crate::compute::{BodyState, Column, Lane, LaneRot, LaneVec2, RowPairs, each_alone};
+use crate::compute::{BodyState, Column, Lane, LaneRot, LaneVec2, RowPairs, Rows, Shared, each_alone};
 
 #[derive(Clone, Copy, Debug)]
 #[repr(C, align(16))]
@@ -43,9 +43,9 @@ impl Neg for F32x4 {
 }
 
 #[inline(always)]
-fn gather(states: &[BodyState], rows: &[u32; 4]) -> BodyState<F32x4> {
-    let states = rows.map(|row| &states[row as usize]);
-    let lane = |number: fn(&BodyState) -> f32| F32x4(states.map(number));
+fn gather(states: &(impl Rows + ?Sized), rows: &[u32; 4]) -> BodyState<F32x4> {
+    let states = rows.map(|row| states.row(row));
+    let lane = |number: fn(&BodyState) -> f32| F32x4(states.each_ref().map(number));
     BodyState {
         velocity: LaneVec2 { x: lane(|state| state.velocity.x), y: lane(|state| state.velocity.y) },
         angular_velocity: lane(|state| state.angular_velocity),
@@ -138,12 +138,16 @@ impl Lane for F32x4 {
     }
 
     #[inline(always)]
-    fn gather(states: &[BodyState], rows: &RowPairs, place: usize) -> [BodyState<Self>; 2] {
+    fn gather(states: &(impl Rows + ?Sized), rows: &RowPairs, place: usize) -> [BodyState<Self>; 2] {
         rows.part::<4>(states, place).map(|rows| gather(states, rows))
     }
 
     #[inline(always)]
-    fn gather_velocities(states: &[BodyState], rows: &RowPairs, place: usize) -> [BodyState<Self>; 2] {
+    fn gather_velocities(
+        states: &(impl Rows + ?Sized),
+        rows: &RowPairs,
+        place: usize,
+    ) -> [BodyState<Self>; 2] {
         Self::gather(states, rows, place).map(|BodyState { velocity, angular_velocity, .. }| BodyState {
             velocity,
             angular_velocity,
@@ -153,7 +157,7 @@ impl Lane for F32x4 {
 
     #[inline(always)]
     fn scatter_velocities(
-        states: &mut [BodyState],
+        states: &Shared<'_, BodyState>,
         rows: &RowPairs,
         place: usize,
         pair: &[BodyState<Self>; 2],
@@ -161,9 +165,10 @@ impl Lane for F32x4 {
     ) {
         for ((rows, state), moves) in rows.part::<4>(states, place).into_iter().zip(pair).zip(moves) {
             for (number, &row) in rows.iter().enumerate().filter(|&(number, _)| moves[number]) {
-                let to = &mut states[row as usize];
-                to.velocity = LaneVec2 { x: state.velocity.x.0[number], y: state.velocity.y.0[number] };
-                to.angular_velocity = state.angular_velocity.0[number];
+                states.change(row as usize, |to| {
+                    to.velocity = LaneVec2 { x: state.velocity.x.0[number], y: state.velocity.y.0[number] };
+                    to.angular_velocity = state.angular_velocity.0[number];
+                });
             }
         }
     }

@@ -4,17 +4,22 @@
 /// value, or no way to ask.
 #[inline(always)]
 pub(crate) fn prefetch<T>(values: &[T], index: usize) {
-    #[cfg(target_arch = "x86_64")]
     if let Some(value) = values.get(index) {
-        let address: *const i8 = (&raw const *value).cast();
-        for line in (0..size_of::<T>()).step_by(64) {
-            // SAFETY: SSE is part of the target; a prefetch reads nothing that the program sees, and the address is
-            // within the value.
-            unsafe {
-                core::arch::x86_64::_mm_prefetch::<{ core::arch::x86_64::_MM_HINT_T0 }>(address.add(line));
-            }
+        prefetch_at(value);
+    }
+}
+
+/// The same for the value at an address.
+#[inline(always)]
+pub(super) fn prefetch_at<T>(value: *const T) {
+    #[cfg(target_arch = "x86_64")]
+    for line in (0..size_of::<T>()).step_by(64) {
+        // SAFETY: SSE is part of the target; a prefetch reads nothing that the program sees, wherever it is.
+        unsafe {
+            let address = value.cast::<i8>().wrapping_add(line);
+            core::arch::x86_64::_mm_prefetch::<{ core::arch::x86_64::_MM_HINT_T0 }>(address);
         }
     }
     #[cfg(not(target_arch = "x86_64"))]
-    let _ = (values, index);
+    let _ = value;
 }

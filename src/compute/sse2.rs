@@ -8,7 +8,7 @@
 use core::arch::x86_64::*;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
-use crate::compute::{BodyState, Column, Lane, LaneRot, LaneVec2, RowPairs, each_alone};
+use crate::compute::{BodyState, Column, Lane, LaneRot, LaneVec2, RowPairs, Rows, Shared, each_alone};
 
 #[derive(Clone, Copy, Debug)]
 #[repr(transparent)]
@@ -50,12 +50,12 @@ impl Neg for F32x4 {
 /// # Safety
 /// `states` has the row.
 #[inline(always)]
-unsafe fn load_half<const OFFSET: usize>(states: &[BodyState], row: u32) -> __m128 {
+unsafe fn load_half<const OFFSET: usize>(states: &(impl Rows + ?Sized), row: u32) -> __m128 {
     const { assert!(OFFSET == 0 || OFFSET == 4) };
-    debug_assert!(states.len() > row as usize);
+    states.note_read(row as usize);
     // SAFETY: SSE2 is part of the target. The row is there, says the caller and checks the line above in debug. It is
     // eight numbers, aligned to 32 bytes, of which the offset leaves four, aligned to 16.
-    unsafe { _mm_load_ps(states.as_ptr().add(row as usize).cast::<f32>().add(OFFSET)) }
+    unsafe { _mm_load_ps(states.first_row().add(row as usize).cast::<f32>().add(OFFSET)) }
 }
 
 /// Four numbers of each of four rows, as four lanes.
@@ -63,7 +63,7 @@ unsafe fn load_half<const OFFSET: usize>(states: &[BodyState], row: u32) -> __m1
 /// # Safety
 /// `states` has the rows.
 #[inline(always)]
-unsafe fn gather_half<const OFFSET: usize>(states: &[BodyState], rows: &[u32; 4]) -> [F32x4; 4] {
+unsafe fn gather_half<const OFFSET: usize>(states: &(impl Rows + ?Sized), rows: &[u32; 4]) -> [F32x4; 4] {
     // SAFETY: the rows are there, says the caller; `load_half` checks it in debug.
     let halves = unsafe {
         [
@@ -80,7 +80,7 @@ unsafe fn gather_half<const OFFSET: usize>(states: &[BodyState], rows: &[u32; 4]
 /// # Safety
 /// `states` has the rows.
 #[inline(always)]
-unsafe fn gather(states: &[BodyState], rows: &[u32; 4]) -> BodyState<F32x4> {
+unsafe fn gather(states: &(impl Rows + ?Sized), rows: &[u32; 4]) -> BodyState<F32x4> {
     // SAFETY: the rows are there, says the caller; `load_half` checks it in debug.
     let (velocities, deltas) = unsafe { (gather_half::<0>(states, rows), gather_half::<4>(states, rows)) };
     let [x, y, angular_velocity, padding] = velocities;
@@ -97,7 +97,7 @@ unsafe fn gather(states: &[BodyState], rows: &[u32; 4]) -> BodyState<F32x4> {
 /// # Safety
 /// `states` has the rows.
 #[inline(always)]
-unsafe fn gather_velocities(states: &[BodyState], rows: &[u32; 4]) -> BodyState<F32x4> {
+unsafe fn gather_velocities(states: &(impl Rows + ?Sized), rows: &[u32; 4]) -> BodyState<F32x4> {
     // SAFETY: the rows are there, says the caller; `load_half` checks it in debug.
     let [x, y, angular_velocity, padding] = unsafe { gather_half::<0>(states, rows) };
     BodyState { velocity: LaneVec2 { x, y }, angular_velocity, padding, ..BodyState::at_rest() }
@@ -108,15 +108,15 @@ unsafe fn gather_velocities(states: &[BodyState], rows: &[u32; 4]) -> BodyState<
 /// # Safety
 /// `states` has the rows.
 #[inline(always)]
-unsafe fn scatter(states: &mut [BodyState], rows: &[u32; 4], state: &BodyState<F32x4>, moves: Mask4) {
+unsafe fn scatter(states: &Shared<'_, BodyState>, rows: &[u32; 4], state: &BodyState<F32x4>, moves: Mask4) {
     // SAFETY: SSE2 is part of the target.
     let moves = unsafe { _mm_movemask_ps(moves.0) };
     let padding = F32x4::splat(0.0);
     let halves = transpose([state.velocity.x.0, state.velocity.y.0, state.angular_velocity.0, padding.0]);
     for (place, half) in halves.into_iter().enumerate() {
         let row = rows[place] as usize;
-        debug_assert!(row < states.len());
         if moves & 1 << place != 0 {
+            states.note_write(row);
             // SAFETY: SSE2 is part of the target. The row is there, says the caller and checks the line above in
             // debug. It begins with four numbers, aligned to 16 bytes.
             unsafe { _mm_store_ps(states.as_mut_ptr().add(row).cast(), half) }
@@ -209,7 +209,7 @@ impl Lane for F32x4 {
     fn load_rows(states: &[BodyState], first: usize) -> BodyState<Self> {
         let states: &[BodyState; 4] = states[first..].first_chunk().expect("four rows");
         // SAFETY: these are the rows of four states.
-        unsafe { gather(states, &[0, 1, 2, 3]) }
+        unsafe { gather(&states[..], &[0, 1, 2, 3]) }
     }
 
     #[inline(always)]
@@ -230,14 +230,18 @@ impl Lane for F32x4 {
     }
 
     #[inline(always)]
-    fn gather(states: &[BodyState], rows: &RowPairs, place: usize) -> [BodyState<Self>; 2] {
+    fn gather(states: &(impl Rows + ?Sized), rows: &RowPairs, place: usize) -> [BodyState<Self>; 2] {
         let [a, b] = rows.part(states, place);
         // SAFETY: `part` has seen that the rows are there.
         unsafe { [gather(states, a), gather(states, b)] }
     }
 
     #[inline(always)]
-    fn gather_velocities(states: &[BodyState], rows: &RowPairs, place: usize) -> [BodyState<Self>; 2] {
+    fn gather_velocities(
+        states: &(impl Rows + ?Sized),
+        rows: &RowPairs,
+        place: usize,
+    ) -> [BodyState<Self>; 2] {
         let [a, b] = rows.part(states, place);
         // SAFETY: `part` has seen that the rows are there.
         unsafe { [gather_velocities(states, a), gather_velocities(states, b)] }
@@ -245,7 +249,7 @@ impl Lane for F32x4 {
 
     #[inline(always)]
     fn scatter_velocities(
-        states: &mut [BodyState],
+        states: &Shared<'_, BodyState>,
         rows: &RowPairs,
         place: usize,
         [a, b]: &[BodyState<Self>; 2],

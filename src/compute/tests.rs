@@ -1,8 +1,10 @@
 //! Every lane against `f32`, bit for bit.
 
+#[cfg(feature = "parallel")]
+use crate::compute::Crew;
 use crate::compute::{
-    BodyState, COLUMN, Column, GROUND_ROW, Job, Lane, LaneRot, LaneVec2, Lanes, RowPairs, Width, portable,
-    run,
+    BodyState, COLUMN, Column, GROUND_ROW, Job, Lane, LaneRot, LaneVec2, Lanes, RowPairs, Shared, Width,
+    portable, run,
 };
 use crate::math::trig;
 
@@ -194,8 +196,8 @@ impl Job for Gather {
         let states = states();
         let rows = rows([[3, 2], [0, 18], [19, 0], [7, 4], [7, 5], [1, 0], [12, 11], [0, 10]]);
         for first in (0..COLUMN).step_by(L::WIDTH) {
-            let all = L::gather(&states, &rows, first);
-            let half = L::gather_velocities(&states, &rows, first);
+            let all = L::gather(&states[..], &rows, first);
+            let half = L::gather_velocities(&states[..], &rows, first);
             for (body, number) in (0..2).flat_map(|body| (0..7).map(move |number| (body, number))) {
                 let (mut found, mut velocities) = (Column::default(), Column::default());
                 lanes_of(&all[body])[number].store(&mut found, first);
@@ -288,17 +290,17 @@ fn push<L: Lane>([a, b]: &mut [BodyState<L>; 2]) {
 fn assert_scattered_like_alone<L: Lane>(rows: &RowPairs, flags: &[Column; 2]) {
     let (mut found, mut expected) = (states(), states());
     for first in (0..COLUMN).step_by(L::WIDTH) {
-        let mut pair = L::gather(&found, rows, first);
+        let mut pair = L::gather(&found[..], rows, first);
         push(&mut pair);
         let [a_moves, b_moves] = [L::load(&flags[0], first), L::load(&flags[1], first)];
         let moves = [a_moves.greater(L::splat(0.0)), b_moves.greater(L::splat(0.0))];
-        L::scatter_velocities(&mut found, rows, first, &pair, moves);
+        L::scatter_velocities(&Shared::new(&mut found), rows, first, &pair, moves);
     }
     for place in 0..COLUMN {
-        let mut pair = <f32 as Lane>::gather(&expected, rows, place);
+        let mut pair = <f32 as Lane>::gather(&expected[..], rows, place);
         push(&mut pair);
         let moves = [flags[0].get(place) > 0.0, flags[1].get(place) > 0.0];
-        f32::scatter_velocities(&mut expected, rows, place, &pair, moves);
+        f32::scatter_velocities(&Shared::new(&mut expected), rows, place, &pair, moves);
     }
     for (found, expected) in found.iter().zip(&expected) {
         assert_eq!(numbers(found), numbers(expected));
@@ -323,13 +325,13 @@ impl Job for Refuse {
                 let mut rows = RowPairs::default();
                 rows.set(place, pair);
                 let first = place / L::WIDTH * L::WIDTH;
-                let gather = || _ = L::gather(&states(), &rows, first);
+                let gather = || _ = L::gather(&states()[..], &rows, first);
                 assert!(std::panic::catch_unwind(gather).is_err(), "row {row} was gathered");
-                let gather = || _ = L::gather_velocities(&states(), &rows, first);
+                let gather = || _ = L::gather_velocities(&states()[..], &rows, first);
                 assert!(std::panic::catch_unwind(gather).is_err(), "row {row} was gathered");
                 let scatter = || {
                     let (state, moves) = (BodyState::at_rest(), L::splat(1.0).greater(L::splat(0.0)));
-                    L::scatter_velocities(&mut states(), &rows, first, &[state; 2], [moves; 2]);
+                    L::scatter_velocities(&Shared::new(&mut states()), &rows, first, &[state; 2], [moves; 2]);
                 };
                 assert!(std::panic::catch_unwind(scatter).is_err(), "row {row} was scattered to");
             }
@@ -361,4 +363,49 @@ fn a_width_is_never_more_than_was_asked_for() {
     assert_eq!(width_of(Lanes::Four.width()), 4);
     assert!(width_of(Lanes::Eight.width()) >= 4);
     assert_eq!(width_of(Lanes::Eight.width()), width_of(Lanes::Auto.width()));
+}
+
+/// Every item is in one part, whatever the number of threads; parts that use the same element are found out.
+#[test]
+#[cfg(feature = "parallel")]
+fn work_is_divided_into_parts_that_share_nothing() {
+    for threads in [1, 2, 3, 4, 16] {
+        let mut crew = Crew::default();
+        crew.divide_all();
+        crew.begin_step(threads, 0);
+        for count in [0, 1, 2, 3, 7, 31, 32, 33, 1000] {
+            let mut visits = vec![0; count];
+            crew.run((0..count, &mut visits[..]), 1, |(numbers, visits)| {
+                assert_eq!(numbers.len(), visits.len());
+                visits.iter_mut().zip(numbers).for_each(|(visits, number)| *visits += number + 1);
+            });
+            assert!(visits.iter().copied().eq(1..=count), "{count} items on {threads} threads");
+        }
+        crew.end_step();
+    }
+}
+
+#[test]
+#[cfg(all(feature = "parallel", debug_assertions))]
+#[should_panic(expected = "two parts of the same work use element 3")]
+fn two_parts_that_use_the_same_element_are_found_out() {
+    let mut crew = Crew::default();
+    crew.divide_all();
+    crew.begin_step(2, 0);
+    let mut elements = [0; 5];
+    let shared = Shared::new(&mut elements);
+    crew.run(0..100, 1, |_| shared.change(3, |element| *element += 1));
+}
+
+#[test]
+#[cfg(feature = "parallel")]
+fn a_part_that_fails_fails_the_work_and_the_next_work_is_done() {
+    let mut crew = Crew::default();
+    crew.divide_all();
+    crew.begin_step(2, 0);
+    let fail = || crew.run(0..100, 1, |numbers| assert!(!numbers.contains(&70), "part with 70"));
+    assert!(std::panic::catch_unwind(std::panic::AssertUnwindSafe(fail)).is_err());
+    let done = std::sync::atomic::AtomicUsize::new(0);
+    crew.run(0..100, 1, |numbers| _ = done.fetch_add(numbers.len(), std::sync::atomic::Ordering::Relaxed));
+    assert_eq!(done.into_inner(), 100);
 }

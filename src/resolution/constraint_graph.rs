@@ -6,12 +6,14 @@
 //! (E. Catto, "Simulation Islands", 2023). Contacts with the ground take the last colours: solved last, they
 //! have the last word, and the ground gives no way.
 
+mod passes;
+
 use crate::body::{Bodies, Effort};
 use crate::collision::Contacts;
-use crate::compute::{self, BodyState, COLUMN, Job, Lane, Width};
-use crate::resolution::constraint::{ContactConstraint, StepResidual};
-use crate::resolution::contact_block::{ContactBlock, PointEnds};
-use crate::resolution::effort::Loads;
+use crate::compute::COLUMN;
+use crate::resolution::constraint::ContactConstraint;
+use crate::resolution::constraint_graph::passes::part;
+use crate::resolution::contact_block::{BlockEnd, ContactBlock};
 use crate::resolution::kernel::Kernel;
 use crate::store::BitSet;
 
@@ -39,6 +41,8 @@ pub(crate) struct Colour {
     singles: usize,
     /// The contacts as the solver sees them during a step, in the same order.
     blocks: Vec<ContactBlock>,
+    /// By block: what the step did to its contacts.
+    ends: Vec<BlockEnd>,
     /// How many blocks the colours before this one have.
     first_block: usize,
 }
@@ -82,6 +86,18 @@ impl ConstraintGraph {
 
     fn section_mut(&mut self, effort: Effort) -> &mut [Colour] {
         &mut self.colours[effort as usize * SECTION..][..SECTION]
+    }
+
+    /// Calls `look` with the contacts of an effort that are more than bodies at rest on each other, in the order in
+    /// which they are solved.
+    pub(crate) fn for_each_lively(&self, effort: Effort, mut look: impl FnMut(u32)) {
+        let (colours, overflow) = self.section(effort).split_at(COLOURS);
+        for colour in overflow.iter().chain(colours) {
+            for (number, block) in colour.blocks.iter().enumerate() {
+                let indices = part(&colour.contacts, number);
+                block.lively().for_each(|place| look(indices[place]));
+            }
+        }
     }
 
     /// Indices of all contacts of an effort, in the order in which they are solved: the overflow, then the colours.
@@ -171,39 +187,8 @@ impl ConstraintGraph {
         self.len -= 1;
     }
 
-    /// Makes the constraints of a step from the contacts; stored impulses are multiplied by `scale`.
-    pub(crate) fn prepare(
-        &mut self,
-        (effort, width): (Effort, Width),
-        contacts: &Contacts,
-        bodies: &Bodies,
-        scale: f32,
-    ) {
-        compute::run(width, Prepare { section: self.section_mut(effort), contacts, bodies, scale });
-    }
-
-    /// Writes impulses and separations back into the contacts; returns what is left wrong.
-    pub(crate) fn finish(
-        &self,
-        (effort, width): (Effort, Width),
-        states: &[BodyState],
-        contacts: &mut Contacts,
-        loads: &mut Loads,
-    ) -> StepResidual {
-        let mut residual = StepResidual::default();
-        let section = self.section(effort);
-        compute::run(width, Finish { section, states, contacts, residual: &mut residual, loads });
-        residual
-    }
-
-    /// Does something to every constraint of an effort, colour by colour: as many at a time as the width says, but
-    /// for the overflow, whose contacts may share bodies.
-    pub(crate) fn for_each(&mut self, (effort, width): (Effort, Width), kernel: impl Kernel) {
-        compute::run(width, Pass { section: self.section_mut(effort), kernel });
-    }
-
     /// Does something to the constraint of the contact at a place of the graph.
-    pub(crate) fn for_one(&mut self, (colour, place): (u32, u32), mut kernel: impl Kernel) {
+    pub(crate) fn for_one(&mut self, (colour, place): (u32, u32), kernel: &impl Kernel) {
         let block = &mut self.colours[colour as usize].blocks[place as usize / COLUMN];
         kernel.run::<f32>(block, place as usize % COLUMN);
     }
@@ -309,98 +294,6 @@ impl ConstraintGraph {
     }
 }
 
-/// One pass over the graph.
-struct Pass<'a, K> {
-    section: &'a mut [Colour],
-    kernel: K,
-}
-
-impl<K: Kernel> Job for Pass<'_, K> {
-    #[inline(always)]
-    fn run<L: Lane>(mut self) {
-        let (colours, overflow) = self.section.split_at_mut(COLOURS);
-        for colour in overflow {
-            colour.pass::<f32>(&mut self.kernel);
-        }
-        for colour in colours {
-            colour.pass::<L>(&mut self.kernel);
-        }
-    }
-}
-
-/// Those of a colour's contacts that are in its block of a number; none where there is no such block.
-fn part(contacts: &[u32], block: usize) -> &[u32] {
-    contacts.chunks(COLUMN).nth(block).unwrap_or_default()
-}
-
-/// Makes the constraints of a step.
-struct Prepare<'a> {
-    section: &'a mut [Colour],
-    contacts: &'a Contacts,
-    bodies: &'a Bodies,
-    scale: f32,
-}
-
-impl Job for Prepare<'_> {
-    #[inline(always)]
-    fn run<L: Lane>(self) {
-        let mut first_block = 0;
-        for colour in self.section {
-            colour.first_block = first_block;
-            first_block += colour.contacts.len().div_ceil(COLUMN);
-            colour.blocks.resize(colour.contacts.len().div_ceil(COLUMN), ContactBlock::default());
-            for (number, block) in colour.blocks.iter_mut().enumerate() {
-                for &index in part(&colour.contacts, number + 2) {
-                    self.contacts.prefetch(index);
-                }
-                for &index in part(&colour.contacts, number + 1) {
-                    self.contacts.prefetch_bodies(index, self.bodies);
-                }
-                let indices = part(&colour.contacts, number);
-                block.fill(indices, self.contacts, self.bodies, self.scale);
-                for place in (0..indices.len()).step_by(L::WIDTH) {
-                    block.find_masses::<L>(place);
-                }
-            }
-        }
-    }
-}
-
-/// Writes a step back into the contacts.
-struct Finish<'a> {
-    section: &'a [Colour],
-    states: &'a [BodyState],
-    contacts: &'a mut Contacts,
-    residual: &'a mut StepResidual,
-    loads: &'a mut Loads,
-}
-
-impl Job for Finish<'_> {
-    #[inline(always)]
-    fn run<L: Lane>(self) {
-        let mut ends = [PointEnds::default(); 2];
-        for colour in self.section {
-            for (number, block) in colour.blocks.iter().enumerate() {
-                for &index in part(&colour.contacts, number + 1) {
-                    self.contacts.prefetch(index);
-                }
-                let indices = part(&colour.contacts, number);
-                for place in (0..indices.len()).step_by(L::WIDTH) {
-                    block.end::<L>(place, self.states, &mut ends);
-                }
-                for (place, &index) in indices.iter().enumerate() {
-                    let contact = &mut self.contacts[index];
-                    let speed = block.finish(place, &ends, contact, self.residual);
-                    self.loads.note(index, contact, speed);
-                    if contact.has_touched() != contact.is_touching {
-                        self.contacts.note_change(index);
-                    }
-                }
-            }
-        }
-    }
-}
-
 /// The greater effort of two bodies.
 fn effort_of(bodies: &Bodies, slots: [u32; 2]) -> Effort {
     let [a, b] = slots.map(|slot| bodies.records[slot].effort);
@@ -441,13 +334,6 @@ impl Colour {
         self.contacts.swap_remove(place);
         if let Some(&moved) = self.contacts.get(place) {
             contacts[moved].graph_place = Some((number, place as u32));
-        }
-    }
-
-    #[inline(always)]
-    fn pass<L: Lane>(&mut self, kernel: &mut impl Kernel) {
-        for place in (0..self.contacts.len()).step_by(L::WIDTH) {
-            kernel.run::<L>(&mut self.blocks[place / COLUMN], place % COLUMN);
         }
     }
 }

@@ -3,7 +3,7 @@
 
 use crate::body::Bodies;
 use crate::collision::{Contact, Contacts, ManifoldPoint};
-use crate::compute::{BodyState, COLUMN, Column, GROUND_ROW, Lane, LaneVec2, RowPairs};
+use crate::compute::{BodyState, COLUMN, Column, GROUND_ROW, Lane, LaneVec2, RowPairs, Rows, Shared};
 use crate::resolution::constraint::{
     ConstraintPoint, ContactConstraint, PointFriction, Special, StepResidual, THERE,
 };
@@ -21,6 +21,8 @@ pub(crate) struct ContactBlock {
     is_special: bool,
     /// Whether none of the contacts has a second point.
     is_single: bool,
+    /// Contacts that are more than bodies at rest on each other.
+    lively: Marks,
     columns: ContactConstraint<Column>,
 }
 
@@ -41,6 +43,37 @@ pub(crate) struct PointEnds {
     anchor_b: LaneVec2<Column>,
 }
 
+/// Some of the eight contacts of a block.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Marks(u8);
+
+impl Marks {
+    /// Marks the contact at `place`, below [`COLUMN`], that is not marked yet, or not.
+    #[inline(always)]
+    pub(crate) fn set(&mut self, place: usize, is_marked: bool) {
+        self.0 |= u8::from(is_marked) << place;
+    }
+
+    /// Calls `visit` with the places of the marked contacts, in order.
+    #[inline(always)]
+    pub(crate) fn for_each(mut self, mut visit: impl FnMut(usize)) {
+        while self.0 != 0 {
+            visit(self.0.trailing_zeros() as usize);
+            self.0 &= self.0 - 1;
+        }
+    }
+}
+
+/// What a step did to the contacts of a block.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct BlockEnd {
+    /// Contacts under lasting load.
+    pub(crate) lasting: Marks,
+    /// Contacts that may have begun or ceased to touch.
+    pub(crate) changing: Marks,
+    pub(crate) residual: StepResidual,
+}
+
 impl ContactBlock {
     /// Takes over some contacts, as many as there are places or less, as the step begins. Their impulses are
     /// multiplied by `scale`, the length of a substep now over that of the substep they were found in. Effective
@@ -53,6 +86,7 @@ impl ContactBlock {
         self.rows = RowPairs::default();
         self.is_special = false;
         self.is_single = true;
+        self.lively = Marks::default();
         self.columns.special.awaits_impact = Default::default();
         for (place, &index) in indices.iter().enumerate() {
             self.put(place, &contacts[index], bodies, scale);
@@ -74,9 +108,11 @@ impl ContactBlock {
         columns.friction.set(place, contact.friction);
         columns.normal.store(place, contact.manifold.normal.into());
         self.is_single &= contact.manifold.points().len() < 2;
+        let mut is_loaded = false;
         let mut points = contact.manifold.points().iter();
         for (to, friction) in columns.points.iter_mut().zip(&mut columns.frictions) {
             let (point, k) = points.next().map_or((ManifoldPoint::default(), 0.0), |point| (*point, THERE));
+            is_loaded |= point.normal_impulse > 0.0;
             to.anchor_a.store(place, point.anchor_a.into());
             to.anchor_b.store(place, point.anchor_b.into());
             to.separation.set(place, point.separation);
@@ -84,6 +120,9 @@ impl ContactBlock {
             to.normal_impulse.set(place, scale * point.normal_impulse);
             friction.impulse.set(place, scale * point.tangent_impulse);
         }
+        let rests = contact.is_kept && is_loaded;
+        let is_plain = rests && contact.restitution == 0.0 && !a.is_round && !b.is_round;
+        self.lively.set(place, !is_plain);
     }
 
     /// Finds the effective masses.
@@ -144,6 +183,12 @@ impl ContactBlock {
     #[inline(always)]
     pub(crate) fn is_single(&self) -> bool {
         self.is_single
+    }
+
+    /// The contacts that may bounce, follow the surface, begin to bear load or be handed over: all but those of bodies
+    /// that rest on each other, without restitution and without a circle.
+    pub(crate) fn lively(&self) -> Marks {
+        self.lively
     }
 
     /// Whether a contact presses its bodies apart.
@@ -246,19 +291,28 @@ impl ContactBlock {
 
     /// The states of the two bodies of each contact from `place` on.
     #[inline(always)]
-    pub(crate) fn gather<L: Lane>(&self, states: &[BodyState], place: usize) -> [BodyState<L>; 2] {
+    pub(crate) fn gather<L: Lane>(&self, states: &(impl Rows + ?Sized), place: usize) -> [BodyState<L>; 2] {
         L::gather(states, &self.rows, place)
     }
 
     /// The same where only velocities are needed.
     #[inline(always)]
-    pub(crate) fn gather_velocities<L: Lane>(&self, states: &[BodyState], place: usize) -> [BodyState<L>; 2] {
+    pub(crate) fn gather_velocities<L: Lane>(
+        &self,
+        states: &(impl Rows + ?Sized),
+        place: usize,
+    ) -> [BodyState<L>; 2] {
         L::gather_velocities(states, &self.rows, place)
     }
 
     /// Writes velocities back, but for bodies that contacts do not move: those may be in more than one contact.
     #[inline(always)]
-    pub(crate) fn scatter<L: Lane>(&self, states: &mut [BodyState], place: usize, pair: &[BodyState<L>; 2]) {
+    pub(crate) fn scatter<L: Lane>(
+        &self,
+        states: &Shared<'_, BodyState>,
+        place: usize,
+        pair: &[BodyState<L>; 2],
+    ) {
         let zero = L::splat(0.0);
         let a_moves = L::load(&self.columns.inverse_mass_a, place).greater(zero);
         let b_moves = L::load(&self.columns.inverse_mass_b, place).greater(zero);

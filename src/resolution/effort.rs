@@ -67,7 +67,7 @@ pub(crate) struct Loads {
     per_substep: f32,
     factor: f32,
     /// Indices of the contacts.
-    lasting: Vec<u32>,
+    pub(crate) lasting: Vec<u32>,
     /// Slots of the bodies of islands that the direct solve could not solve.
     pub(crate) unsolved: Vec<u32>,
 }
@@ -86,19 +86,31 @@ impl Loads {
         self.factor = if adapts { per_substep / self.per_substep } else { 0.0 };
     }
 
-    /// Notes the load of a contact, whose greatest k λ is `speed`, m/s.
+    /// How the contacts of an effort are measured.
+    pub(crate) fn measure(&self) -> LoadMeasure {
+        LoadMeasure { per_substep: self.per_substep, factor: self.factor }
+    }
+}
+
+/// How loads are told.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct LoadMeasure {
+    per_substep: f32,
+    factor: f32,
+}
+
+impl LoadMeasure {
+    /// Takes note of the load of a contact, whose greatest k λ is `speed`, m/s. Returns whether it lasts.
     #[inline(always)]
-    pub(crate) fn note(&mut self, index: u32, contact: &mut Contact, speed: f32) {
+    pub(crate) fn is_lasting(self, contact: &mut Contact, speed: f32) -> bool {
         let sag = sag(self.factor * speed, self.per_substep);
         if !contact.is_kept || sag <= CALM_SHARE * DIRECT_SHARE * contact.thickness {
             contact.loaded_steps = 0;
-        } else {
-            contact.loaded_steps = contact.loaded_steps.saturating_add(1);
-            contact.sag = sag / contact.thickness;
-            if contact.loaded_steps >= LASTING_STEPS {
-                self.lasting.push(index);
-            }
+            return false;
         }
+        contact.loaded_steps = contact.loaded_steps.saturating_add(1);
+        contact.sag = sag / contact.thickness;
+        contact.loaded_steps >= LASTING_STEPS
     }
 }
 

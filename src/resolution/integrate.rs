@@ -6,7 +6,7 @@
 
 use core::ops::Range;
 
-use crate::compute::{self, BodyState, COLUMN, Column, Job, Lane, LaneVec2, Width};
+use crate::compute::{self, BodyState, COLUMN, Column, Crew, Divide, Job, Lane, LaneVec2, Width};
 use crate::math::Vec2;
 
 /// What acts on a body, or on as many as a lane holds.
@@ -46,22 +46,57 @@ impl Kicks {
         self.columns.resize(rows.div_ceil(COLUMN), Kick::default());
     }
 
-    /// Writes what acts on the body of a row.
-    pub(crate) fn set(&mut self, row: usize, kick: &Kick<f32>) {
-        let (columns, place) = (&mut self.columns[row / COLUMN], row % COLUMN);
-        columns.acceleration.store(place, kick.acceleration);
-        columns.carry.store(place, kick.carry);
-        columns.angular_acceleration.set(place, kick.angular_acceleration);
+    /// Writes what acts on the bodies in some rows.
+    pub(crate) fn fill(
+        &mut self,
+        crew: &Crew,
+        rows: Range<usize>,
+        kick_of: impl Fn(usize) -> Kick<f32> + Sync,
+    ) {
+        self.for_each(crew, rows, FILL_COST, |row, column, place| {
+            let kick = kick_of(row);
+            column.acceleration.store(place, kick.acceleration);
+            column.carry.store(place, kick.carry);
+            column.angular_acceleration.set(place, kick.angular_acceleration);
+        });
+    }
+
+    /// Writes the accelerations, m/s², of those of the bodies in some rows that have one.
+    pub(crate) fn accelerate(
+        &mut self,
+        crew: &Crew,
+        rows: Range<usize>,
+        acceleration_of: impl Fn(usize) -> Option<Vec2> + Sync,
+    ) {
+        self.for_each(crew, rows, ACCELERATE_COST, |row, column, place| {
+            if let Some(acceleration) = acceleration_of(row) {
+                column.acceleration.store(place, acceleration.into());
+            }
+        });
+    }
+
+    /// Calls `change` with each of some rows, its column and its place there.
+    fn for_each(
+        &mut self,
+        crew: &Crew,
+        rows: Range<usize>,
+        cost: usize,
+        change: impl Fn(usize, &mut Kick<Column>, usize) + Sync,
+    ) {
+        let numbers = rows.start / COLUMN..rows.end.div_ceil(COLUMN);
+        crew.run((numbers.clone(), &mut self.columns[numbers]), cost, |(numbers, columns)| {
+            for (number, column) in numbers.zip(columns) {
+                let first = number * COLUMN;
+                for row in rows.start.max(first)..rows.end.min(first + COLUMN) {
+                    change(row, column, row - first);
+                }
+            }
+        });
     }
 
     /// Acceleration of the body of a row, m/s².
     pub(crate) fn acceleration(&self, row: u32) -> Vec2 {
         self.columns[row as usize / COLUMN].acceleration.load::<f32>(row as usize % COLUMN).into()
-    }
-
-    /// Writes the acceleration of the body of a row, m/s².
-    pub(crate) fn set_acceleration(&mut self, row: usize, acceleration: Vec2) {
-        self.columns[row / COLUMN].acceleration.store(row % COLUMN, acceleration.into());
     }
 
     /// What rounding has kept out of the velocity of the body of a row, m/s.
@@ -112,52 +147,89 @@ impl Advance {
     pub(crate) const NONE: Self = Self { drift: None, kick: None, shares: false };
 }
 
-/// A pass over some rows.
-#[derive(Debug)]
-pub(crate) struct Integrate<'a> {
-    pub(crate) rows: Range<usize>,
-    pub(crate) states: &'a mut [BodyState],
-    pub(crate) kicks: &'a mut Kicks,
-    /// By row: the velocities that a share of the warm start gives.
-    pub(crate) shares: &'a [BodyState],
-    pub(crate) advance: Advance,
-    pub(crate) limits: SpeedLimits,
+/// What it costs to move eight bodies on, to find what acts on them, and to find how a place accelerates them, ns.
+const COST: usize = 20;
+const FILL_COST: usize = 60;
+const ACCELERATE_COST: usize = 100;
+
+/// Moves the bodies in `rows` on: their states, what acts on them, and the velocities that a share of the warm start
+/// gives, all by row.
+pub(crate) fn integrate(
+    (crew, width): (&Crew, Width),
+    rows: Range<usize>,
+    (states, kicks, shares): (&mut [BodyState], &mut Kicks, &[BodyState]),
+    advance: Advance,
+    limits: SpeedLimits,
+) {
+    if advance.drift.is_none() && advance.kick.is_none() && !advance.shares {
+        return;
+    }
+    let first = rows.start / COLUMN;
+    let (states, columns) = (&mut states[first * COLUMN..], &mut kicks.columns[first..]);
+    let shares = if advance.shares { &shares[first * COLUMN..] } else { &[] };
+    let rows = rows.start - first * COLUMN..rows.end - first * COLUMN;
+    let pass = Integrate { rows, states, columns, shares, advance, limits };
+    crew.run(pass, COST, |part| compute::run(width, part));
+}
+
+/// A pass over some rows; the first of all stands in the first place of its column.
+struct Integrate<'a> {
+    rows: Range<usize>,
+    states: &'a mut [BodyState],
+    columns: &'a mut [Kick<Column>],
+    shares: &'a [BodyState],
+    advance: Advance,
+    limits: SpeedLimits,
+}
+
+impl Divide for Integrate<'_> {
+    fn count(&self) -> usize {
+        self.rows.end.div_ceil(COLUMN)
+    }
+
+    fn divide(self, at: usize) -> (Self, Self) {
+        let Self { rows, states, columns, shares, advance, limits } = self;
+        let row = at * COLUMN;
+        let (first_states, last_states) = states.split_at_mut(row.min(states.len()));
+        let (first_columns, last_columns) = columns.split_at_mut(at);
+        let (first_shares, last_shares) = shares.split_at(row.min(shares.len()));
+        let first_rows = rows.start.min(row)..rows.end.min(row);
+        let last_rows = rows.start.max(row) - row..rows.end.max(row) - row;
+        let part = |rows, states, columns, shares| Self { rows, states, columns, shares, advance, limits };
+        (
+            part(first_rows, first_states, first_columns, first_shares),
+            part(last_rows, last_states, last_columns, last_shares),
+        )
+    }
 }
 
 impl Integrate<'_> {
-    pub(crate) fn run(&mut self, width: Width) {
-        if self.advance.drift.is_some() || self.advance.kick.is_some() || self.advance.shares {
-            compute::run(width, self);
-        }
-    }
-
     #[inline(always)]
     fn together<L: Lane>(&mut self, first: usize) {
         let mut state = L::load_rows(self.states, first);
+        let (column, place) = (&mut self.columns[first / COLUMN], first % COLUMN);
         if let Some(h) = self.advance.drift {
             drift(&mut state, h);
         }
         if let Some(t) = self.advance.kick {
-            let (columns, place) = (&mut self.kicks.columns[first / COLUMN], first % COLUMN);
-            let mut this = columns.load::<L>(place);
+            let mut this = column.load::<L>(place);
             kick(&mut state, &mut this, t, self.limits);
-            columns.carry.store(place, this.carry);
+            column.carry.store(place, this.carry);
         }
         if self.advance.shares {
-            let carry = &mut self.kicks.columns[first / COLUMN].carry;
             let share = L::load_rows(self.shares, first);
-            let mut carried = carry.load::<L>(first % COLUMN);
+            let mut carried = column.carry.load::<L>(place);
             state.velocity = add_carried(state.velocity, share.velocity, &mut carried);
             state.angular_velocity = state.angular_velocity + share.angular_velocity;
-            carry.store(first % COLUMN, carried);
+            column.carry.store(place, carried);
         }
         L::store_rows(self.states, first, &state);
     }
 }
 
-impl Job for &mut Integrate<'_> {
+impl Job for Integrate<'_> {
     #[inline(always)]
-    fn run<L: Lane>(self) {
+    fn run<L: Lane>(mut self) {
         let Range { start, end } = self.rows;
         let first_whole = start.next_multiple_of(L::WIDTH).min(end);
         let after_whole = (end / L::WIDTH * L::WIDTH).max(first_whole);

@@ -2,16 +2,16 @@
 //!
 //! This is where a step spends its time: per substep each contact is warm started once and swept twice.
 
-use crate::compute::{BodyState, Lane, LaneVec2};
+use crate::compute::{BodyState, Lane, LaneVec2, Shared};
 use crate::resolution::block::solve_pair;
 use crate::resolution::constraint::ContactConstraint;
 use crate::resolution::contact_block::ContactBlock;
 use crate::resolution::softness::{bias, gap_bias, leak};
 
-/// Something that is done to contacts, as many at a time as a lane holds: those of `block` from `place` on. It is
-/// to be `#[inline(always)]`, see [`Job`](crate::compute::Job).
-pub(crate) trait Kernel {
-    fn run<L: Lane>(&mut self, block: &mut ContactBlock, place: usize);
+/// Something that is done to contacts, as many at a time as a lane holds: those of `block` from `place` on. Several
+/// threads do it to contacts of one colour, which move no body in common: no other may it write to. It is to be `#[inline(always)]`, see [`Job`](crate::compute::Job).
+pub(crate) trait Kernel: Clone + Sync {
+    fn run<L: Lane>(&self, block: &mut ContactBlock, place: usize);
 }
 
 /// Begins a substep: finds what of the last impulse to apply now and, where the kick is split, again after the
@@ -19,16 +19,16 @@ pub(crate) trait Kernel {
 ///
 /// There is one accumulator for the whole substep. With one per half, or with the biased impulse applied
 /// again, the push out of an overlap would be counted as load and pump energy into the scene.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub(crate) struct WarmStart<'a> {
-    pub(crate) shares: &'a mut [BodyState],
+    pub(crate) shares: Shared<'a, BodyState>,
     /// The share of the last impulse, no unit.
     pub(crate) part: f32,
 }
 
 impl Kernel for WarmStart<'_> {
     #[inline(always)]
-    fn run<L: Lane>(&mut self, block: &mut ContactBlock, place: usize) {
+    fn run<L: Lane>(&self, block: &mut ContactBlock, place: usize) {
         if block.is_single() {
             self.start::<L, 1>(block, place);
         } else {
@@ -39,9 +39,9 @@ impl Kernel for WarmStart<'_> {
 
 impl WarmStart<'_> {
     #[inline(always)]
-    fn start<L: Lane, const POINTS: usize>(&mut self, block: &mut ContactBlock, place: usize) {
+    fn start<L: Lane, const POINTS: usize>(&self, block: &mut ContactBlock, place: usize) {
         let mut constraint = block.load::<L>(place);
-        let [mut a, mut b] = block.gather_velocities(self.shares, place);
+        let [mut a, mut b] = block.gather_velocities(&self.shares, place);
         let normal = constraint.normal;
         let tangent = normal.perp();
         let part = L::splat(self.part);
@@ -56,7 +56,7 @@ impl WarmStart<'_> {
         block.store_normal_impulses::<L, POINTS>(place, &constraint);
         block.store_friction_impulses::<L, POINTS>(place, &constraint);
         block.store_shares::<L, POINTS>(place, &constraint);
-        block.scatter(self.shares, place, &[a, b]);
+        block.scatter(&self.shares, place, &[a, b]);
     }
 }
 
@@ -82,9 +82,9 @@ impl Sweep {
 }
 
 /// One sweep over contacts: normals, then friction.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub(crate) struct SweepOver<'a> {
-    pub(crate) states: &'a mut [BodyState],
+    pub(crate) states: Shared<'a, BodyState>,
     pub(crate) kind: Sweep,
     /// One over the length of the substep, 1/s.
     pub(crate) per_substep: f32,
@@ -94,7 +94,7 @@ impl Kernel for SweepOver<'_> {
     /// Asks for the kind and for the number of points once per block, so that what is compiled for the default kinds
     /// has no branches, which keeps numbers in registers, and reads nothing of a point that no contact has.
     #[inline(always)]
-    fn run<L: Lane>(&mut self, block: &mut ContactBlock, place: usize) {
+    fn run<L: Lane>(&self, block: &mut ContactBlock, place: usize) {
         match (self.kind, block.is_single()) {
             (Sweep::MAIN, true) => self.sweep::<L, 1>(block, place, Sweep::MAIN),
             (Sweep::MAIN, false) => self.sweep::<L, 2>(block, place, Sweep::MAIN),
@@ -107,7 +107,7 @@ impl Kernel for SweepOver<'_> {
 
 impl SweepOver<'_> {
     #[inline(always)]
-    fn sweep<L: Lane, const POINTS: usize>(&mut self, block: &mut ContactBlock, place: usize, kind: Sweep) {
+    fn sweep<L: Lane, const POINTS: usize>(&self, block: &mut ContactBlock, place: usize, kind: Sweep) {
         let mut constraint = block.load::<L>(place);
         if kind.counts_share {
             for (point, friction) in constraint.points.iter_mut().zip(&mut constraint.frictions).take(POINTS)
@@ -116,7 +116,7 @@ impl SweepOver<'_> {
                 friction.impulse = friction.impulse + friction.impulse;
             }
         }
-        let [mut a, mut b] = block.gather(self.states, place);
+        let [mut a, mut b] = block.gather(&self.states, place);
         if kind.block && POINTS == 2 {
             solve_normals_together(&mut constraint, &mut a, &mut b, kind.biased, self.per_substep);
         } else {
@@ -133,7 +133,7 @@ impl SweepOver<'_> {
         if kind.friction || kind.counts_share {
             block.store_friction_impulses::<L, POINTS>(place, &constraint);
         }
-        block.scatter(self.states, place, &[a, b]);
+        block.scatter(&self.states, place, &[a, b]);
     }
 }
 

@@ -1,10 +1,11 @@
 //! The substep loop.
 
 use core::ops::Range;
+use std::sync::atomic::{AtomicBool, Ordering};
 
-use crate::body::{Bodies, Effort};
+use crate::body::{Bodies, Effort, Forcing};
 use crate::collision::Contacts;
-use crate::compute::{BodyState, Width};
+use crate::compute::{BodyState, Crew, Shared, Width};
 use crate::math::Vec2;
 use crate::resolution::constraint::StepResidual;
 use crate::resolution::constraint_graph::ConstraintGraph;
@@ -14,7 +15,7 @@ use crate::resolution::follow::{Constraints, Followers, add_shares};
 use crate::resolution::handover::{HandoverScene, Handovers};
 use crate::resolution::impacts::{ImpactScene, Impacts, bounce_threshold};
 use crate::resolution::integrate::{
-    Advance, Damping, Integrate, Kick, Kicks, SpeedLimits, damping_loss, drift,
+    Advance, Damping, Kick, Kicks, SpeedLimits, damping_loss, drift, integrate,
 };
 use crate::resolution::kernel::{Sweep, SweepOver, WarmStart};
 use crate::resolution::projection::Project;
@@ -60,7 +61,7 @@ impl Scheme {
 }
 
 /// What accelerates bodies, beside contacts.
-pub(crate) trait Acceleration {
+pub(crate) trait Acceleration: Sync {
     /// The same everywhere, m/s²; bodies scale it by their gravity scale.
     fn uniform(&self) -> Vec2;
     /// Whether there is a part that depends on where a body is.
@@ -74,6 +75,10 @@ pub(crate) trait Acceleration {
 /// one sweep lets friction turn the body instead of stopping it, and a box set on a slope keeps 7 mm/s too much for
 /// as long as it slides. Two leave a tenth of that, four nothing.
 const NEWCOMER_SWEEPS: u32 = 4;
+
+/// What it costs to forget the share of a warm start of a body, and to write its carry back, ns.
+const FILL_COST: usize = 1;
+const CARRY_COST: usize = 3;
 
 /// Buffers of the solver for one effort, kept from step to step.
 #[derive(Clone, Debug, Default)]
@@ -102,6 +107,8 @@ pub(crate) struct SolveTables<'a> {
     pub(crate) contacts: &'a mut Contacts,
     pub(crate) graph: &'a mut ConstraintGraph,
     pub(crate) loads: &'a mut Loads,
+    /// Who does the work.
+    pub(crate) crew: &'a Crew,
 }
 
 /// One step of the islands of one effort: moves the velocities and deltas of their rows, and the impulses of their
@@ -131,7 +138,7 @@ pub(crate) fn solve(
             solver.handovers.release(tables.graph);
         }
         let kick = Some(scheme.kick_time());
-        solver.integrate(scheme, class, tables.bodies, Advance { kick, ..Advance::NONE });
+        solver.integrate(scheme, class, tables, Advance { kick, ..Advance::NONE });
         if solver.impacts.len() > 0 {
             let (kicks, SolveTables { bodies, contacts, graph, .. }) = (&solver.kicks, &mut *tables);
             let which = (class.effort, scheme.width);
@@ -148,7 +155,8 @@ pub(crate) fn solve(
         }
     }
     for _ in 0..scheme.projections.unwrap_or(0) {
-        tables.graph.for_each((class.effort, Width::ONE), Project { states: &mut tables.bodies.states });
+        let project = Project { states: Shared::new(&mut tables.bodies.states) };
+        tables.graph.for_each(tables.crew, (class.effort, Width::ONE), &project);
     }
     solver.finish(scheme, class, tables)
 }
@@ -199,17 +207,12 @@ impl Solver {
         }
         let needs_poses = acceleration.varies() || !self.followers.is_empty();
         if !(needs_poses || is_direct) {
-            self.integrate(
-                scheme,
-                class,
-                tables.bodies,
-                Advance { drift: Some(h), kick, shares: has_shares },
-            );
+            self.integrate(scheme, class, tables, Advance { drift: Some(h), kick, shares: has_shares });
             return;
         }
-        self.integrate(scheme, class, tables.bodies, Advance { drift: Some(h), ..Advance::NONE });
+        self.integrate(scheme, class, tables, Advance { drift: Some(h), ..Advance::NONE });
         if acceleration.varies() {
-            self.accelerate(tables.bodies, &class.rows, acceleration);
+            self.accelerate(tables, &class.rows, acceleration);
         }
         let shares = if has_shares { &mut self.shares[..] } else { &mut [] };
         let mut constraints = Constraints { graph: tables.graph, shares };
@@ -217,19 +220,20 @@ impl Solver {
         if is_direct {
             self.direct.restore_free(&mut tables.bodies.states);
         }
-        self.integrate(scheme, class, tables.bodies, Advance { drift: None, kick, shares: has_shares });
+        self.integrate(scheme, class, tables, Advance { drift: None, kick, shares: has_shares });
     }
 
     /// Contacts by sweeps, before the bodies move.
     fn sweep_before_move(&mut self, scheme: &Scheme, class: &EffortClass<'_>, tables: &mut SolveTables<'_>) {
         let h = scheme.substep_time();
-        let SolveTables { bodies, contacts, graph, .. } = tables;
-        self.handovers.hold_back(graph, &bodies.states, h);
-        self.warm_start(scheme, class, graph, bodies);
+        self.handovers.hold_back(tables.graph, &tables.bodies.states, h);
+        self.warm_start(scheme, class, tables);
+        let SolveTables { bodies, contacts, graph, crew, .. } = tables;
         let states = &mut bodies.states;
+        let sweep =
+            SweepOver { states: Shared::new(states), kind: scheme.main_sweep(), per_substep: 1.0 / h };
         for _ in 0..scheme.iterations {
-            let kind = scheme.main_sweep();
-            graph.for_each((class.effort, scheme.width), SweepOver { states, kind, per_substep: 1.0 / h });
+            graph.for_each(crew, (class.effort, scheme.width), &sweep);
         }
         if scheme.split_kick && scheme.warm_starting {
             self.grip_newcomers(scheme, graph, states);
@@ -247,7 +251,8 @@ impl Solver {
         let relax = scheme.relax_sweep();
         for iteration in 0..scheme.relax_iterations {
             let kind = Sweep { counts_share: scheme.split_kick && iteration == 0, ..relax };
-            graph.for_each((class.effort, scheme.width), SweepOver { states, kind, per_substep });
+            let sweep = SweepOver { states: Shared::new(states), kind, per_substep };
+            graph.for_each(tables.crew, (class.effort, scheme.width), &sweep);
         }
         if scheme.relax_iterations > 0 {
             self.sweep_newcomers(scheme, relax, graph, states, |_, _| true);
@@ -262,9 +267,10 @@ impl Solver {
         tables: &mut SolveTables<'_>,
         acceleration: &impl Acceleration,
     ) {
-        self.prepare_kicks(scheme, class, tables.bodies, acceleration);
+        self.prepare_kicks(scheme, class, tables, acceleration);
         let which = (class.effort, scheme.width);
-        tables.graph.prepare(which, tables.contacts, tables.bodies, scheme.impulse_scale);
+        let SolveTables { bodies, contacts, graph, crew, .. } = &mut *tables;
+        graph.prepare(crew, which, contacts, bodies, scheme.impulse_scale);
         self.gather_special(scheme, class.effort, tables);
         self.direct.clear();
         let mut start = 0;
@@ -279,39 +285,50 @@ impl Solver {
         &mut self,
         scheme: &Scheme,
         class: &EffortClass<'_>,
-        bodies: &Bodies,
+        tables: &SolveTables<'_>,
         acceleration: &impl Acceleration,
     ) {
-        let kick_time = scheme.kick_time();
+        let (bodies, varies) = (&*tables.bodies, acceleration.varies());
+        let forcing_of = |row: usize| &bodies.forcings[bodies.slot_of_row[row] as usize];
+        let is_damped = |forcing: &Forcing| forcing.linear_damping > 0.0 || forcing.angular_damping > 0.0;
+        let has_damping = AtomicBool::new(false);
         self.kicks.reset(bodies.states.len());
-        self.damped.clear();
         self.steady.clear();
-        self.steady.resize(if acceleration.varies() { bodies.states.len() } else { 0 }, Vec2::ZERO);
-        for row in class.rows.clone() {
-            let slot = bodies.slot_of_row[row];
-            let motion = &bodies.motions[slot as usize];
+        self.steady.resize(if varies { bodies.states.len() } else { 0 }, Vec2::ZERO);
+        let steady_of_row = Shared::new(&mut self.steady);
+        self.kicks.fill(tables.crew, class.rows.clone(), |row| {
+            let motion = &bodies.motions[bodies.slot_of_row[row] as usize];
             if motion.inverse_mass == 0.0 {
-                continue;
+                return Kick::default();
             }
-            let forcing = &bodies.forcings[slot as usize];
+            let forcing = forcing_of(row);
             let steady = acceleration.uniform() * forcing.gravity_scale + forcing.force * motion.inverse_mass;
-            let kick = Kick {
+            if varies {
+                steady_of_row.change(row, |to| *to = steady);
+            }
+            if is_damped(forcing) {
+                has_damping.store(true, Ordering::Relaxed);
+            }
+            Kick {
                 acceleration: steady.into(),
                 carry: motion.velocity_carry.into(),
                 angular_acceleration: forcing.torque * motion.inverse_inertia,
-            };
-            self.kicks.set(row, &kick);
-            if let Some(to) = self.steady.get_mut(row) {
-                *to = steady;
             }
-            if forcing.linear_damping > 0.0 || forcing.angular_damping > 0.0 {
-                let linear = damping_loss(forcing.linear_damping, kick_time);
-                let angular = damping_loss(forcing.angular_damping, kick_time);
-                self.damped.push(Damping { row: row as u32, linear, angular });
-            }
+        });
+        self.damped.clear();
+        if has_damping.into_inner() {
+            let rows = class.rows.clone().map(|row| (row, forcing_of(row)));
+            let is_moved = |row: usize| bodies.is_dynamic(bodies.slot_of_row[row]);
+            let damped = rows.filter(|&(row, forcing)| is_moved(row) && is_damped(forcing));
+            let kick_time = scheme.kick_time();
+            self.damped.extend(damped.map(|(row, forcing)| Damping {
+                row: row as u32,
+                linear: damping_loss(forcing.linear_damping, kick_time),
+                angular: damping_loss(forcing.angular_damping, kick_time),
+            }));
         }
-        if acceleration.varies() {
-            self.accelerate(bodies, &class.rows, acceleration);
+        if varies {
+            self.accelerate(tables, &class.rows, acceleration);
         }
     }
 
@@ -323,7 +340,7 @@ impl Solver {
         self.followers.clear();
         self.handovers.clear();
         self.newcomers.clear();
-        for index in tables.graph.contacts_of(effort) {
+        tables.graph.for_each_lively(effort, |index| {
             let contact = &contacts[index];
             if contact.restitution > 0.0 {
                 let accelerations =
@@ -333,13 +350,13 @@ impl Solver {
             }
             self.followers.consider(index, contact, bodies);
             if effort == Effort::Direct {
-                continue;
+                return;
             }
             if !contact.is_loaded() && contact.manifold.points().len() == 2 {
                 self.newcomers.extend(contact.graph_place);
             }
             self.handovers.consider(index, contact, bodies);
-        }
+        });
         self.handovers.group();
     }
 
@@ -347,18 +364,13 @@ impl Solver {
     ///
     /// The contacts hold still in between, so the share after the move is the same: it is kept by row, which saves
     /// a pass over the contacts.
-    fn warm_start(
-        &mut self,
-        scheme: &Scheme,
-        class: &EffortClass<'_>,
-        graph: &mut ConstraintGraph,
-        bodies: &mut Bodies,
-    ) {
-        self.shares.resize(bodies.states.len(), BodyState::REST);
-        self.shares[class.rows.clone()].fill(BodyState::REST);
-        let (shares, part) = (&mut self.shares, scheme.warm_part());
-        graph.for_each((class.effort, scheme.width), WarmStart { shares, part });
-        self.integrate(scheme, class, bodies, Advance { shares: true, ..Advance::NONE });
+    fn warm_start(&mut self, scheme: &Scheme, class: &EffortClass<'_>, tables: &mut SolveTables<'_>) {
+        self.shares.resize(tables.bodies.states.len(), BodyState::REST);
+        let shares = &mut self.shares[class.rows.clone()];
+        tables.crew.run(shares, FILL_COST, |shares| shares.fill(BodyState::REST));
+        let start = WarmStart { shares: Shared::new(&mut self.shares), part: scheme.warm_part() };
+        tables.graph.for_each(tables.crew, (class.effort, scheme.width), &start);
+        self.integrate(scheme, class, tables, Advance { shares: true, ..Advance::NONE });
     }
 
     /// Gives the contacts that begin to bear load friction before the move: there is none to start from, and a box set
@@ -386,56 +398,67 @@ impl Solver {
         let loaded = self.newcomers.iter().filter(|&&place| graph.is_loaded(place) && fits(graph, place));
         self.loaded_newcomers.clear();
         self.loaded_newcomers.extend(loaded);
-        let per_substep = 1.0 / scheme.substep_time();
+        let states = Shared::new(states);
+        let sweep = SweepOver { states, kind, per_substep: 1.0 / scheme.substep_time() };
         for _ in 0..NEWCOMER_SWEEPS {
             for &place in &self.loaded_newcomers {
-                graph.for_one(place, SweepOver { states, kind, per_substep });
+                graph.for_one(place, &sweep);
             }
         }
     }
 
     /// Finds the accelerations that depend on the place anew.
-    fn accelerate(&mut self, bodies: &Bodies, rows: &Range<usize>, acceleration: &impl Acceleration) {
-        for row in rows.clone() {
+    fn accelerate(
+        &mut self,
+        tables: &SolveTables<'_>,
+        rows: &Range<usize>,
+        acceleration: &impl Acceleration,
+    ) {
+        let bodies = &*tables.bodies;
+        self.kicks.accelerate(tables.crew, rows.clone(), |row| {
             let (slot, state) = (bodies.slot_of_row[row], &bodies.states[row]);
-            if bodies.is_dynamic(slot) {
-                let varying = acceleration.at(bodies, slot, state.delta_position.into());
-                self.kicks.set_acceleration(row, self.steady[row] + varying);
-            }
-        }
+            let varying = || acceleration.at(bodies, slot, state.delta_position.into());
+            bodies.is_dynamic(slot).then(|| self.steady[row] + varying())
+        });
     }
 
     /// Moves the bodies of a class on.
-    fn integrate(&mut self, scheme: &Scheme, class: &EffortClass<'_>, bodies: &mut Bodies, advance: Advance) {
+    fn integrate(
+        &mut self,
+        scheme: &Scheme,
+        class: &EffortClass<'_>,
+        tables: &mut SolveTables<'_>,
+        advance: Advance,
+    ) {
         let damps = advance.kick.is_some() && !self.damped.is_empty();
         let late = Advance { shares: advance.shares, ..Advance::NONE };
         let first = if damps { Advance { shares: false, ..advance } } else { advance };
-        let (states, shares) = (&mut bodies.states, &self.shares);
-        let (rows, limits) = (class.rows.clone(), scheme.limits);
-        let mut pass = Integrate { rows, states, kicks: &mut self.kicks, shares, advance: first, limits };
-        pass.run(scheme.width);
+        let SolveTables { bodies: Bodies { states, .. }, crew, .. } = tables;
+        let (kicks, shares, means) = (&mut self.kicks, &self.shares[..], (*crew, scheme.width));
+        integrate(means, class.rows.clone(), (states, kicks, shares), first, scheme.limits);
         if !damps {
             return;
         }
         for &Damping { row, linear, angular } in &self.damped {
-            let state = &mut pass.states[row as usize];
+            let state = &mut states[row as usize];
             state.velocity = state.velocity - state.velocity * linear;
             state.angular_velocity -= state.angular_velocity * angular;
         }
-        pass.advance = late;
-        pass.run(scheme.width);
+        integrate(means, class.rows.clone(), (states, kicks, shares), late, scheme.limits);
     }
 
     /// Writes impulses back into the contacts and carries back into the bodies.
     fn finish(&self, scheme: &Scheme, class: &EffortClass<'_>, tables: &mut SolveTables<'_>) -> StepResidual {
-        let SolveTables { bodies, contacts, graph, loads } = tables;
+        let SolveTables { bodies, contacts, graph, loads, crew } = tables;
         loads.begin(scheme.adapts, class.effort, 1.0 / scheme.substep_time());
         loads.unsolved.extend(self.direct.unsolved_rows().map(|row| bodies.slot_of_row[row as usize]));
-        let residual = graph.finish((class.effort, scheme.width), &bodies.states, contacts, loads);
-        for row in class.rows.clone() {
-            let slot = bodies.slot_of_row[row];
-            bodies.motions[slot as usize].velocity_carry = self.kicks.carry(row);
-        }
+        let residual = graph.finish(crew, (class.effort, scheme.width), &bodies.states, contacts, loads);
+        let (motions, slots) = (Shared::new(&mut bodies.motions), &bodies.slot_of_row);
+        crew.run(class.rows.clone(), CARRY_COST, |rows| {
+            for row in rows {
+                motions.change(slots[row] as usize, |motion| motion.velocity_carry = self.kicks.carry(row));
+            }
+        });
         residual
     }
 }

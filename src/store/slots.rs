@@ -3,7 +3,7 @@
 use core::num::NonZeroU32;
 use core::ops::{Index, IndexMut};
 
-use crate::compute::prefetch;
+use crate::compute::{Shared, prefetch};
 
 /// Place and generation of a value in [`Slots`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -114,6 +114,33 @@ impl<T> Slots<T> {
             let key = Key { generation: slot.generation, index: index as u32 };
             slot.value.as_ref().map(|value| (key, value))
         })
+    }
+}
+
+/// Values at fixed places that several threads change: each of them others.
+#[derive(Debug)]
+pub(crate) struct SharedSlots<'a, T> {
+    slots: Shared<'a, Slot<T>>,
+}
+
+impl<T> Slots<T> {
+    /// The values, for several threads to change.
+    pub(crate) fn shared(&mut self) -> SharedSlots<'_, T> {
+        SharedSlots { slots: Shared::new(&mut self.slots) }
+    }
+}
+
+impl<T> SharedSlots<'_, T> {
+    /// Asks for the value at a place to be brought close.
+    #[inline(always)]
+    pub(crate) fn prefetch(&self, index: u32) {
+        self.slots.prefetch(index as usize);
+    }
+
+    /// Changes the value at a place, which no other thread looks at.
+    #[inline(always)]
+    pub(crate) fn change<R>(&self, index: u32, change: impl FnOnce(&mut T) -> R) -> R {
+        self.slots.change(index as usize, |slot| change(slot.value.as_mut().expect("the place is filled")))
     }
 }
 

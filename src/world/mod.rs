@@ -29,6 +29,7 @@ pub use settings::{PositionCorrection, Settings, SettingsError};
 use crate::body::{Bodies, BodyId, Effort};
 use crate::collision::Contacts;
 use crate::collision::broad_phase::BroadPhase;
+use crate::compute::Crew;
 use crate::math::{Aabb, Vec2};
 use crate::resolution::{ConstraintGraph, Efforts, Islands, Loads, Solver, StepResidual};
 use crate::store::Slots;
@@ -79,8 +80,14 @@ pub struct World {
     ticks: u64,
     /// Time that `advance` was given and no tick has used yet, s.
     unused_time: f64,
+    crew: Crew,
     /// Scratch of the step.
     new_pairs: Vec<(u32, u32)>,
+    /// Scratch of the step, by place in the list of awake contacts: of those that have changed, whether the bodies are
+    /// still close.
+    is_close_now: Vec<Option<bool>>,
+    /// Scratch of the step, by row but for the ground: bodies that have left their box.
+    leaves_box: Vec<bool>,
     /// Scratch of the step: index, and whether the bodies are still close.
     changed_contacts: Vec<(u32, bool)>,
 }
@@ -130,7 +137,10 @@ impl World {
             resting: 0,
             ticks: 0,
             unused_time: 0.0,
+            crew: Crew::default(),
             new_pairs: Vec::new(),
+            is_close_now: Vec::new(),
+            leaves_box: Vec::new(),
             changed_contacts: Vec::new(),
         })
     }
@@ -275,6 +285,13 @@ impl World {
     fn wake_neighbours(&mut self, slot: u32) {
         let (sleepers, mut tables) = self.sleep_tables();
         sleepers.wake_neighbours(&mut tables, slot);
+    }
+
+    /// Has `Settings::threads` take part in every step, however short it and its parts are: slower, and no bit
+    /// different. For tests of that.
+    #[doc(hidden)]
+    pub fn divide_all_work(&mut self) {
+        self.crew.divide_all();
     }
 
     /// Wakes every sleeping body.

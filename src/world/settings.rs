@@ -3,7 +3,7 @@
 use core::fmt;
 
 use crate::body::{Effort, Mix, Number};
-use crate::compute::Lanes;
+use crate::compute::{Lanes, MOST_THREADS};
 use crate::math::{Aabb, Vec2};
 use crate::resolution::{Allowance, Scheme, SpeedLimits};
 
@@ -76,6 +76,10 @@ pub struct Settings {
     pub max_spin: f32,
     /// How many contacts are solved at a time. No bit of a result depends on it. Default [`Lanes::Auto`].
     pub lanes: Lanes,
+    /// How many threads may work on a step, the caller's among them, 1 to 16: no more than the processor has cores. No
+    /// bit of a result depends on it. A step that is too short to be worth it is done by one, and all are where the
+    /// feature `parallel` is off. Default 1.
+    pub threads: usize,
 }
 
 impl Default for Settings {
@@ -101,6 +105,7 @@ impl Default for Settings {
             max_speed: 1e5,
             max_spin: 1e5,
             lanes: Lanes::Auto,
+            threads: 1,
         }
     }
 }
@@ -148,6 +153,7 @@ impl Settings {
             ("gravitational_constant", f64::from(self.gravitational_constant), 0.0, 1e12),
             ("max_speed", f64::from(self.max_speed), 1e-3, 1e6),
             ("max_spin", f64::from(self.max_spin), 1e-3, 1e6),
+            ("threads", self.threads as f64, 1.0, MOST_THREADS as f64),
         ] {
             // NaN fails the comparison.
             if !(value >= min && value <= max) {

@@ -1,8 +1,10 @@
 //! One step, as a table of stages.
 
-use crate::body::{BodyId, BodyType, Effort, NONE};
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+use crate::body::{Bodies, BodyId, BodyType, Effort, Forcing, Motion, NONE};
 use crate::collision::{Refresh, refresh};
-use crate::compute::BodyState;
+use crate::compute::{BodyState, Shared};
 use crate::math::{Rot, Vec2};
 use crate::resolution::{EffortTables, SolveTables, StepResidual, solve};
 use crate::world::World;
@@ -10,6 +12,10 @@ use crate::world::attractor::Field;
 use crate::world::events::{ContactEvent, HitEvent};
 use crate::world::profile::{Counters, Stage};
 use crate::world::sleep::{REST_SPEED, TIME_TO_SLEEP};
+
+/// What it costs to bring a manifold up to date that can be kept, and to move the pose and the box of a body on, ns.
+const REFRESH_COST: usize = 20;
+const FINALIZE_COST: usize = 25;
 
 impl World {
     /// Moves the world by one tick of `1 / tick_rate` seconds. Never fails and never panics.
@@ -26,6 +32,8 @@ impl World {
     pub fn step(&mut self) {
         let mut profile = std::mem::take(&mut self.profile);
         self.events.begin_step();
+        let size = self.bodies.awake_count() + self.contacts.awake().len();
+        self.crew.begin_step(self.settings.threads, size);
         if self.bodies.awake_count() == 0 {
             // The solver will not run; what it found last is no longer so.
             self.residual = StepResidual::default();
@@ -41,6 +49,7 @@ impl World {
         profile.run_stage(Stage::Events, self.changing_count(), || self.report_events());
         self.remove_those_that_left();
         profile.run_stage(Stage::Sleep, self.resting, || self.put_to_sleep());
+        self.crew.end_step();
         profile.counters = self.count();
         self.profile = profile;
         self.ticks += 1;
@@ -74,20 +83,25 @@ impl World {
     /// Brings the manifolds of all awake contacts up to date, and the constraint graph with them.
     fn refresh_contacts(&mut self) {
         let how = Refresh { dt: self.settings.tick_seconds() as f32, recycling: self.settings.recycling };
-        let mut changed = std::mem::take(&mut self.changed_contacts);
-        for place in 0..self.contacts.awake().len() {
-            let ahead = |by: usize| self.contacts.awake().get(place + by).copied();
-            self.contacts.prefetch_ahead(&self.bodies, ahead);
-            let index = self.contacts.awake()[place];
-            let contact = &mut self.contacts[index];
-            refresh(contact, &self.bodies, how);
-            // Bodies with points are close, whatever their boxes say.
-            let [a, b] = contact.slots;
-            let is_close = !contact.manifold.points().is_empty() || self.broad_phase.overlap(a, b);
-            if !is_close || contact.is_misplaced() {
-                changed.push((index, is_close));
+        let Self { bodies, broad_phase, crew, is_close_now, .. } = self;
+        is_close_now.clear();
+        is_close_now.resize(self.contacts.awake().len(), None);
+        let (awake, contacts) = self.contacts.awake_shared();
+        crew.run((awake, &mut is_close_now[..]), REFRESH_COST, |(awake, is_close_now)| {
+            for (place, (&index, is_close_now)) in awake.iter().zip(is_close_now).enumerate() {
+                contacts.prefetch_ahead(bodies, |by| awake.get(place + by).copied());
+                contacts.change(index, |contact| {
+                    refresh(contact, bodies, how);
+                    // Bodies with points are close, whatever their boxes say.
+                    let [a, b] = contact.slots;
+                    let is_close = !contact.manifold.points().is_empty() || broad_phase.overlap(a, b);
+                    *is_close_now = (!is_close || contact.is_misplaced()).then_some(is_close);
+                });
             }
-        }
+        });
+        let mut changed = std::mem::take(&mut self.changed_contacts);
+        let all = self.contacts.awake().iter().zip(&self.is_close_now);
+        changed.extend(all.filter_map(|(&index, is_close)| is_close.map(|is_close| (index, is_close))));
         for (index, is_close) in changed.drain(..) {
             if !is_close {
                 self.end_contact(index);
@@ -130,7 +144,7 @@ impl World {
     fn solve(&mut self) {
         let settings = &self.settings;
         let allowance = settings.allowance();
-        let Self { bodies, contacts, graph, .. } = self;
+        let Self { bodies, contacts, graph, crew, .. } = self;
         self.efforts.decide(self.ticks, allowance, &self.loads, EffortTables { bodies, contacts, graph });
         self.loads.clear();
         let field = Field {
@@ -148,7 +162,7 @@ impl World {
                 continue;
             }
             let scheme = settings.scheme(effort, self.last_substep);
-            let mut tables = SolveTables { bodies, contacts, graph, loads: &mut self.loads };
+            let mut tables = SolveTables { bodies, contacts, graph, loads: &mut self.loads, crew };
             let residual = solve(solver, &scheme, &class, &mut tables, &field);
             self.residual = self.residual.max(residual);
             // They move through the step once more with the next class.
@@ -162,27 +176,31 @@ impl World {
     /// Adds the motion of the step to the poses, lets boxes follow, and counts the time at rest.
     fn finalize(&mut self) {
         let dt = self.settings.tick_seconds() as f32;
-        let bodies = &mut self.bodies;
-        self.resting = 0;
-        for (state, &slot) in bodies.states.iter_mut().zip(&bodies.slot_of_row).skip(1) {
-            let motion = &mut bodies.motions[slot as usize];
-            let turn = Rot { c: state.delta_rotation.c, s: state.delta_rotation.s };
-            motion.pose.center += state.delta_position.into();
-            motion.pose.rotation = (turn * motion.pose.rotation).normalized();
-            let forcing = &mut bodies.forcings[slot as usize];
-            forcing.force = Vec2::ZERO;
-            forcing.torque = 0.0;
-            state.stand_still();
-            let velocity = Vec2::from(state.velocity);
-            let speed = velocity.length() + state.angular_velocity.abs() * motion.extent;
-            // A kinematic body rests only when it does not move at all: it keeps what it touches awake.
-            let is_resting = if motion.inverse_mass > 0.0 { speed < REST_SPEED } else { speed == 0.0 };
-            motion.still_time = if is_resting { motion.still_time + dt } else { 0.0 };
-            if self.settings.sleep && motion.inverse_mass > 0.0 && motion.still_time >= TIME_TO_SLEEP {
-                self.resting += 1;
+        let may_sleep = self.settings.sleep;
+        let Self { bodies, broad_phase, crew, leaves_box, .. } = self;
+        leaves_box.resize(bodies.awake_count(), false);
+        let Bodies { states, slot_of_row, motions, forcings, shapes, .. } = bodies;
+        let (motions, forcings) = (Shared::new(motions), Shared::new(forcings));
+        let resting = AtomicUsize::new(0);
+        let rows = (&mut states[1..], (&slot_of_row[1..], &mut leaves_box[..]));
+        crew.run(rows, FINALIZE_COST, |(states, (slots, leaves_box))| {
+            for (state, (&slot, leaves_box)) in states.iter_mut().zip(slots.iter().zip(leaves_box)) {
+                let velocity = Vec2::from(state.velocity);
+                forcings.change(slot as usize, Forcing::end_step);
+                let aabb = motions.change(slot as usize, |motion| {
+                    let is_resting = move_on(motion, state, dt);
+                    if may_sleep && is_resting {
+                        resting.fetch_add(1, Ordering::Relaxed);
+                    }
+                    shapes[slot as usize].bounding_box(motion.pose)
+                });
+                *leaves_box = broad_phase.leaves_box(slot, aabb, velocity * dt);
             }
-            let aabb = bodies.shapes[slot as usize].bounding_box(motion.pose);
-            self.broad_phase.update(slot, aabb, velocity * dt);
+        });
+        self.resting = resting.into_inner();
+        let rows = bodies.states.iter().zip(&bodies.slot_of_row).skip(1);
+        for ((state, &slot), _) in rows.zip(leaves_box).filter(|(_, leaves_box)| **leaves_box) {
+            broad_phase.give_box(slot, bodies.aabb(slot), Vec2::from(state.velocity) * dt);
         }
     }
 
@@ -258,6 +276,21 @@ impl World {
             direct_islands: self.efforts.direct_count(),
         }
     }
+}
+
+/// Adds the motion of a step of `dt` seconds to the pose of a body, and counts its time at rest. Returns whether it has
+/// rested for long enough to sleep.
+#[inline(always)]
+fn move_on(motion: &mut Motion, state: &mut BodyState, dt: f32) -> bool {
+    let turn = Rot { c: state.delta_rotation.c, s: state.delta_rotation.s };
+    motion.pose.center += state.delta_position.into();
+    motion.pose.rotation = (turn * motion.pose.rotation).normalized();
+    state.stand_still();
+    let speed = Vec2::from(state.velocity).length() + state.angular_velocity.abs() * motion.extent;
+    // A kinematic body rests only when it does not move at all: it keeps what it touches awake.
+    let is_resting = if motion.inverse_mass > 0.0 { speed < REST_SPEED } else { speed == 0.0 };
+    motion.still_time = if is_resting { motion.still_time + dt } else { 0.0 };
+    motion.inverse_mass > 0.0 && motion.still_time >= TIME_TO_SLEEP
 }
 
 /// Whether a body that is told how to move has been told to.

@@ -7,6 +7,7 @@ use rustycs::{Settings, World};
 fn allocations(name: &str, settings: Settings) -> u64 {
     let scene = rustycs_scenes::find(name).unwrap();
     let mut world = scene.build(1, settings);
+    world.divide_all_work();
     for _ in 0..600 {
         scene.before_tick(&mut world);
         world.step();
@@ -30,5 +31,15 @@ fn a_settled_step_allocates_nothing() {
             let settings = Settings { sleep, ..Settings::default() };
             assert_eq!(allocations(name, settings), 0, "{name}, sleep {sleep}");
         }
+    }
+}
+
+/// Handing work over takes no memory either. Debug builds note who writes what.
+#[test]
+#[cfg(not(debug_assertions))]
+fn a_settled_step_allocates_nothing_on_two_threads() {
+    for name in ["pyramid", "pile", "tumbler"] {
+        let settings = Settings { sleep: false, threads: 2, ..Settings::default() };
+        assert_eq!(allocations(name, settings), 0, "{name}");
     }
 }

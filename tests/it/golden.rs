@@ -51,11 +51,12 @@ const GOLDEN: &[(&str, u64)] = &[
     ("ball_pit", 0xBFC1_6FF8_4C0F_9613),
 ];
 
-fn hashes() -> Vec<(&'static str, u64)> {
+fn hashes(threads: usize) -> Vec<(&'static str, u64)> {
     rustycs_scenes::all()
         .iter()
         .map(|scene| {
-            let mut world = scene.build(1, Settings::default());
+            let mut world = scene.build(1, Settings { threads, ..Settings::default() });
+            world.divide_all_work();
             for _ in 0..TICKS {
                 scene.before_tick(&mut world);
                 world.step();
@@ -76,7 +77,7 @@ fn table(hashes: &[(&str, u64)]) -> String {
 
 #[test]
 fn every_scene_comes_to_its_golden_hash() {
-    let hashes = hashes();
+    let hashes = hashes(1);
     if std::env::var_os("RUSTYCS_PRINT_HASHES").is_some() {
         println!("const GOLDEN: &[(&str, u64)] = &[\n{}];", table(&hashes));
         return;
@@ -88,4 +89,15 @@ fn every_scene_comes_to_its_golden_hash() {
         "the motion of {moved:?} has changed; the table is now\n{}",
         table(&hashes)
     );
+}
+
+/// However little there is to divide.
+#[test]
+#[cfg(feature = "parallel")]
+fn every_scene_comes_to_its_golden_hash_on_two_three_and_four_threads() {
+    for threads in 2..=4 {
+        for hash in hashes(threads) {
+            assert!(GOLDEN.contains(&hash), "{} moves otherwise on {threads} threads", hash.0);
+        }
+    }
 }

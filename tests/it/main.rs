@@ -15,4 +15,5 @@ mod report;
 mod sleep;
 mod stability;
 mod support;
+mod threads;
 mod twins;

@@ -128,28 +128,41 @@ impl BroadPhase {
     /// It gets one if it would leave the old one, or if the old one is [`TOO_BIG`] times too big.
     #[inline]
     pub(crate) fn update(&mut self, body: u32, tight: Aabb, motion: Vec2) -> bool {
+        let leaves = self.leaves_box(body, tight, motion);
+        if leaves {
+            self.give_box(body, tight, motion);
+        }
+        leaves
+    }
+
+    /// Whether a body would leave its fat box, or its box is [`TOO_BIG`] times too big.
+    #[inline]
+    pub(crate) fn leaves_box(&self, body: u32, tight: Aabb, motion: Vec2) -> bool {
         let proxy = &self.proxies[body as usize];
         let (reach, wanted) = match proxy.home {
             Home::Absent => return false,
             Home::Fixed(_) => (tight, tight),
             Home::Movable(_) => (tight.swept(motion), fattened(tight, motion)),
         };
-        if proxy.fat.contains(reach) && proxy.fat.perimeter() <= TOO_BIG * wanted.perimeter() {
-            return false;
-        }
-        self.give_box(body, wanted);
-        true
+        let stays = proxy.fat.contains(reach) && proxy.fat.perimeter() <= TOO_BIG * wanted.perimeter();
+        !stays
     }
 
+    /// Gives a body another fat box.
     #[cold]
     #[inline(never)]
-    fn give_box(&mut self, body: u32, fat: Aabb) {
+    pub(crate) fn give_box(&mut self, body: u32, tight: Aabb, motion: Vec2) {
         let proxy = &mut self.proxies[body as usize];
-        proxy.fat = fat;
         match proxy.home {
             Home::Absent => {}
-            Home::Fixed(leaf) => self.fixed.move_leaf(leaf, fat),
-            Home::Movable(leaf) => self.movable.move_leaf(leaf, fat),
+            Home::Fixed(leaf) => {
+                proxy.fat = tight;
+                self.fixed.move_leaf(leaf, tight);
+            }
+            Home::Movable(leaf) => {
+                proxy.fat = fattened(tight, motion);
+                self.movable.move_leaf(leaf, proxy.fat);
+            }
         }
         self.mark_moved(body);
     }

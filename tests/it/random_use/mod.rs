@@ -62,6 +62,41 @@ proptest! {
     }
 }
 
+proptest! {
+    #![proptest_config(config(100))]
+
+    #[test]
+    fn whatever_the_api_accepts_comes_to_the_same_on_any_number_of_threads(
+        operations in prop::collection::vec(operation(), 1..40)
+    ) {
+        try_threads(Player::new, &operations)?;
+    }
+}
+
+proptest! {
+    #![proptest_config(config(10))]
+
+    #[test]
+    fn whatever_a_game_does_comes_to_the_same_on_any_number_of_threads(
+        operations in prop::collection::vec(usual_operation(), 1..60)
+    ) {
+        try_threads(Player::in_a_pool, &operations)?;
+    }
+}
+
+fn try_threads(player: fn() -> Player, operations: &[Operation]) -> Result<(), TestCaseError> {
+    let mut players = [1, 3].map(|threads| player().with_threads(threads));
+    for operation in operations {
+        for player in &mut players {
+            player.play(operation);
+        }
+        let [one, three] = players.each_ref().map(Player::bits);
+        prop_assert_eq!(three, one, "three threads, after {:?}", operation);
+        prop_assert!(players[1].check().is_ok());
+    }
+    Ok(())
+}
+
 fn try_widths(player: fn() -> Player, operations: &[Operation]) -> Result<(), TestCaseError> {
     let mut players = [Lanes::One, Lanes::Four, Lanes::Eight].map(|lanes| player().with_lanes(lanes));
     for operation in operations {

@@ -114,6 +114,7 @@ pub(crate) struct Player {
     forces: Vec<ForceId>,
     attractors: Vec<AttractorId>,
     lanes: Lanes,
+    threads: usize,
 }
 
 impl Player {
@@ -121,10 +122,20 @@ impl Player {
         let mut world = World::new(Settings::default());
         let gravity = world.add_force(Force::EARTH_GRAVITY);
         let forces = vec![gravity];
-        Self { world, bodies: Vec::new(), forces, attractors: Vec::new(), lanes: Lanes::Auto }
+        Self { world, bodies: Vec::new(), forces, attractors: Vec::new(), lanes: Lanes::Auto, threads: 1 }
     }
 
     /// The same with contacts solved so many at a time, whatever settings are played.
+    /// The same on so many threads, however little there is to do.
+    pub(crate) fn with_threads(mut self, threads: usize) -> Self {
+        self.threads = threads;
+        self.world.divide_all_work();
+        self.world
+            .set_settings(Settings { threads, ..self.world.settings().clone() })
+            .expect("good settings");
+        self
+    }
+
     pub(crate) fn with_lanes(mut self, lanes: Lanes) -> Self {
         self.lanes = lanes;
         self.world.set_settings(Settings { lanes, ..self.world.settings().clone() }).expect("good settings");
@@ -206,7 +217,11 @@ impl Player {
             }
             Operation::Set(settings) => {
                 // A split kick without a relax sweep is refused.
-                _ = world.set_settings(Settings { lanes: self.lanes, ..settings.clone() });
+                _ = world.set_settings(Settings {
+                    lanes: self.lanes,
+                    threads: self.threads,
+                    ..settings.clone()
+                });
             }
             Operation::Step(count) => (0..*count).for_each(|_| world.step()),
             Operation::Advance(seconds) => _ = world.advance(*seconds),

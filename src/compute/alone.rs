@@ -1,0 +1,23 @@
+//! The crew without the feature `parallel`: the caller alone.
+
+/// Nobody beside the caller.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Team;
+
+#[expect(clippy::unused_self, reason = "it is called as the team of the feature is")]
+impl Team {
+    #[inline(always)]
+    pub(super) fn begin(&mut self, _threads: usize) {}
+
+    #[inline(always)]
+    pub(super) fn rest(&mut self) {}
+
+    #[inline(always)]
+    pub(super) fn threads(&self) -> usize {
+        1
+    }
+
+    pub(super) fn run(&self, parts: usize, work: &(dyn Fn(usize) + Sync)) {
+        (0..parts).for_each(work);
+    }
+}

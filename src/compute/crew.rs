@@ -1,0 +1,156 @@
+//! Several threads for one step.
+//!
+//! A step has hundreds of stretches of work that can be divided, each a few microseconds long: every colour of every
+//! sweep is one. Starting or waking a thread takes longer than that, so threads are woken once per step, and look for
+//! parts without rest until it ends. A part that no thread has taken up is done by the caller: it never waits for a
+//! thread to come.
+//!
+//! No bit of a result depends on how work is divided, on which thread does a part, or in what order. Whoever divides
+//! work sees to that: parts write to different places, and what has an order is put in order afterwards.
+
+use core::ops::Range;
+
+use crate::compute::team::Team;
+
+/// A part is worth a thread if it takes so long, ns: handing it over and waiting for its end take 0.2 to 0.3 µs.
+const LEAST_PART: usize = 1000;
+
+/// Parts per thread, where there is so much to do: if one of the threads is late, another takes some of its parts.
+const PARTS_PER_THREAD: usize = 2;
+
+/// A step is worth more than one thread if it takes so long, ns. Waking a thread takes the caller 5 to 15 µs, and the
+/// thread comes 5 to 60 µs later: a pile of 1000, in 1.1 ms, gains a tenth, and one of 300, in 0.2 ms, is left to one.
+const LEAST_STEP: usize = 200_000;
+
+/// A step with a body or a contact more takes longer by about so much, ns.
+const STEP_COST: usize = 100;
+
+/// Most threads that work on one step.
+pub(crate) const MOST_THREADS: usize = 16;
+
+/// Most parts that work is divided into.
+const MOST_PARTS: usize = MOST_THREADS * PARTS_PER_THREAD;
+
+/// The threads that work on the steps of one world. A clone starts its own.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Crew {
+    team: Team,
+    /// Whether work is divided however little it is: for tests.
+    divides_all: bool,
+}
+
+/// Something that can be divided among threads: so many items, of which each belongs to one part.
+pub(crate) trait Divide: Sized + Send {
+    /// How many items there are.
+    fn count(&self) -> usize;
+    /// Those before an item, and those from it on.
+    fn divide(self, at: usize) -> (Self, Self);
+}
+
+impl Crew {
+    /// Begins a step with up to so many threads, the caller's among them, on so many bodies and contacts.
+    pub(crate) fn begin_step(&mut self, threads: usize, size: usize) {
+        let is_worth_it = self.divides_all || size * STEP_COST >= LEAST_STEP;
+        if threads > 1 && is_worth_it {
+            self.team.begin(threads.min(MOST_THREADS));
+        }
+    }
+
+    /// Lets the threads rest until the next step.
+    pub(crate) fn end_step(&mut self) {
+        self.team.rest();
+    }
+
+    /// Divides work from now on however little it is.
+    pub(crate) fn divide_all(&mut self) {
+        self.divides_all = true;
+    }
+
+    /// Whether nothing is divided in this step.
+    #[inline(always)]
+    pub(crate) fn is_alone(&self) -> bool {
+        self.team.threads() == 1
+    }
+
+    /// Does work on all of it, in parts of consecutive items if that is worth it. An item costs about so many ns.
+    #[inline(always)]
+    pub(crate) fn run<D: Divide>(&self, whole: D, item_cost: usize, work: impl Fn(D) + Sync) {
+        if self.is_alone() {
+            return work(whole);
+        }
+        let threads = self.team.threads();
+        let count = whole.count();
+        let worth = if self.divides_all { count } else { count * item_cost / LEAST_PART };
+        let parts = if worth < threads { worth } else { threads * (worth / threads).min(PARTS_PER_THREAD) };
+        if parts > 1 { self.run_parts(whole, count, parts, &work) } else { work(whole) }
+    }
+
+    #[inline(never)]
+    fn run_parts<D: Divide>(&self, whole: D, count: usize, parts: usize, work: &(impl Fn(D) + Sync)) {
+        use std::sync::Mutex;
+        // Each part is taken once; the locks are never waited for.
+        let places = [const { Mutex::new(None) }; MOST_PARTS];
+        let mut rest = whole;
+        for (part, place) in places[..parts].iter().enumerate().skip(1).rev() {
+            let (first, last) = rest.divide(count * part / parts);
+            *lock(place) = Some(last);
+            rest = first;
+        }
+        *lock(&places[0]) = Some(rest);
+        self.team.run(parts, &|part| {
+            if let Some(part) = lock(&places[part]).take() {
+                work(part);
+            }
+        });
+    }
+}
+
+/// What is behind a lock, whatever has happened to those who held it.
+pub(super) fn lock<T>(mutex: &std::sync::Mutex<T>) -> std::sync::MutexGuard<'_, T> {
+    mutex.lock().unwrap_or_else(std::sync::PoisonError::into_inner)
+}
+
+impl Divide for Range<usize> {
+    fn count(&self) -> usize {
+        self.len()
+    }
+
+    fn divide(self, at: usize) -> (Self, Self) {
+        let middle = self.start + at;
+        (self.start..middle, middle..self.end)
+    }
+}
+
+impl<T: Sync> Divide for &[T] {
+    fn count(&self) -> usize {
+        self.len()
+    }
+
+    fn divide(self, at: usize) -> (Self, Self) {
+        self.split_at(at)
+    }
+}
+
+impl<T: Send> Divide for &mut [T] {
+    fn count(&self) -> usize {
+        self.len()
+    }
+
+    fn divide(self, at: usize) -> (Self, Self) {
+        self.split_at_mut(at)
+    }
+}
+
+/// Items side by side: as many of the second as of the first.
+impl<A: Divide, B: Divide> Divide for (A, B) {
+    fn count(&self) -> usize {
+        debug_assert_eq!(self.0.count(), self.1.count());
+        self.0.count()
+    }
+
+    fn divide(self, at: usize) -> (Self, Self) {
+        let (first_a, last_a) = self.0.divide(at);
+        let (first_b, last_b) = self.1.divide(at);
+        ((first_a, first_b), (last_a, last_b))
+    }
+}
