@@ -35,41 +35,45 @@ struct Link {
     next: u32,
 }
 
-/// What is known of two bodies that are close.
+/// What is known of two bodies that are close: three cache lines, of which the first is all that is read of bodies out of
+/// reach of each other, as half of the contacts of a pile are.
+#[repr(C, align(64))]
 #[derive(Clone, Debug)]
 pub(crate) struct Contact {
     /// Slots of a and b; a is the smaller.
     pub(crate) slots: [u32; 2],
-    /// Points within the speculative margin; empty where the shapes are farther apart.
-    pub(crate) manifold: Manifold,
-    pub(crate) frozen: Frozen,
-    /// Mixed coefficient of friction.
-    pub(crate) friction: f32,
-    /// Mixed coefficient of restitution.
-    pub(crate) restitution: f32,
-    /// Width of the thinner of the two bodies, m.
-    pub(crate) thickness: f32,
-    /// For how many steps it has been under great load.
-    pub(crate) loaded_steps: u8,
-    /// The overlap that sweeps would leave under it, as a share of the thickness.
-    pub(crate) sag: f32,
     /// Whether the bodies touched at the end of the last step.
     pub(crate) is_touching: bool,
     /// Whether the manifold was kept from an earlier step rather than found anew.
     pub(crate) is_kept: bool,
     /// Whether the bodies met and parted again within the last step.
     pub(crate) has_bounced: bool,
+    /// Whether the constraint graph has it among the contacts of one point.
+    pub(crate) is_sorted_as_single: bool,
+    /// For how many steps it has been under great load.
+    pub(crate) loaded_steps: u8,
     /// How fast the bodies approached each other along the normal before the last step, or when they
     /// bounced in it, m/s.
     pub(crate) approach_speed: f32,
     /// Colour and place in the constraint graph, while the contact has points and is awake.
     pub(crate) graph_place: Option<(u32, u32)>,
-    /// Whether the constraint graph has it among the contacts of one point.
-    pub(crate) is_sorted_as_single: bool,
     /// Place in the list of awake contacts, `NONE` while neither body is awake.
     awake_place: u32,
+    /// Mixed coefficient of friction.
+    pub(crate) friction: f32,
+    /// Mixed coefficient of restitution.
+    pub(crate) restitution: f32,
+    /// Width of the thinner of the two bodies, m.
+    pub(crate) thickness: f32,
+    /// The overlap that sweeps would leave under it, as a share of the thickness.
+    pub(crate) sag: f32,
+    /// Points within the speculative margin; empty where the shapes are farther apart.
+    pub(crate) manifold: Manifold,
+    pub(crate) frozen: Frozen,
     links: [Link; 2],
 }
+
+const _: () = assert!(size_of::<Option<Contact>>() == 192);
 
 impl Contact {
     /// Whether the bodies touched in the last step, as its end found it.

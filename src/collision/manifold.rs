@@ -93,12 +93,13 @@ impl ManifoldPoint {
 }
 
 /// One or two contact points with a common normal.
+#[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Manifold {
+    count: u8,
     /// Unit vector from a to b, along which the two are pushed apart.
     pub normal: Vec2,
     points: [ManifoldPoint; 2],
-    count: u8,
 }
 
 impl Manifold {

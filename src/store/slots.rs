@@ -33,22 +33,18 @@ impl Key {
     }
 }
 
-#[derive(Clone, Debug)]
-struct Slot<T> {
-    generation: NonZeroU32,
-    value: Option<T>,
-}
-
 /// Values at fixed places. A removed value's place is used again (last freed first) under a new generation.
 #[derive(Clone, Debug)]
 pub(crate) struct Slots<T> {
-    slots: Vec<Slot<T>>,
+    values: Vec<Option<T>>,
+    /// Of each place. Only keys are compared with it, and values keep to their cache lines without it.
+    generations: Vec<NonZeroU32>,
     free: Vec<u32>,
 }
 
 impl<T> Default for Slots<T> {
     fn default() -> Self {
-        Self { slots: Vec::new(), free: Vec::new() }
+        Self { values: Vec::new(), generations: Vec::new(), free: Vec::new() }
     }
 }
 
@@ -56,63 +52,66 @@ impl<T> Slots<T> {
     /// Asks for the value at a place to be brought close.
     #[inline(always)]
     pub(crate) fn prefetch(&self, index: u32) {
-        prefetch(&self.slots, index as usize);
+        prefetch(&self.values, index as usize);
     }
 
     /// How many values there are.
     pub(crate) fn len(&self) -> usize {
-        self.slots.len() - self.free.len()
+        self.values.len() - self.free.len()
     }
 
     pub(crate) fn insert(&mut self, value: T) -> Key {
         if let Some(index) = self.free.pop() {
-            let slot = &mut self.slots[index as usize];
-            slot.value = Some(value);
-            Key { generation: slot.generation, index }
+            self.values[index as usize] = Some(value);
+            Key { generation: self.generations[index as usize], index }
         } else {
-            let index = self.slots.len() as u32;
-            self.slots.push(Slot { generation: NonZeroU32::MIN, value: Some(value) });
+            let index = self.values.len() as u32;
+            self.values.push(Some(value));
+            self.generations.push(NonZeroU32::MIN);
             Key { generation: NonZeroU32::MIN, index }
         }
     }
 
     /// Takes the value out, or `None` for a stale key.
     pub(crate) fn remove(&mut self, key: Key) -> Option<T> {
-        let slot = self.slots.get_mut(key.index as usize).filter(|slot| slot.generation == key.generation)?;
-        let value = slot.value.take()?;
+        let place = key.index as usize;
+        let generation =
+            self.generations.get_mut(place).filter(|generation| **generation == key.generation)?;
+        let value = self.values[place].take()?;
         // After 2³² - 1 uses of one place the count starts again at 1.
-        slot.generation = slot.generation.checked_add(1).unwrap_or(NonZeroU32::MIN);
+        *generation = generation.checked_add(1).unwrap_or(NonZeroU32::MIN);
         self.free.push(key.index);
         Some(value)
     }
 
+    /// Whether the key is that of the value at its place, or of none.
+    fn is_current(&self, key: Key) -> bool {
+        self.generations.get(key.index as usize) == Some(&key.generation)
+    }
+
     pub(crate) fn get(&self, key: Key) -> Option<&T> {
-        let slot = self.slots.get(key.index as usize)?;
-        if slot.generation == key.generation { slot.value.as_ref() } else { None }
+        if self.is_current(key) { self.at(key.index) } else { None }
     }
 
     pub(crate) fn get_mut(&mut self, key: Key) -> Option<&mut T> {
-        let slot = self.slots.get_mut(key.index as usize)?;
-        if slot.generation == key.generation { slot.value.as_mut() } else { None }
+        if self.is_current(key) { self.values[key.index as usize].as_mut() } else { None }
     }
 
     /// The value at a place, if it is filled.
     pub(crate) fn at(&self, index: u32) -> Option<&T> {
-        self.slots.get(index as usize)?.value.as_ref()
+        self.values.get(index as usize)?.as_ref()
     }
 
     /// The key of the value at a place that is filled.
     pub(crate) fn key_at(&self, index: u32) -> Key {
-        let slot = &self.slots[index as usize];
-        debug_assert!(slot.value.is_some(), "place {index} is free");
-        Key { generation: slot.generation, index }
+        debug_assert!(self.at(index).is_some(), "place {index} is free");
+        Key { generation: self.generations[index as usize], index }
     }
 
     /// Keys and values by ascending place.
     pub(crate) fn iter(&self) -> impl Iterator<Item = (Key, &T)> {
-        self.slots.iter().enumerate().filter_map(|(index, slot)| {
-            let key = Key { generation: slot.generation, index: index as u32 };
-            slot.value.as_ref().map(|value| (key, value))
+        (0..).zip(self.values.iter().zip(&self.generations)).filter_map(|(index, (value, &generation))| {
+            value.as_ref().map(|value| (Key { generation, index }, value))
         })
     }
 }
@@ -120,13 +119,13 @@ impl<T> Slots<T> {
 /// Values at fixed places that several threads change: each of them others.
 #[derive(Debug)]
 pub(crate) struct SharedSlots<'a, T> {
-    slots: Shared<'a, Slot<T>>,
+    values: Shared<'a, Option<T>>,
 }
 
 impl<T> Slots<T> {
     /// The values, for several threads to change.
     pub(crate) fn shared(&mut self) -> SharedSlots<'_, T> {
-        SharedSlots { slots: Shared::new(&mut self.slots) }
+        SharedSlots { values: Shared::new(&mut self.values) }
     }
 }
 
@@ -134,13 +133,13 @@ impl<T> SharedSlots<'_, T> {
     /// Asks for the value at a place to be brought close.
     #[inline(always)]
     pub(crate) fn prefetch(&self, index: u32) {
-        self.slots.prefetch(index as usize);
+        self.values.prefetch(index as usize);
     }
 
     /// Changes the value at a place, which no other thread looks at.
     #[inline(always)]
     pub(crate) fn change<R>(&self, index: u32, change: impl FnOnce(&mut T) -> R) -> R {
-        self.slots.change(index as usize, |slot| change(slot.value.as_mut().expect("the place is filled")))
+        self.values.change(index as usize, |value| change(value.as_mut().expect("the place is filled")))
     }
 }
 
@@ -148,14 +147,14 @@ impl<T> Index<u32> for Slots<T> {
     type Output = T;
     #[inline(always)]
     fn index(&self, index: u32) -> &T {
-        self.slots[index as usize].value.as_ref().expect("the place is filled")
+        self.values[index as usize].as_ref().expect("the place is filled")
     }
 }
 
 impl<T> IndexMut<u32> for Slots<T> {
     #[inline(always)]
     fn index_mut(&mut self, index: u32) -> &mut T {
-        self.slots[index as usize].value.as_mut().expect("the place is filled")
+        self.values[index as usize].as_mut().expect("the place is filled")
     }
 }
 
