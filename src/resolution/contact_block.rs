@@ -83,6 +83,8 @@ impl ContactBlock {
             to.normal_k.set(place, k);
             to.normal_impulse.set(place, scale * point.normal_impulse);
             friction.impulse.set(place, scale * point.tangent_impulse);
+            // The warm start of a block whose contacts have one point each finds that of the first only.
+            friction.normal_share.set(place, 0.0);
         }
     }
 

@@ -18,14 +18,14 @@ const TICKS: usize = 300;
 
 /// State hash of each scene after [`TICKS`] ticks with seed 1 and default settings.
 const GOLDEN: &[(&str, u64)] = &[
-    ("pile", 0x6B86_FF6C_6630_4801),
+    ("pile", 0xD793_709C_C2C0_7DB5),
     ("pool", 0x5EF0_D765_7B48_588B),
     ("materials", 0xB9F3_6753_0B18_3D22),
     ("slide", 0x4DDB_C55C_0F4A_B739),
     ("slope", 0x2F99_099F_C24C_5FAD),
-    ("platforms", 0x9691_5728_E510_C37A),
+    ("platforms", 0x628C_9089_8227_1930),
     ("attractor", 0xA22A_D2CA_47A5_D695),
-    ("polygons", 0x4817_9666_C405_DA33),
+    ("polygons", 0xD853_F0D8_4D17_6353),
     ("solar_system", 0xA6BE_1264_61D2_67E1),
     ("sandbox", 0x3C3A_6E8D_E23B_0BC4),
     ("tower", 0xBC19_9271_107B_9D80),
@@ -40,14 +40,14 @@ const GOLDEN: &[(&str, u64)] = &[
     ("bounce", 0x2606_9759_B3F2_5609),
     ("billiards", 0xAAA8_AEEB_B2C0_8B29),
     ("confined", 0x2142_3C3B_5794_4D54),
-    ("tumbler", 0x3359_94C6_0998_6CFF),
-    ("washer", 0xB158_A44F_520E_14E9),
-    ("spinner", 0x0504_68BD_2799_CF67),
-    ("wind_tunnel", 0x7D14_7A8E_5015_ED07),
+    ("tumbler", 0x736A_54D4_B42C_50FC),
+    ("washer", 0xA7CC_C746_5040_C365),
+    ("spinner", 0x6B85_2F9D_8A15_D14F),
+    ("wind_tunnel", 0xB886_13E9_3FD7_A508),
     ("pinball", 0x32C1_2B68_C46A_5BD6),
     ("orbit", 0x9F8A_1F9B_4AED_59DD),
     ("galaxy", 0x9C53_33C2_6118_28C5),
-    ("smash", 0x5C4F_0F1D_EEAC_C24C),
+    ("smash", 0xFB28_F3C9_2F12_432A),
     ("ball_pit", 0x82B9_8E2C_E5CE_B1B5),
 ];
 
