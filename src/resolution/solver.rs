@@ -45,6 +45,8 @@ pub(crate) struct Scheme {
     pub(crate) limits: SpeedLimits,
     /// How many contacts are solved at a time.
     pub(crate) width: Width,
+    /// Whether they are solved by kernels that leave out what none of them needs.
+    pub(crate) fitted_kernels: bool,
 }
 
 impl Scheme {
@@ -169,6 +171,12 @@ impl Scheme {
         Sweep { biased: false, friction: true, ..self.main_sweep() }
     }
 
+    /// A sweep of this kind.
+    fn sweep_over<'a>(&self, states: &'a mut [BodyState], kind: Sweep) -> SweepOver<'a> {
+        let per_substep = 1.0 / self.substep_time();
+        SweepOver { states, kind, per_substep, is_fitted: self.fitted_kernels }
+    }
+
     /// What of the last impulses is applied before the move, and again after it where the kick is split.
     fn warm_part(&self) -> f32 {
         match (self.warm_starting, self.split_kick) {
@@ -227,8 +235,8 @@ impl Solver {
         self.warm_start(scheme, class, graph, bodies);
         let states = &mut bodies.states;
         for _ in 0..scheme.iterations {
-            let kind = scheme.main_sweep();
-            graph.for_each((class.effort, scheme.width), SweepOver { states, kind, per_substep: 1.0 / h });
+            let sweep = scheme.sweep_over(states, scheme.main_sweep());
+            graph.for_each((class.effort, scheme.width), sweep);
         }
         if scheme.split_kick && scheme.warm_starting {
             self.grip_newcomers(scheme, graph, states);
@@ -241,12 +249,11 @@ impl Solver {
 
     /// Contacts by sweeps, after the bodies have moved.
     fn sweep_after_move(&mut self, scheme: &Scheme, class: &EffortClass<'_>, tables: &mut SolveTables<'_>) {
-        let per_substep = 1.0 / scheme.substep_time();
         let (graph, states) = (&mut *tables.graph, &mut tables.bodies.states);
         let relax = scheme.relax_sweep();
         for iteration in 0..scheme.relax_iterations {
             let kind = Sweep { counts_share: scheme.split_kick && iteration == 0, ..relax };
-            graph.for_each((class.effort, scheme.width), SweepOver { states, kind, per_substep });
+            graph.for_each((class.effort, scheme.width), scheme.sweep_over(states, kind));
         }
         if scheme.relax_iterations > 0 {
             self.sweep_newcomers(scheme, relax, graph, states, |_, _| true);
@@ -355,8 +362,9 @@ impl Solver {
     ) {
         self.shares.resize(bodies.states.len(), BodyState::REST);
         self.shares[class.rows.clone()].fill(BodyState::REST);
-        let (shares, part) = (&mut self.shares, scheme.warm_part());
-        graph.for_each((class.effort, scheme.width), WarmStart { shares, part });
+        let shares = &mut self.shares;
+        let (part, is_fitted) = (scheme.warm_part(), scheme.fitted_kernels);
+        graph.for_each((class.effort, scheme.width), WarmStart { shares, part, is_fitted });
         self.integrate(scheme, class, bodies, Advance { shares: true, ..Advance::NONE });
     }
 
@@ -385,10 +393,9 @@ impl Solver {
         let loaded = self.newcomers.iter().filter(|&&place| graph.is_loaded(place) && fits(graph, place));
         self.loaded_newcomers.clear();
         self.loaded_newcomers.extend(loaded);
-        let per_substep = 1.0 / scheme.substep_time();
         for _ in 0..NEWCOMER_SWEEPS {
             for &place in &self.loaded_newcomers {
-                graph.for_one(place, SweepOver { states, kind, per_substep });
+                graph.for_one(place, scheme.sweep_over(states, kind));
             }
         }
     }

@@ -76,6 +76,9 @@ pub struct Settings {
     pub max_spin: f32,
     /// How many contacts are solved at a time. No bit of a result depends on it. Default [`Lanes::Auto`].
     pub lanes: Lanes,
+    /// Whether contacts of one point, without friction, or of bodies that do not turn are solved by kernels that leave
+    /// out what is not there. No bit of a result depends on it: it is there to measure what that saves. Default true.
+    pub fitted_kernels: bool,
 }
 
 impl Default for Settings {
@@ -101,6 +104,7 @@ impl Default for Settings {
             max_speed: 1e5,
             max_spin: 1e5,
             lanes: Lanes::Auto,
+            fitted_kernels: true,
         }
     }
 }
@@ -197,6 +201,7 @@ impl Settings {
             restitution_threshold: self.restitution_threshold,
             limits: SpeedLimits { speed: self.max_speed, spin: self.max_spin },
             width: self.lanes.width(),
+            fitted_kernels: self.fitted_kernels,
         }
     }
 }
