@@ -6,7 +6,7 @@ use std::process::ExitCode;
 use clap::{Args, Parser, Subcommand};
 
 use crate::speed::{self, scenes};
-use crate::{check, engines, error, problems, stability};
+use crate::{check, engines, error, footprint, problems, stability};
 
 /// rustycs beside Box2D and Rapier.
 #[derive(Debug, Parser)]
@@ -29,6 +29,8 @@ enum Command {
     /// Plays stiff and extreme cases in the engines and judges each by statics or a law of conservation. Writes
     /// stability.csv, STABILITY.md and pictures of how the cases end.
     Stability(StabilityOptions),
+    /// Counts instructions, memory, allocations, and what it takes to build a small program. Writes FOOTPRINT.md.
+    Footprint(FootprintOptions),
 }
 
 /// Options of the command `error`.
@@ -124,6 +126,22 @@ pub(crate) struct StabilityOptions {
     pub(crate) again: bool,
 }
 
+/// Options of the command `footprint`.
+#[derive(Args, Clone, Debug, Default)]
+pub(crate) struct FootprintOptions {
+    /// Leaves out the cold builds, which take minutes, and counts fewer steps.
+    #[arg(long)]
+    pub(crate) quick: bool,
+
+    /// Where to write the page.
+    #[arg(long, value_name = "DIR", default_value = "benches/results")]
+    pub(crate) out: PathBuf,
+
+    /// Does one measurement in this process, which the command starts for it: what, engine, scene and steps.
+    #[arg(long, hide = true, num_args = 4)]
+    pub(crate) alone: Vec<String>,
+}
+
 /// The beginning of some problem's name.
 fn problem_name(name: &str) -> Result<String, String> {
     beginning(name, &problems::all().into_iter().map(|problem| problem.name).collect::<Vec<_>>(), "problems")
@@ -168,6 +186,7 @@ pub(crate) fn run() -> ExitCode {
         Command::Error(options) => error::run(&options),
         Command::Speed(options) => speed::run(&options),
         Command::Stability(options) => stability::run(&options),
+        Command::Footprint(options) => footprint::run(&options),
     }
 }
 

@@ -5,6 +5,7 @@ mod cli;
 mod engines;
 mod error;
 mod fingerprint;
+mod footprint;
 mod interrupt;
 mod machine;
 mod problems;
