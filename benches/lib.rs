@@ -1,2 +1,3 @@
-//! The benches are `steps` (criterion: whole steps and single detections) and `scaling` (how the time per body
-//! grows with the number of bodies); this package only holds them.
+//! The benches are `steps` (criterion: whole steps and single detections), `scaling` (how the time per body grows with
+//! the number of bodies) and `leave_out` (what is optional costs nothing where it is absent); this package only holds
+//! them.

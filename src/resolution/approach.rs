@@ -82,8 +82,11 @@ impl Job for Find<'_> {
                 let pair = block.gather_velocities(self.states, first);
                 let threshold = L::load(thresholds, first);
                 let (_, first_point) = approach(&constraint, 0, threshold, &pair);
-                let (_, second_point) = approach(&constraint, 1, threshold, &pair);
-                let mut bits = L::bits(first_point) | L::bits(second_point);
+                let mut bits = L::bits(first_point);
+                if !block.fit().is_single {
+                    let (_, second_point) = approach(&constraint, 1, threshold, &pair);
+                    bits |= L::bits(second_point);
+                }
                 while bits != 0 {
                     self.found.push(names[first + bits.trailing_zeros() as usize]);
                     bits &= bits - 1;

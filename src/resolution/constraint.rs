@@ -73,6 +73,8 @@ pub(crate) struct ContactConstraint<C> {
     pub(crate) frictions: [PointFriction<C>; 2],
     /// What most contacts have alike.
     pub(crate) special: Special<C>,
+    /// Whether none of the bodies turns, or can be turned: then the terms of turning, all of them 0, are left out.
+    pub(crate) is_still: bool,
 }
 
 /// What most contacts have alike, so that blocks need not load it.
@@ -115,10 +117,24 @@ impl<L: Lane> ContactConstraint<L> {
     /// Separation of a point now, m.
     #[inline(always)]
     pub(crate) fn separation(&self, point: &ConstraintPoint<L>, a: &BodyState<L>, b: &BodyState<L>) -> L {
-        let [turned_a, turned_b] = self.turned(point, a, b);
-        let tip_a = a.delta_position + turned_a;
-        let tip_b = b.delta_position + turned_b;
+        let [mut tip_a, mut tip_b] = [a.delta_position, b.delta_position];
+        if !self.is_still {
+            let [turned_a, turned_b] = self.turned(point, a, b);
+            tip_a = tip_a + turned_a;
+            tip_b = tip_b + turned_b;
+        }
         point.separation + self.normal.dot(tip_b - tip_a)
+    }
+
+    /// Velocity of b against a at a point, m/s.
+    #[inline(always)]
+    pub(crate) fn relative_velocity(
+        &self,
+        point: &ConstraintPoint<L>,
+        a: &BodyState<L>,
+        b: &BodyState<L>,
+    ) -> LaneVec2<L> {
+        if self.is_still { b.velocity - a.velocity } else { point.relative_velocity(a, b) }
     }
 
     /// How far the turning of the two bodies has carried the anchors of a point, m.
@@ -145,16 +161,19 @@ impl<L: Lane> ContactConstraint<L> {
         b: &mut BodyState<L>,
     ) {
         a.velocity = a.velocity - impulse * self.inverse_mass_a;
-        a.angular_velocity = a.angular_velocity - self.inverse_inertia_a * point.anchor_a.cross(impulse);
         b.velocity = b.velocity + impulse * self.inverse_mass_b;
-        b.angular_velocity = b.angular_velocity + self.inverse_inertia_b * point.anchor_b.cross(impulse);
+        if !self.is_still {
+            a.angular_velocity = a.angular_velocity - self.inverse_inertia_a * point.anchor_a.cross(impulse);
+            b.angular_velocity = b.angular_velocity + self.inverse_inertia_b * point.anchor_b.cross(impulse);
+        }
     }
 }
 
 impl<L: Lane> ContactConstraint<L> {
-    /// Finds the effective masses and the coupling of the points that are there, as their k above 0 says.
+    /// Finds the effective masses and the coupling of the points that are there, as their k above 0 says: none beyond
+    /// the first `POINTS`.
     #[inline(always)]
-    pub(crate) fn find_masses(&mut self) {
+    pub(crate) fn find_masses<const POINTS: usize>(&mut self) {
         let zero = L::splat(0.0);
         let mass = self.inverse_mass_a + self.inverse_mass_b;
         let [i_a, i_b] = [self.inverse_inertia_a, self.inverse_inertia_b];
@@ -164,7 +183,7 @@ impl<L: Lane> ContactConstraint<L> {
         let tangent = self.normal.perp();
         let is_there = [0, 1].map(|index| self.points[index].normal_k.greater(zero));
         let mut arms = [[zero; 2]; 2];
-        for index in 0..2 {
+        for index in 0..POINTS {
             let point = &mut self.points[index];
             let arm = [point.anchor_a.cross(self.normal), point.anchor_b.cross(self.normal)];
             let tangent_arm = [point.anchor_a.cross(tangent), point.anchor_b.cross(tangent)];
@@ -172,6 +191,9 @@ impl<L: Lane> ContactConstraint<L> {
             point.normal_k = L::select(is_there[index], k(arm, arm), zero);
             self.frictions[index].mass =
                 L::select(is_there[index], L::splat(1.0) / k(tangent_arm, tangent_arm), zero);
+        }
+        if POINTS < 2 {
+            return;
         }
         let limit = L::splat(LARGEST_COUPLING) * (k(arms[0], arms[0]) * k(arms[1], arms[1])).sqrt();
         let coupling = limit.min((-limit).max(k(arms[0], arms[1])));
@@ -186,14 +208,21 @@ impl ContactConstraint<f32> {
         for (to, _) in self.points.iter_mut().zip(manifold.points()) {
             to.normal_k = THERE;
         }
-        self.find_masses();
+        self.find_masses_of(manifold);
     }
 
     /// Takes normal and points over from a manifold of the bodies in the states `a` and `b`, within the step. It
     /// must have as many points as before.
     pub(crate) fn set_geometry_in(&mut self, manifold: &Manifold, a: &BodyState, b: &BodyState) {
         self.set_points_in(manifold, a, b);
-        self.find_masses();
+        self.find_masses_of(manifold);
+    }
+
+    fn find_masses_of(&mut self, manifold: &Manifold) {
+        match manifold.points() {
+            [_] => self.find_masses::<1>(),
+            _ => self.find_masses::<2>(),
+        }
     }
 
     fn set_points(&mut self, manifold: &Manifold) {

@@ -216,7 +216,7 @@ impl ConstraintGraph {
     #[inline(always)]
     pub(crate) fn constraint(&self, place: (u32, u32)) -> ContactConstraint<f32> {
         let (block, place) = self.block(place);
-        block.load(place)
+        block.load_one(place)
     }
 
     /// Whether the contact at a place of the graph presses its bodies apart.

@@ -1,7 +1,7 @@
 //! How contacts are stored while a step is solved: eight to a block, column by column, so that lanes of any width
 //! load and store them without turning rows into columns.
 
-use crate::body::Bodies;
+use crate::body::{Bodies, Motion};
 use crate::collision::{Contact, Contacts, ManifoldPoint};
 use crate::compute::{BodyState, COLUMN, Column, GROUND_ROW, Lane, LaneVec2, RowPairs, Rows, Shared};
 use crate::resolution::constraint::{
@@ -19,8 +19,7 @@ pub(crate) struct ContactBlock {
     rows: RowPairs,
     /// Whether any of the contacts has something special.
     is_special: bool,
-    /// Whether none of the contacts has a second point.
-    is_single: bool,
+    fit: Fit,
     /// Contacts that are more than bodies at rest on each other.
     lively: Marks,
     columns: ContactConstraint<Column>,
@@ -32,6 +31,22 @@ const _: () = {
     assert!(columns + core::mem::offset_of!(ContactConstraint<Column>, friction) == 12 * 64);
     assert!(columns + core::mem::offset_of!(ContactConstraint<Column>, special) <= 16 * 64);
 };
+
+/// What none of the contacts of a block needs, so that kernels may leave it out without a bit of difference.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(crate) struct Fit {
+    /// None has a second point.
+    pub(crate) is_single: bool,
+    /// None has friction.
+    pub(crate) is_smooth: bool,
+    /// None of the bodies turns, or can be turned.
+    pub(crate) is_still: bool,
+}
+
+impl Fit {
+    /// What holds of no contacts at all.
+    const ALL: Self = Self { is_single: true, is_smooth: true, is_still: true };
+}
 
 /// One of the points of eight contacts at the end of the step.
 #[derive(Clone, Copy, Debug, Default)]
@@ -85,7 +100,7 @@ impl ContactBlock {
         }
         self.rows = RowPairs::default();
         self.is_special = false;
-        self.is_single = true;
+        self.fit = Fit::ALL;
         self.lively = Marks::default();
         self.columns.special.awaits_impact = Default::default();
         for (place, &index) in indices.iter().enumerate() {
@@ -107,7 +122,14 @@ impl ContactBlock {
         self.is_special |= a.is_round || b.is_round;
         columns.friction.set(place, contact.friction);
         columns.normal.store(place, contact.manifold.normal.into());
-        self.is_single &= contact.manifold.points().len() < 2;
+        // A spin of 0 stays 0, and not -0, where nothing can change it.
+        let is_still = |motion: &Motion| {
+            motion.inverse_inertia == 0.0
+                && bodies.states[motion.row as usize].angular_velocity.to_bits() == 0
+        };
+        self.fit.is_still &= is_still(a) && is_still(b);
+        self.fit.is_single &= contact.manifold.points().len() < 2;
+        self.fit.is_smooth &= contact.friction == 0.0;
         let mut is_loaded = false;
         let mut points = contact.manifold.points().iter();
         for (to, friction) in columns.points.iter_mut().zip(&mut columns.frictions) {
@@ -119,6 +141,10 @@ impl ContactBlock {
             to.normal_k.set(place, k);
             to.normal_impulse.set(place, scale * point.normal_impulse);
             friction.impulse.set(place, scale * point.tangent_impulse);
+            // The warm start of a block whose contacts have one point each finds that of the first only.
+            friction.normal_share.set(place, 0.0);
+            // What friction did before it ceased is still to be taken back.
+            self.fit.is_smooth &= point.tangent_impulse == 0.0;
         }
         let rests = contact.is_kept && is_loaded;
         let is_plain = rests && contact.restitution == 0.0 && !a.is_round && !b.is_round;
@@ -128,12 +154,25 @@ impl ContactBlock {
     /// Finds the effective masses.
     #[inline(always)]
     pub(crate) fn find_masses<L: Lane>(&mut self, place: usize) {
+        if self.fit.is_single {
+            self.columns.coupling = Column::default();
+            self.columns.frictions[1].mass = Column::default();
+            self.find_masses_of::<L, 1>(place);
+        } else {
+            self.find_masses_of::<L, 2>(place);
+        }
+    }
+
+    #[inline(always)]
+    fn find_masses_of<L: Lane, const POINTS: usize>(&mut self, place: usize) {
         let mut constraint = self.load::<L>(place);
-        constraint.find_masses();
-        constraint.coupling.store(&mut self.columns.coupling, place);
-        for index in 0..2 {
+        constraint.find_masses::<POINTS>();
+        for index in 0..POINTS {
             constraint.points[index].normal_k.store(&mut self.columns.points[index].normal_k, place);
             constraint.frictions[index].mass.store(&mut self.columns.frictions[index].mass, place);
+        }
+        if POINTS == 2 {
+            constraint.coupling.store(&mut self.columns.coupling, place);
         }
     }
 
@@ -179,10 +218,10 @@ impl ContactBlock {
         load
     }
 
-    /// Whether none of the contacts has a second point.
+    /// What none of the contacts needs.
     #[inline(always)]
-    pub(crate) fn is_single(&self) -> bool {
-        self.is_single
+    pub(crate) fn fit(&self) -> Fit {
+        self.fit
     }
 
     /// The contacts that may bounce, follow the surface, begin to bear load or be handed over: all but those of bodies
@@ -203,16 +242,36 @@ impl ContactBlock {
         self.columns.load(place, special)
     }
 
-    /// Writes normals and points back, but for the effective masses.
+    /// Writes normal and points of one contact back, but for the effective masses.
     #[inline(always)]
-    pub(crate) fn store_points<L: Lane>(&mut self, place: usize, constraint: &ContactConstraint<L>) {
-        self.columns.store_points(place, constraint);
+    pub(crate) fn store_points(&mut self, place: usize, constraint: &ContactConstraint<f32>) {
+        if self.fit.is_single {
+            self.columns.store_points::<1>(place, constraint);
+        } else {
+            self.columns.store_points::<2>(place, constraint);
+        }
     }
 
-    /// Writes normals and points back.
+    /// One contact alone, without reading a point that no contact of the block has.
     #[inline(always)]
-    pub(crate) fn store_geometry<L: Lane>(&mut self, place: usize, constraint: &ContactConstraint<L>) {
-        self.columns.store_geometry(place, constraint);
+    pub(crate) fn load_one(&self, place: usize) -> ContactConstraint<f32> {
+        let mut constraint = self.load(place);
+        if self.fit.is_single {
+            constraint.points[1] = ConstraintPoint::default();
+            constraint.frictions[1] = PointFriction::default();
+            constraint.coupling = 0.0;
+        }
+        constraint
+    }
+
+    /// Writes normal and points of one contact back.
+    #[inline(always)]
+    pub(crate) fn store_geometry(&mut self, place: usize, constraint: &ContactConstraint<f32>) {
+        if self.fit.is_single {
+            self.columns.store_geometry::<1>(place, constraint);
+        } else {
+            self.columns.store_geometry::<2>(place, constraint);
+        }
     }
 
     /// Writes impulses along the normal back, of the first points.
@@ -255,6 +314,7 @@ impl ContactBlock {
     pub(crate) fn set_impulses(&mut self, place: usize, point: usize, [normal, tangent]: [f32; 2]) {
         self.columns.points[point].normal_impulse.set(place, normal);
         self.columns.frictions[point].impulse.set(place, tangent);
+        self.fit.is_smooth &= tangent == 0.0;
     }
 
     /// Changes what the first point of one contact bears, N s: its impulses along normal and tangent, and the share
@@ -263,6 +323,7 @@ impl ContactBlock {
         self.columns.points[0].normal_impulse.set(place, normal);
         self.columns.frictions[0].impulse.set(place, tangent);
         self.columns.frictions[0].normal_share.set(place, normal_share);
+        self.fit.is_smooth &= tangent == 0.0;
     }
 
     /// Has the sweeps heed the points of one contact again or not.
@@ -334,28 +395,31 @@ impl ContactConstraint<Column> {
             points: [self.points[0].load(place), self.points[1].load(place)],
             frictions: [self.frictions[0].load(place), self.frictions[1].load(place)],
             special,
+            is_still: false,
         }
     }
 
     #[inline(always)]
-    fn store_points<L: Lane>(&mut self, place: usize, constraint: &ContactConstraint<L>) {
+    fn store_points<const POINTS: usize>(&mut self, place: usize, constraint: &ContactConstraint<f32>) {
         self.normal.store(place, constraint.normal);
-        for (to, point) in self.points.iter_mut().zip(&constraint.points) {
+        for (to, point) in self.points.iter_mut().zip(&constraint.points).take(POINTS) {
             to.anchor_a.store(place, point.anchor_a);
             to.anchor_b.store(place, point.anchor_b);
-            point.separation.store(&mut to.separation, place);
+            to.separation.set(place, point.separation);
         }
     }
 
     #[inline(always)]
-    fn store_geometry<L: Lane>(&mut self, place: usize, constraint: &ContactConstraint<L>) {
-        self.store_points(place, constraint);
-        constraint.coupling.store(&mut self.coupling, place);
-        for (to, point) in self.points.iter_mut().zip(&constraint.points) {
-            point.normal_k.store(&mut to.normal_k, place);
+    fn store_geometry<const POINTS: usize>(&mut self, place: usize, constraint: &ContactConstraint<f32>) {
+        self.store_points::<POINTS>(place, constraint);
+        if POINTS == 2 {
+            self.coupling.set(place, constraint.coupling);
         }
-        for (to, friction) in self.frictions.iter_mut().zip(&constraint.frictions) {
-            friction.mass.store(&mut to.mass, place);
+        for (to, point) in self.points.iter_mut().zip(&constraint.points).take(POINTS) {
+            to.normal_k.set(place, point.normal_k);
+        }
+        for (to, friction) in self.frictions.iter_mut().zip(&constraint.frictions).take(POINTS) {
+            to.mass.set(place, friction.mass);
         }
     }
 }

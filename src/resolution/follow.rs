@@ -96,7 +96,7 @@ impl Constraints<'_> {
     /// come to what the normal and the points ask for, not what that is.
     fn bring_to(&mut self, place: (u32, u32), manifold: &Manifold, [a, b]: [&BodyState; 2]) {
         let (block, place) = self.graph.block_mut(place);
-        let before = block.load(place);
+        let before = block.load_one(place);
         let mut constraint = before;
         constraint.set_points_in(manifold, a, b);
         block.store_points(place, &constraint);

@@ -288,6 +288,9 @@ pub(crate) fn drift_until(time: f32, before: &BodyState, state: &mut BodyState) 
 #[inline(always)]
 pub(crate) fn turn<L: Lane>(state: &mut BodyState<L>, angle: L) {
     let turns = angle.abs().greater(L::splat(0.0));
+    if L::bits(turns) == 0 {
+        return;
+    }
     let (sin, cos) = angle.sin_cos();
     let q = state.delta_rotation;
     state.delta_rotation.c = L::select(turns, q.c * cos - q.s * sin, q.c);

@@ -5,13 +5,23 @@
 use crate::compute::{BodyState, Lane, LaneVec2, Shared};
 use crate::resolution::block::solve_pair;
 use crate::resolution::constraint::ContactConstraint;
-use crate::resolution::contact_block::ContactBlock;
+use crate::resolution::contact_block::{ContactBlock, Fit};
 use crate::resolution::softness::{bias, gap_bias, leak};
 
 /// Something that is done to contacts, as many at a time as a lane holds: those of `block` from `place` on. Several
-/// threads do it to contacts of one colour, which move no body in common: no other may it write to. It is to be `#[inline(always)]`, see [`Job`](crate::compute::Job).
+/// threads do it to contacts of one colour, which move no body in common: no other may it write to. It is to be
+/// `#[inline(always)]`, see [`Job`](crate::compute::Job).
 pub(crate) trait Kernel: Clone + Sync {
     fn run<L: Lane>(&self, block: &mut ContactBlock, place: usize);
+}
+
+/// What kernels leave out for a block. Not all that they could: each case makes programs larger and longer to build.
+/// One contact at a time is for the few that do not fit into lanes, where they would save little.
+#[inline(always)]
+fn fit<L: Lane>(block: &ContactBlock) -> Fit {
+    let Fit { is_single, is_smooth, is_still } = block.fit();
+    let is_wide = L::WIDTH > 1;
+    Fit { is_single, is_smooth: is_wide && is_smooth, is_still: is_wide && is_still }
 }
 
 /// Begins a substep: finds what of the last impulse to apply now and, where the kick is split, again after the
@@ -24,23 +34,33 @@ pub(crate) struct WarmStart<'a> {
     pub(crate) shares: Shared<'a, BodyState>,
     /// The share of the last impulse, no unit.
     pub(crate) part: f32,
+    /// Whether what no contact of a block needs is left out.
+    pub(crate) is_fitted: bool,
 }
 
 impl Kernel for WarmStart<'_> {
     #[inline(always)]
     fn run<L: Lane>(&self, block: &mut ContactBlock, place: usize) {
-        if block.is_single() {
-            self.start::<L, 1>(block, place);
-        } else {
-            self.start::<L, 2>(block, place);
+        let Fit { is_single, is_smooth, is_still } = fit::<L>(block);
+        match (self.is_fitted && is_single, self.is_fitted && is_still, self.is_fitted && is_smooth) {
+            (true, _, true) => self.start::<L, 1>(block, place, [true, false]),
+            (true, _, false) => self.start::<L, 1>(block, place, [false, false]),
+            (false, true, true) => self.start::<L, 2>(block, place, [true, true]),
+            (false, true, false) => self.start::<L, 2>(block, place, [false, true]),
+            (false, false, _) => self.start::<L, 2>(block, place, [false, false]),
         }
     }
 }
 
 impl WarmStart<'_> {
     #[inline(always)]
-    fn start<L: Lane, const POINTS: usize>(&self, block: &mut ContactBlock, place: usize) {
-        let mut constraint = block.load::<L>(place);
+    fn start<L: Lane, const POINTS: usize>(
+        &self,
+        block: &mut ContactBlock,
+        place: usize,
+        [is_smooth, is_still]: [bool; 2],
+    ) {
+        let mut constraint = ContactConstraint { is_still, ..block.load::<L>(place) };
         let [mut a, mut b] = block.gather_velocities(&self.shares, place);
         let normal = constraint.normal;
         let tangent = normal.perp();
@@ -49,12 +69,17 @@ impl WarmStart<'_> {
             let (point, friction) = (&mut constraint.points[index], &mut constraint.frictions[index]);
             point.normal_impulse = point.normal_impulse * part;
             friction.normal_share = point.normal_impulse;
-            friction.impulse = friction.impulse * part;
-            let impulse = normal * point.normal_impulse + tangent * friction.impulse;
+            let mut impulse = normal * point.normal_impulse;
+            if !is_smooth {
+                friction.impulse = friction.impulse * part;
+                impulse = impulse + tangent * friction.impulse;
+            }
             constraint.apply(&constraint.points[index], impulse, &mut a, &mut b);
         }
         block.store_normal_impulses::<L, POINTS>(place, &constraint);
-        block.store_friction_impulses::<L, POINTS>(place, &constraint);
+        if !is_smooth {
+            block.store_friction_impulses::<L, POINTS>(place, &constraint);
+        }
         block.store_shares::<L, POINTS>(place, &constraint);
         block.scatter(&self.shares, place, &[a, b]);
     }
@@ -79,6 +104,8 @@ impl Sweep {
     const MAIN: Self = Self { biased: true, friction: false, block: true, counts_share: false };
     /// The sweep after it, by default.
     const RELAX: Self = Self { biased: false, friction: true, block: true, counts_share: true };
+    /// The same over contacts without friction.
+    const SMOOTH_RELAX: Self = Self { friction: false, ..Self::RELAX };
 }
 
 /// One sweep over contacts: normals, then friction.
@@ -88,27 +115,51 @@ pub(crate) struct SweepOver<'a> {
     pub(crate) kind: Sweep,
     /// One over the length of the substep, 1/s.
     pub(crate) per_substep: f32,
+    /// Whether what no contact of a block needs is left out.
+    pub(crate) is_fitted: bool,
 }
 
 impl Kernel for SweepOver<'_> {
-    /// Asks for the kind and for the number of points once per block, so that what is compiled for the default kinds
-    /// has no branches, which keeps numbers in registers, and reads nothing of a point that no contact has.
+    /// Asks for the kind, and for what the contacts need, once per block, so that what is compiled for the default
+    /// kinds has no branches, which keeps numbers in registers, and reads nothing that no contact has.
     #[inline(always)]
     fn run<L: Lane>(&self, block: &mut ContactBlock, place: usize) {
-        match (self.kind, block.is_single()) {
-            (Sweep::MAIN, true) => self.sweep::<L, 1>(block, place, Sweep::MAIN),
-            (Sweep::MAIN, false) => self.sweep::<L, 2>(block, place, Sweep::MAIN),
-            (Sweep::RELAX, true) => self.sweep::<L, 1>(block, place, Sweep::RELAX),
-            (Sweep::RELAX, false) => self.sweep::<L, 2>(block, place, Sweep::RELAX),
-            (kind, _) => self.sweep::<L, 2>(block, place, kind),
+        let is_usual = self.kind == Sweep::MAIN || self.kind == Sweep::RELAX;
+        let Fit { is_single, is_still, .. } = fit::<L>(block);
+        match (self.is_fitted && is_usual, is_single, is_still) {
+            (true, true, _) => self.sweep_usual::<L, 1>(block, place, false),
+            (true, false, true) => self.sweep_usual::<L, 2>(block, place, true),
+            (true, false, false) => self.sweep_usual::<L, 2>(block, place, false),
+            (false, ..) => self.sweep::<L, 2>(block, place, self.kind, false),
         }
     }
 }
 
 impl SweepOver<'_> {
+    /// The sweeps of the default.
     #[inline(always)]
-    fn sweep<L: Lane, const POINTS: usize>(&self, block: &mut ContactBlock, place: usize, kind: Sweep) {
-        let mut constraint = block.load::<L>(place);
+    fn sweep_usual<L: Lane, const POINTS: usize>(
+        &self,
+        block: &mut ContactBlock,
+        place: usize,
+        is_still: bool,
+    ) {
+        match (self.kind, fit::<L>(block).is_smooth) {
+            (Sweep::RELAX, true) => self.sweep::<L, POINTS>(block, place, Sweep::SMOOTH_RELAX, is_still),
+            (Sweep::RELAX, false) => self.sweep::<L, POINTS>(block, place, Sweep::RELAX, is_still),
+            _ => self.sweep::<L, POINTS>(block, place, Sweep::MAIN, is_still),
+        }
+    }
+
+    #[inline(always)]
+    fn sweep<L: Lane, const POINTS: usize>(
+        &self,
+        block: &mut ContactBlock,
+        place: usize,
+        kind: Sweep,
+        is_still: bool,
+    ) {
+        let mut constraint = ContactConstraint { is_still, ..block.load::<L>(place) };
         if kind.counts_share {
             for (point, friction) in constraint.points.iter_mut().zip(&mut constraint.frictions).take(POINTS)
             {
@@ -129,8 +180,6 @@ impl SweepOver<'_> {
             for index in 0..POINTS {
                 solve_friction(&mut constraint, index, &mut a, &mut b);
             }
-        }
-        if kind.friction || kind.counts_share {
             block.store_friction_impulses::<L, POINTS>(place, &constraint);
         }
         block.scatter(&self.states, place, &[a, b]);
@@ -149,7 +198,7 @@ fn violation<L: Lane>(
 ) -> (L, L) {
     let point = &constraint.points[index];
     let separation = constraint.separation(point, a, b) + constraint.special.awaits_impact[index];
-    let vn = constraint.normal.dot(point.relative_velocity(a, b));
+    let vn = constraint.normal.dot(constraint.relative_velocity(point, a, b));
     if biased {
         let leak = leak(separation, point.normal_k, point.normal_impulse);
         (vn + bias(separation, L::splat(per_substep)), leak)
@@ -227,7 +276,7 @@ fn solve_friction<L: Lane>(
 ) {
     let point = &constraint.points[index];
     let tangent: LaneVec2<L> = constraint.normal.perp();
-    let slip = tangent.dot(point.relative_velocity(a, b));
+    let slip = tangent.dot(constraint.relative_velocity(point, a, b));
     let limit = constraint.friction * point.normal_impulse;
     let friction = &mut constraint.frictions[index];
     let before = friction.impulse;

@@ -46,6 +46,8 @@ pub(crate) struct Scheme {
     pub(crate) limits: SpeedLimits,
     /// How many contacts are solved at a time.
     pub(crate) width: Width,
+    /// Whether they are solved by kernels that leave out what none of them needs.
+    pub(crate) fitted_kernels: bool,
 }
 
 impl Scheme {
@@ -177,6 +179,12 @@ impl Scheme {
         Sweep { biased: false, friction: true, ..self.main_sweep() }
     }
 
+    /// A sweep of this kind.
+    fn sweep_over<'a>(&self, states: &'a mut [BodyState], kind: Sweep) -> SweepOver<'a> {
+        let per_substep = 1.0 / self.substep_time();
+        SweepOver { states: Shared::new(states), kind, per_substep, is_fitted: self.fitted_kernels }
+    }
+
     /// What of the last impulses is applied before the move, and again after it where the kick is split.
     fn warm_part(&self) -> f32 {
         match (self.warm_starting, self.split_kick) {
@@ -230,8 +238,7 @@ impl Solver {
         self.warm_start(scheme, class, tables);
         let SolveTables { bodies, contacts, graph, crew, .. } = tables;
         let states = &mut bodies.states;
-        let sweep =
-            SweepOver { states: Shared::new(states), kind: scheme.main_sweep(), per_substep: 1.0 / h };
+        let sweep = scheme.sweep_over(states, scheme.main_sweep());
         for _ in 0..scheme.iterations {
             graph.for_each(crew, (class.effort, scheme.width), &sweep);
         }
@@ -246,12 +253,11 @@ impl Solver {
 
     /// Contacts by sweeps, after the bodies have moved.
     fn sweep_after_move(&mut self, scheme: &Scheme, class: &EffortClass<'_>, tables: &mut SolveTables<'_>) {
-        let per_substep = 1.0 / scheme.substep_time();
         let (graph, states) = (&mut *tables.graph, &mut tables.bodies.states);
         let relax = scheme.relax_sweep();
         for iteration in 0..scheme.relax_iterations {
             let kind = Sweep { counts_share: scheme.split_kick && iteration == 0, ..relax };
-            let sweep = SweepOver { states: Shared::new(states), kind, per_substep };
+            let sweep = scheme.sweep_over(states, kind);
             graph.for_each(tables.crew, (class.effort, scheme.width), &sweep);
         }
         if scheme.relax_iterations > 0 {
@@ -368,7 +374,8 @@ impl Solver {
         self.shares.resize(tables.bodies.states.len(), BodyState::REST);
         let shares = &mut self.shares[class.rows.clone()];
         tables.crew.run(shares, FILL_COST, |shares| shares.fill(BodyState::REST));
-        let start = WarmStart { shares: Shared::new(&mut self.shares), part: scheme.warm_part() };
+        let (part, is_fitted) = (scheme.warm_part(), scheme.fitted_kernels);
+        let start = WarmStart { shares: Shared::new(&mut self.shares), part, is_fitted };
         tables.graph.for_each(tables.crew, (class.effort, scheme.width), &start);
         self.integrate(scheme, class, tables, Advance { shares: true, ..Advance::NONE });
     }
@@ -398,8 +405,7 @@ impl Solver {
         let loaded = self.newcomers.iter().filter(|&&place| graph.is_loaded(place) && fits(graph, place));
         self.loaded_newcomers.clear();
         self.loaded_newcomers.extend(loaded);
-        let states = Shared::new(states);
-        let sweep = SweepOver { states, kind, per_substep: 1.0 / scheme.substep_time() };
+        let sweep = scheme.sweep_over(states, kind);
         for _ in 0..NEWCOMER_SWEEPS {
             for &place in &self.loaded_newcomers {
                 graph.for_one(place, &sweep);

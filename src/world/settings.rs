@@ -80,6 +80,9 @@ pub struct Settings {
     /// bit of a result depends on it. A step that is too short to be worth it is done by one, and all are where the
     /// feature `parallel` is off. Default 1.
     pub threads: usize,
+    /// Whether contacts of one point, without friction, or of bodies that do not turn are solved by kernels that leave
+    /// out what is not there. No bit of a result depends on it: it is there to measure what that saves. Default true.
+    pub fitted_kernels: bool,
 }
 
 impl Default for Settings {
@@ -106,6 +109,7 @@ impl Default for Settings {
             max_spin: 1e5,
             lanes: Lanes::Auto,
             threads: 1,
+            fitted_kernels: true,
         }
     }
 }
@@ -203,6 +207,7 @@ impl Settings {
             restitution_threshold: self.restitution_threshold,
             limits: SpeedLimits { speed: self.max_speed, spin: self.max_spin },
             width: self.lanes.width(),
+            fitted_kernels: self.fitted_kernels,
         }
     }
 }

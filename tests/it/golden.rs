@@ -18,14 +18,14 @@ const TICKS: usize = 300;
 
 /// State hash of each scene after [`TICKS`] ticks with seed 1 and default settings.
 const GOLDEN: &[(&str, u64)] = &[
-    ("pile", 0x7E14_E3AB_8951_DDD5),
+    ("pile", 0x8035_9A22_700C_FB61),
     ("pool", 0x8C96_F69D_9EE7_A8E0),
     ("materials", 0xB9F3_6753_0B18_3D22),
     ("slide", 0xF9BA_A1B4_0703_415E),
     ("slope", 0x7F54_CDC1_B3FF_66B1),
-    ("platforms", 0xAAF8_5E67_AECC_905E),
+    ("platforms", 0x17FB_1910_02D9_8317),
     ("attractor", 0x7337_F4FE_48CC_D3F0),
-    ("polygons", 0x8F27_98E8_CAD1_7C8A),
+    ("polygons", 0x4C7A_425B_2E6B_D761),
     ("solar_system", 0xA6BE_1264_61D2_67E1),
     ("sandbox", 0x3C3A_6E8D_E23B_0BC4),
     ("tower", 0xBC19_9271_107B_9D80),
@@ -40,14 +40,14 @@ const GOLDEN: &[(&str, u64)] = &[
     ("bounce", 0x2606_9759_B3F2_5609),
     ("billiards", 0xAAA8_AEEB_B2C0_8B29),
     ("confined", 0x2142_3C3B_5794_4D54),
-    ("tumbler", 0x5A8E_B16F_822F_17F7),
-    ("washer", 0xE6DD_AB1C_BAB5_84B2),
-    ("spinner", 0xD20C_297B_0D33_300C),
-    ("wind_tunnel", 0xBE4B_139F_4F80_7176),
+    ("tumbler", 0x307F_442B_4D4A_3E4C),
+    ("washer", 0x7754_39FE_E0F6_5A73),
+    ("spinner", 0xD5A4_D17F_33FD_17C9),
+    ("wind_tunnel", 0xD58E_5250_17AE_ADD5),
     ("pinball", 0x32C1_2B68_C46A_5BD6),
     ("orbit", 0x9F8A_1F9B_4AED_59DD),
     ("galaxy", 0x33C9_DAD3_C250_70DC),
-    ("smash", 0xFBE2_6479_C876_C190),
+    ("smash", 0x3DB6_F905_4716_3909),
     ("ball_pit", 0xBFC1_6FF8_4C0F_9613),
 ];
 

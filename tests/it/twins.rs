@@ -36,6 +36,73 @@ fn assert_alike(twins: &mut [(World, Vec<BodyId>); 2], seconds: f64, metres: f64
     }
 }
 
+/// Discs or axis-aligned boxes of 0.2 m that fly about in a box, slow down and touch more and more.
+fn crowd(settings: &Settings, shape: impl Fn(usize) -> Shape, change: impl Fn(Body, usize) -> Body) -> World {
+    let mut world = World::new(Settings { friction_mix: Mix::Min, sleep: false, ..settings.clone() });
+    for (x, y, width, height) in
+        [(-3.0, 0.0, 1.0, 7.0), (3.0, 0.0, 1.0, 7.0), (0.0, -3.0, 7.0, 1.0), (0.0, 3.0, 7.0, 1.0)]
+    {
+        add(&mut world, Body::fixed(Shape::aabb(width, height)).at([x, y]).friction(1.0));
+    }
+    for index in 0..256_usize {
+        let (column, row) = ((index % 16) as f32, (index / 16) as f32);
+        let Rot { c, s } = Rot::from_angle(index as f32);
+        let body = Body::dynamic(shape(index)).at([0.29 * (column - 7.5), 0.29 * (row - 7.5)]);
+        add(&mut world, change(body.velocity([3.0 * c, 3.0 * s]).restitution(0.0), index));
+    }
+    world
+}
+
+type Build<'a> = &'a dyn Fn(&Settings) -> World;
+
+/// Contacts of one point or two, with friction or without, of bodies that turn or do not: alone and mixed, each
+/// with a kernel that leaves out what is not there, and with the one that leaves out nothing. Spin that nothing can
+/// change, and friction that ceases under way, count too.
+#[test]
+fn fitted_kernels_change_no_bit() {
+    let disc = |_| Shape::circle(0.1);
+    let square = |_| Shape::aabb(0.2, 0.2);
+    let mixed = |index| match index % 3 {
+        0 => Shape::circle(0.1),
+        1 => Shape::aabb(0.2, 0.2),
+        _ => Shape::obb(0.2, 0.18),
+    };
+    let smooth = |body: Body, _| body.friction(0.0);
+    let rough = |body: Body, _| body.friction(0.5);
+    let still = |body: Body, _| body.friction(0.0).fixed_rotation(true);
+    let any = |body: Body, index| {
+        let spin = if index % 7 == 0 { 2.0 } else { 0.0 };
+        let friction = if index % 5 == 0 { 0.5 } else { 0.0 };
+        body.friction(friction).fixed_rotation(index % 4 == 0).angular_velocity(spin)
+    };
+    let default = Settings::default();
+    let others = Settings { block_solve: false, relax_iterations: 2, ..default.clone() };
+    let worlds: [(&str, Build<'_>); 6] = [
+        ("smooth discs", &|settings| crowd(settings, disc, smooth)),
+        ("smooth discs that do not turn", &|settings| crowd(settings, disc, still)),
+        ("smooth boxes that do not turn", &|settings| crowd(settings, square, smooth)),
+        ("rough boxes that do not turn", &|settings| crowd(settings, square, rough)),
+        ("rough discs", &|settings| crowd(settings, disc, rough)),
+        ("all of it", &|settings| crowd(settings, mixed, any)),
+    ];
+    for (name, build) in worlds {
+        for settings in [&default, &others] {
+            let [mut with, mut without] =
+                [true, false].map(|fitted_kernels| build(&Settings { fitted_kernels, ..settings.clone() }));
+            for tick in 0..150 {
+                // From 50 on walls rub, from 100 on no longer.
+                let mix = if (50..100).contains(&tick) { Mix::Max } else { Mix::Min };
+                for world in [&mut with, &mut without] {
+                    let settings = Settings { friction_mix: mix, ..world.settings().clone() };
+                    world.set_settings(settings).unwrap();
+                    world.step();
+                }
+                assert_eq!(with.state_hash(), without.state_hash(), "{name}, tick {tick}");
+            }
+        }
+    }
+}
+
 /// The way is v²/(2µg) = 2.55 m whatever the manifold: each is within 1e-3 of it, so both within 2e-3 of each
 /// other.
 #[test]

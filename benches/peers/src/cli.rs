@@ -7,7 +7,7 @@ use clap::{Args, Parser, Subcommand};
 
 use crate::engine::Engine;
 use crate::speed::{self, scenes};
-use crate::{check, engines, error, problems, stability};
+use crate::{check, engines, error, footprint, problems, stability};
 
 /// rustycs beside Box2D and Rapier.
 #[derive(Debug, Parser)]
@@ -31,6 +31,8 @@ enum Command {
     /// Plays stiff and extreme cases in the engines and judges each by statics or a law of conservation. Writes
     /// stability.csv, STABILITY.md and pictures of how the cases end.
     Stability(StabilityOptions),
+    /// Counts instructions, memory, allocations, and what it takes to build a small program. Writes FOOTPRINT.md.
+    Footprint(FootprintOptions),
 }
 
 /// Options of every command that writes a page.
@@ -129,6 +131,22 @@ pub(crate) fn is_asked_for(only: &[String], name: &str) -> bool {
     only.is_empty() || only.iter().any(|beginning| name.starts_with(beginning))
 }
 
+/// Options of the command `footprint`.
+#[derive(Args, Clone, Debug, Default)]
+pub(crate) struct FootprintOptions {
+    /// Leaves out the cold builds, which take minutes, and counts fewer steps.
+    #[arg(long)]
+    pub(crate) quick: bool,
+
+    /// Where to write the page.
+    #[arg(long, value_name = "DIR", default_value = "benches/results")]
+    pub(crate) out: PathBuf,
+
+    /// Does one measurement in this process, which the command starts for it: what, engine, scene and steps.
+    #[arg(long, hide = true, num_args = 4)]
+    pub(crate) alone: Vec<String>,
+}
+
 /// The beginning of some problem's name.
 fn problem_name(name: &str) -> Result<String, String> {
     beginning(name, "problems", problems::all().into_iter().map(|problem| problem.name))
@@ -174,6 +192,7 @@ pub(crate) fn run() -> ExitCode {
         Command::Error(options) => error::run(&options),
         Command::Speed(options) => speed::run(&options),
         Command::Stability(options) => stability::run(&options),
+        Command::Footprint(options) => footprint::run(&options),
     }
 }
 

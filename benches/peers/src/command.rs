@@ -33,7 +33,12 @@ pub(crate) fn run<'a>(
     exit_code(&options.out, command)
 }
 
-fn exit_code(folder: &Path, command: impl FnOnce(&dyn Fn() -> bool) -> io::Result<bool>) -> ExitCode {
+/// Runs a command that says whether it came to its end, and that is to stop early, with what it has, when it is asked to.
+/// The exit code is 130 if Ctrl-C ended it.
+pub(crate) fn exit_code(
+    folder: &Path,
+    command: impl FnOnce(&dyn Fn() -> bool) -> io::Result<bool>,
+) -> ExitCode {
     let is_stopped = Arc::new(AtomicBool::new(false));
     let flag = Arc::clone(&is_stopped);
     if let Err(error) = ctrlc::set_handler(move || flag.store(true, Ordering::Relaxed)) {

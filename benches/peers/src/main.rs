@@ -7,6 +7,7 @@ mod contestant;
 mod engines;
 mod error;
 mod fingerprint;
+mod footprint;
 mod machine;
 mod problems;
 mod speed;

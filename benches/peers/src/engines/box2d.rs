@@ -1,6 +1,7 @@
 //! Box2D: its C source, by way of the crate `boxdd-sys`.
 
-use std::ffi::{c_char, c_int};
+use std::alloc::{Layout, alloc, dealloc};
+use std::ffi::{c_char, c_int, c_void};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{LazyLock, Mutex, MutexGuard, PoisonError};
 
@@ -102,6 +103,32 @@ static ASSERTIONS_ARE_ON: LazyLock<bool> = LazyLock::new(|| {
     }
     OBJECTED.load(Ordering::Relaxed)
 });
+
+/// Has Box2D take its memory from the allocator of this program, where it is counted. To be called before the first
+/// world is made.
+pub(crate) fn use_rust_allocator() {
+    /// What Box2D asks for: a multiple of 32 bytes, aligned to as many. It frees by the size before rounding.
+    fn layout(size: usize, alignment: usize) -> Layout {
+        let rounded = size.next_multiple_of(32);
+        Layout::from_size_align(rounded, alignment).expect("a size that Box2D can ask for")
+    }
+
+    extern "C" fn allocate(size: usize, alignment: c_int) -> *mut c_void {
+        let layout = layout(size, alignment as usize);
+        // SAFETY: Box2D asks for no empty block.
+        unsafe { alloc(layout) }.cast()
+    }
+
+    extern "C" fn free(memory: *mut c_void, size: usize) {
+        // SAFETY: Box2D gives back what `allocate` gave it, with the size it asked for, which rounds to the same
+        // layout: its alignment is always 32.
+        unsafe { dealloc(memory.cast(), layout(size, 32)) }
+    }
+
+    let _only_one = worlds();
+    // SAFETY: the functions are valid for as long as the program runs, and there is no memory of another kind yet.
+    unsafe { ffi::b2SetAllocator(Some(allocate), Some(free)) }
+}
 
 /// Box2D keeps its worlds in a table that it does not guard: they are made and destroyed one at a time.
 fn worlds() -> MutexGuard<'static, ()> {

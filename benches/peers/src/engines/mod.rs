@@ -26,7 +26,7 @@ use rustycs_cases::Rustycs;
 
 use crate::engine::Engine;
 
-pub(crate) use box2d::LANES as BOX2D_LANES;
+pub(crate) use box2d::{LANES as BOX2D_LANES, use_rust_allocator as use_rust_allocator_for_box2d};
 #[cfg(test)]
 pub(crate) use misled::Misled;
 

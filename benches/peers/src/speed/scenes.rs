@@ -82,6 +82,11 @@ pub(crate) fn all() -> Vec<Course> {
     all
 }
 
+/// The pile of so many bodies alone, without the memory that all scenes take.
+pub(crate) fn pile(count: usize) -> Scene {
+    piles::mixed_pile(count)
+}
+
 fn dynamic(outline: Outline, position: [f64; 2]) -> BodySpec {
     BodySpec { position, ..BodySpec::new(Kind::Dynamic, outline) }
 }

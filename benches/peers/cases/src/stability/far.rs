@@ -104,11 +104,11 @@ fn bounce() -> Case {
 }
 
 /// Pools side by side, and from one to the next, m.
-const POOLS: u32 = 16;
+const POOLS: u32 = 64;
 const PITCH: f64 = 4.0;
 
 fn pile() -> Case {
-    let what = "Discs, boxes and polygons fall into 16 pools, a dozen into each; the height of the centre of all after 10 s (single \
+    let what = "Discs, boxes and polygons fall into 64 pools, a dozen into each; the height of the centre of all after 10 s (single \
                 bodies depend on the last bit of a number, the mean of many does not).";
     let width = f64::from(POOLS) * PITCH;
     let wall =

@@ -167,7 +167,7 @@ fn any_outline(chance: &mut Chance) -> Outline {
     }
 }
 
-fn mixed_pile(count: usize) -> Scene {
+pub(super) fn mixed_pile(count: usize) -> Scene {
     let (width, cell) = (0.8 * (count as f64).sqrt(), 0.95);
     let mut chance = Chance(3);
     let mut bodies: Vec<_> = pool(width, 2.0 * width).into();
