@@ -204,39 +204,23 @@ impl<L: Lane> ContactConstraint<L> {
 impl ContactConstraint<f32> {
     /// Takes normal and points over from a manifold of the bodies as they were when the step began.
     pub(crate) fn set_geometry(&mut self, manifold: &Manifold) {
-        self.set_points(manifold);
-        for (to, _) in self.points.iter_mut().zip(manifold.points()) {
+        self.normal = manifold.normal.into();
+        for (to, point) in self.points.iter_mut().zip(manifold.points()) {
+            to.anchor_a = point.anchor_a.into();
+            to.anchor_b = point.anchor_b.into();
+            to.separation = point.separation;
             to.normal_k = THERE;
         }
-        self.find_masses_of(manifold);
-    }
-
-    /// Takes normal and points over from a manifold of the bodies in the states `a` and `b`, within the step. It
-    /// must have as many points as before.
-    pub(crate) fn set_geometry_in(&mut self, manifold: &Manifold, a: &BodyState, b: &BodyState) {
-        self.set_points_in(manifold, a, b);
-        self.find_masses_of(manifold);
-    }
-
-    fn find_masses_of(&mut self, manifold: &Manifold) {
         match manifold.points() {
             [_] => self.find_masses::<1>(),
             _ => self.find_masses::<2>(),
         }
     }
 
-    fn set_points(&mut self, manifold: &Manifold) {
-        self.normal = manifold.normal.into();
-        for (to, point) in self.points.iter_mut().zip(manifold.points()) {
-            to.anchor_a = point.anchor_a.into();
-            to.anchor_b = point.anchor_b.into();
-            to.separation = point.separation;
-        }
-    }
-
-    /// As [`set_geometry_in`](Self::set_geometry_in), but for the effective masses, which stay as they are.
-    pub(crate) fn set_points_in(&mut self, manifold: &Manifold, a: &BodyState, b: &BodyState) {
-        self.set_points(manifold);
+    /// Takes normal and points over from a manifold of the bodies in the states `a` and `b`, within the step. It
+    /// must have as many points as before.
+    pub(crate) fn set_geometry_in(&mut self, manifold: &Manifold, a: &BodyState, b: &BodyState) {
+        self.set_geometry(manifold);
         for (index, point) in manifold.points().iter().enumerate() {
             // Separations count from the start of the step.
             let moved = self.separation(&self.points[index], a, b) - point.separation;

@@ -242,16 +242,6 @@ impl ContactBlock {
         self.columns.load(place, special)
     }
 
-    /// Writes normal and points of one contact back, but for the effective masses.
-    #[inline(always)]
-    pub(crate) fn store_points(&mut self, place: usize, constraint: &ContactConstraint<f32>) {
-        if self.fit.is_single {
-            self.columns.store_points::<1>(place, constraint);
-        } else {
-            self.columns.store_points::<2>(place, constraint);
-        }
-    }
-
     /// One contact alone, without reading a point that no contact of the block has.
     #[inline(always)]
     pub(crate) fn load_one(&self, place: usize) -> ContactConstraint<f32> {
@@ -400,22 +390,15 @@ impl ContactConstraint<Column> {
     }
 
     #[inline(always)]
-    fn store_points<const POINTS: usize>(&mut self, place: usize, constraint: &ContactConstraint<f32>) {
-        self.normal.store(place, constraint.normal);
-        for (to, point) in self.points.iter_mut().zip(&constraint.points).take(POINTS) {
-            to.anchor_a.store(place, point.anchor_a);
-            to.anchor_b.store(place, point.anchor_b);
-            to.separation.set(place, point.separation);
-        }
-    }
-
-    #[inline(always)]
     fn store_geometry<const POINTS: usize>(&mut self, place: usize, constraint: &ContactConstraint<f32>) {
-        self.store_points::<POINTS>(place, constraint);
+        self.normal.store(place, constraint.normal);
         if POINTS == 2 {
             self.coupling.set(place, constraint.coupling);
         }
         for (to, point) in self.points.iter_mut().zip(&constraint.points).take(POINTS) {
+            to.anchor_a.store(place, point.anchor_a);
+            to.anchor_b.store(place, point.anchor_b);
+            to.separation.set(place, point.separation);
             to.normal_k.set(place, point.normal_k);
         }
         for (to, friction) in self.frictions.iter_mut().zip(&constraint.frictions).take(POINTS) {

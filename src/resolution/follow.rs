@@ -53,7 +53,8 @@ impl Followers {
         let has_circle = contact.slots.into_iter().any(|slot| bodies.motions[slot as usize].is_round);
         if has_circle || contact.pivots() {
             let [a, b] = contact.slots.map(|slot| bodies.motions[slot as usize].pose.center);
-            match Pivot::new(&contact.manifold, b - a) {
+            let extents = contact.slots.map(|slot| bodies.motions[slot as usize].extent);
+            match Pivot::new(&contact.manifold, b - a, extents) {
                 Some(pivot) => self.pivots.push((pivot, place)),
                 None => self.found_anew.push((index, place)),
             }
@@ -77,7 +78,9 @@ impl Followers {
         }
         for (pivot, place) in &self.pivots {
             let [a, b] = constraints.graph.rows(*place).map(|row| &bodies.states[row as usize]);
-            constraints.bring_to(*place, &pivot.manifold_in(a, b), [a, b]);
+            if let Some(manifold) = pivot.manifold_in(a, b) {
+                constraints.bring_to(*place, &manifold, [a, b]);
+            }
         }
     }
 }
@@ -92,14 +95,13 @@ pub(crate) struct Constraints<'a> {
 
 impl Constraints<'_> {
     /// Gives the constraint at a place of the graph the normal and the points of a manifold of its bodies in the states
-    /// `a` and `b`, and turns its part of the shares. Effective masses stay as they are: they decide how fast sweeps
-    /// come to what the normal and the points ask for, not what that is.
+    /// `a` and `b`, and turns its part of the shares.
     fn bring_to(&mut self, place: (u32, u32), manifold: &Manifold, [a, b]: [&BodyState; 2]) {
         let (block, place) = self.graph.block_mut(place);
         let before = block.load_one(place);
         let mut constraint = before;
-        constraint.set_points_in(manifold, a, b);
-        block.store_points(place, &constraint);
+        constraint.set_geometry_in(manifold, a, b);
+        block.store_geometry(place, &constraint);
         let has_share = before.frictions.iter().any(|friction| friction.normal_share > 0.0);
         if has_share && !self.shares.is_empty() {
             let rows = block.moved_rows(place);

@@ -13,6 +13,10 @@ use crate::collision::{Corner, FeatureId, Manifold, ManifoldPoint};
 use crate::compute::BodyState;
 use crate::math::Vec2;
 
+/// A corner this many times as far from the centre of the other body as any point of its outline has left its face, no
+/// unit: what is frozen then is found anew in the next step, and no arm grows without bounds.
+const SLACK: f32 = 1.1;
+
 /// One of the (at most two) points of the contact as the step began.
 #[derive(Clone, Copy, Debug, Default)]
 struct PivotPoint {
@@ -32,14 +36,16 @@ pub(crate) struct Pivot {
     offset: Vec2,
     /// Which of the bodies has the face.
     face: usize,
+    /// Square of the distance from its centre at which the corner must have left the face, m².
+    reach_squared: f32,
     points: [PivotPoint; 2],
     count: usize,
 }
 
 impl Pivot {
     /// A contact that pivots, if it does so on a corner that stands on a face; `offset` is the centre of b from that of
-    /// a, m.
-    pub(crate) fn new(manifold: &Manifold, offset: Vec2) -> Option<Self> {
+    /// a, m, `extents` the greatest distances of the outlines of a and b from their centres, m.
+    pub(crate) fn new(manifold: &Manifold, offset: Vec2, extents: [f32; 2]) -> Option<Self> {
         let loaded = manifold.points().iter().find(|point| point.normal_impulse > 0.0)?;
         let face = match loaded.corner {
             Corner::OfA => 1,
@@ -57,11 +63,13 @@ impl Pivot {
                 stays_with: if point.corner == Corner::Neither { face } else { 1 - face },
             };
         }
-        Some(Self { normal, offset, face, points, count: manifold.points().len() })
+        let reach_squared = (SLACK * extents[face]).powi(2);
+        Some(Self { normal, offset, face, reach_squared, points, count: manifold.points().len() })
     }
 
-    /// The manifold with the bodies in the states `a` and `b` within the step, without features and impulses.
-    pub(crate) fn manifold_in(&self, a: &BodyState, b: &BodyState) -> Manifold {
+    /// The manifold with the bodies in the states `a` and `b` within the step, without features and impulses; `None`
+    /// where the corner must have left the face.
+    pub(crate) fn manifold_in(&self, a: &BodyState, b: &BodyState) -> Option<Manifold> {
         let moved = Vec2::from(b.delta_position - a.delta_position);
         let offset = self.offset + moved;
         let normal = self.normal + displacement([a, b][self.face], self.normal);
@@ -78,10 +86,14 @@ impl Pivot {
             ManifoldPoint::new(anchor_a, offset, separation, FeatureId::default())
         };
         let [first, second] = &self.points;
-        match self.count {
+        let manifold = match self.count {
             1 => Manifold::of_one(normal, point(first)),
             _ => Manifold::of_two(normal, point(first), point(second)),
-        }
+        };
+        let is_on_face = |point: &ManifoldPoint| {
+            [point.anchor_a, point.anchor_b][self.face].length_squared() <= self.reach_squared
+        };
+        manifold.points().iter().all(is_on_face).then_some(manifold)
     }
 }
 
@@ -130,9 +142,10 @@ mod tests {
                     let deepest =
                         then.points_mut().iter_mut().min_by(|p, q| p.separation.total_cmp(&q.separation));
                     deepest.expect("there is a point").normal_impulse = 1.0;
-                    let followed = Pivot::new(&then, offset)
+                    let followed = Pivot::new(&then, offset, [3.0; 2])
                         .expect("it is a corner")
-                        .manifold_in(&states[a], &states[b]);
+                        .manifold_in(&states[a], &states[b])
+                        .expect("it is on the face");
                     let turned = [a, b].map(|side| {
                         let LaneRot { c, s } = states[side].delta_rotation;
                         Rot { c, s } * rotations[side]
@@ -162,6 +175,6 @@ mod tests {
         let offset = Vec2::new(0.3, 0.99);
         let mut manifold = detect_within(&floor, Rot::IDENTITY, &ball, Rot::IDENTITY, offset, 0.0).unwrap();
         manifold.points_mut()[0].normal_impulse = 1.0;
-        assert!(Pivot::new(&manifold, offset).is_none());
+        assert!(Pivot::new(&manifold, offset, [2.1, 0.5]).is_none());
     }
 }

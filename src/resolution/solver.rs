@@ -73,9 +73,9 @@ pub(crate) trait Acceleration: Sync {
     fn at(&self, bodies: &Bodies, slot: u32, delta: Vec2) -> Vec2;
 }
 
-/// A contact of two points that begins to bear load is relaxed so many times more: without impulses to start from,
-/// one sweep lets friction turn the body instead of stopping it, and a box set on a slope keeps 7 mm/s too much for
-/// as long as it slides. Two leave a tenth of that, four nothing.
+/// A contact of two points and with friction that begins to bear load is relaxed so many times more: without impulses
+/// to start from, one sweep lets friction turn the body instead of stopping it, and a box set on a slope keeps 7 mm/s
+/// too much for as long as it slides. Two leave a tenth of that, four nothing.
 const NEWCOMER_SWEEPS: u32 = 4;
 
 /// What it costs to forget the share of a warm start of a body, and to write its carry back, ns.
@@ -95,7 +95,7 @@ pub(crate) struct Solver {
     pub(crate) impacts: Impacts,
     followers: Followers,
     handovers: Handovers,
-    /// Places in the constraint graph of contacts of two points that begin to bear load in this step.
+    /// Places in the constraint graph of contacts of two points, and with friction, that begin to bear load in this step.
     newcomers: Vec<(u32, u32)>,
     /// Scratch: those of them that a sweep goes over.
     loaded_newcomers: Vec<(u32, u32)>,
@@ -358,7 +358,8 @@ impl Solver {
             if effort == Effort::Direct {
                 return;
             }
-            if !contact.is_loaded() && contact.manifold.points().len() == 2 {
+            let rubs = contact.friction > 0.0;
+            if rubs && !contact.is_loaded() && contact.manifold.points().len() == 2 {
                 self.newcomers.extend(contact.graph_place);
             }
             self.handovers.consider(index, contact, bodies);
