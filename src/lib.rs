@@ -54,14 +54,14 @@
 //!
 //! # Determinism
 //!
-//! Same calls, same bits: on every machine and build profile, at every width of lanes, on any number of threads, in every clone. The library reads no clock, draws
-//! no random number and uses no trigonometry but its own.
+//! Same calls, same bits: on every machine and build profile, at every width of lanes, on any number of threads, in
+//! every clone. The library reads no clock, draws no random number and uses no trigonometry but its own.
 //!
 //! # Features
 //!
-//! `report`: error against run time, without a dependency. `parallel`: several threads for the steps of large worlds, as
-//! [`Settings::threads`] says, without a dependency. `mint`, `glam-027`, `glam-029`, `glam-030`: conversions
-//! of vectors. None is on by default, and the default build has no dependency.
+//! `report`: error against run time, without a dependency. `parallel`: several threads for the steps of large worlds,
+//! as [`Settings::threads`] says, without a dependency. `mint`, `glam-027`, `glam-029`, `glam-030`: conversions of
+//! vectors. None is on by default, and the default build has no dependency.
 
 pub mod body;
 pub mod collision;

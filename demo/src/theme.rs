@@ -114,8 +114,8 @@ pub(crate) struct BodyStyle {
     pub(crate) outline: Tone,
 }
 
-/// The colours of a body: those it was painted with, or by its material; dimmer while it sleeps. What a body is made of shows in its density;
-/// friction and restitution are often changed.
+/// The colours of a body: those it was painted with, or by its material; dimmer while it sleeps. What a body is made of
+/// shows in its density; friction and restitution are often changed.
 pub(crate) fn style_of(body: &BodyRef<'_>, painted: Option<Tone>) -> BodyStyle {
     let density = body.material().density;
     let of_material = || {

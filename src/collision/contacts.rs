@@ -35,8 +35,8 @@ struct Link {
     next: u32,
 }
 
-/// What is known of two bodies that are close: three cache lines, of which the first is all that is read of bodies out of
-/// reach of each other, as half of the contacts of a pile are.
+/// What is known of two bodies that are close: three cache lines, of which the first is all that is read of bodies out
+/// of reach of each other, as half of the contacts of a pile are.
 #[repr(C, align(64))]
 #[derive(Clone, Debug)]
 pub(crate) struct Contact {

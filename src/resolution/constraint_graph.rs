@@ -199,7 +199,8 @@ impl ConstraintGraph {
         self.section(effort).iter().flat_map(|colour| &colour.blocks)
     }
 
-    /// The number of a place of the graph: [`COLUMN`] times that of its block in `blocks` of its effort, and where it is in it.
+    /// The number of a place of the graph: [`COLUMN`] times that of its block in `blocks` of its effort, and where it
+    /// is in it.
     pub(crate) fn number(&self, (colour, place): (u32, u32)) -> usize {
         self.colours[colour as usize].first_block * COLUMN + place as usize
     }

@@ -110,8 +110,9 @@ impl Constraints<'_> {
     }
 }
 
-/// Adds what the share of a contact gives its bodies, times a factor, to their rows; of each of `constraints`, which are
-/// the contact with different geometries. Before the sweep after the move, the impulse along the tangent is the share.
+/// Adds what the share of a contact gives its bodies, times a factor, to their rows; of each of `constraints`, which
+/// are the contact with different geometries. Before the sweep after the move, the impulse along the tangent is the
+/// share.
 pub(crate) fn add_shares<const N: usize>(
     constraints: [(&ContactConstraint<f32>, f32); N],
     rows: [u32; 2],

@@ -95,7 +95,8 @@ pub(crate) struct Solver {
     pub(crate) impacts: Impacts,
     followers: Followers,
     handovers: Handovers,
-    /// Places in the constraint graph of contacts of two points, and with friction, that begin to bear load in this step.
+    /// Places in the constraint graph of contacts of two points, and with friction, that begin to bear load in this
+    /// step.
     newcomers: Vec<(u32, u32)>,
     /// Scratch: those of them that a sweep goes over.
     loaded_newcomers: Vec<(u32, u32)>,

@@ -25,8 +25,8 @@ enum Command {
     /// range of settings. Writes error.csv, ERROR.md and a plot for each problem.
     Error(ErrorOptions),
     /// Measures how long steps take in large scenes and in everyday ones, beside the overlap and the energy that the
-    /// engines end with. Writes speed.csv, SPEED.md and two plots. Only scenes that this very program has measured count as
-    /// run before.
+    /// engines end with. Writes speed.csv, SPEED.md and two plots. Only scenes that this very program has measured
+    /// count as run before.
     Speed(SpeedOptions),
     /// Plays stiff and extreme cases in the engines and judges each by statics or a law of conservation. Writes
     /// stability.csv, STABILITY.md and pictures of how the cases end.

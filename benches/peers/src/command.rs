@@ -11,9 +11,9 @@ use indicatif::{ProgressBar, ProgressStyle};
 use crate::cli::SharedOptions;
 use crate::engines;
 
-/// Names the entries, each with its statement, if that is asked for; runs the command otherwise, if the engines are built
-/// for a fair race. A command says whether it came to its end, and is to stop early, with what it has, when it is asked
-/// to. The exit code is 130 if Ctrl-C ended it.
+/// Names the entries, each with its statement, if that is asked for; runs the command otherwise, if the engines are
+/// built for a fair race. A command says whether it came to its end, and is to stop early, with what it has, when it is
+/// asked to. The exit code is 130 if Ctrl-C ended it.
 pub(crate) fn run<'a>(
     options: &SharedOptions,
     entries: impl Iterator<Item = (&'a str, &'a str)> + Clone,
@@ -33,8 +33,8 @@ pub(crate) fn run<'a>(
     exit_code(&options.out, command)
 }
 
-/// Runs a command that says whether it came to its end, and that is to stop early, with what it has, when it is asked to.
-/// The exit code is 130 if Ctrl-C ended it.
+/// Runs a command that says whether it came to its end, and that is to stop early, with what it has, when it is asked
+/// to. The exit code is 130 if Ctrl-C ended it.
 pub(crate) fn exit_code(
     folder: &Path,
     command: impl FnOnce(&dyn Fn() -> bool) -> io::Result<bool>,
@@ -54,8 +54,8 @@ pub(crate) fn exit_code(
     }
 }
 
-/// Does tasks one after the other, with a bar that shows how much of their work is done and the name of the one at hand.
-/// Whether it came to the end: it stops at a task that was not done.
+/// Does tasks one after the other, with a bar that shows how much of their work is done and the name of the one at
+/// hand. Whether it came to the end: it stops at a task that was not done.
 ///
 /// # Errors
 /// That of the first task that fails.

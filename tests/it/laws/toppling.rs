@@ -55,11 +55,13 @@ fn a_plank_topples_in_the_time_of_a_pendulum_upside_down() {
 }
 
 /// A domino that is tipped with 1.2 times the energy that lifts its centre over its edge goes over it, and slowly: what
-/// decides is the arm of the weight, half its width and less with every degree. About the edge φ'' = -g c sin(φ₀ - φ)/k²
-/// with the distance c of the centre, k² = (w² + h²)/3 and φ₀ = atan(w/h). At the top it still has the square root of
+/// decides is the arm of the weight, half its width and less with every degree. About the edge φ'' = -g c sin(φ₀ -
+/// φ)/k² with the distance c of the centre, k² = (w² + h²)/3 and φ₀ = atan(w/h). At the top it still has the square
+/// root of
 /// 0.2/1.2 of its speed. In the first step both corners touch, and the arm of the weight holds still while the centre
-/// goes over it: h/2 · 1.16 rad/s · 1/120 s = 2.4 mm of 50 mm or 5 %, so that 5 % of 5.7 rad/s² · 1/60 s are lost, 0.4 %
-/// of the speed, which are 0.8 % of the energy, 5 % of the sixth of it that is left at the top, and 2.4 % of the speed.
+/// goes over it: h/2 · 1.16 rad/s · 1/120 s = 2.4 mm of 50 mm or 5 %, so that 5 % of 5.7 rad/s² · 1/60 s are lost, 0.4
+/// % of the speed, which are 0.8 % of the energy, 5 % of the sixth of it that is left at the top, and 2.4 % of the
+/// speed.
 #[test]
 fn a_domino_goes_over_its_edge_with_the_energy_it_was_given() {
     let (width, height) = (0.1, 0.5);

@@ -1,9 +1,10 @@
-//! Stiff and extreme cases. What must hold in each, and why, is said where they are defined, in `benches/peers/cases`, by the
-//! names used here; `cargo run --release -p rustycs-peers -- stability` plays the same ones in other engines too.
+//! Stiff and extreme cases. What must hold in each, and why, is said where they are defined, in `benches/peers/cases`,
+//! by the names used here; `cargo run --release -p rustycs-peers -- stability` plays the same ones in other engines
+//! too.
 //!
 //! Those that take long are ignored here, beside a shorter one of their kind; run them with
-//! `cargo test --release -p rustycs-tests stability -- --include-ignored`. So are those that rustycs does not meet yet, with
-//! the cause.
+//! `cargo test --release -p rustycs-tests stability -- --include-ignored`. So are those that rustycs does not meet yet,
+//! with the cause.
 
 mod confined;
 mod far;

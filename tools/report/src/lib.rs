@@ -4,7 +4,8 @@
 //! cargo run --release --example error_report -- --scene tower --tolerance 1mm
 //! ```
 //!
-//! A library with an example for its only program, so that `cargo run` goes on to mean the demo. Ctrl-C ends it early; what is done by then is shown and written.
+//! A library with an example for its only program, so that `cargo run` goes on to mean the demo. Ctrl-C ends it early;
+//! what is done by then is shown and written.
 
 mod cli;
 

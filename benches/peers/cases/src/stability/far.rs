@@ -16,8 +16,8 @@ pub(super) fn cases() -> Vec<Case> {
     vec![standing(), throw(), bounce(), pile()]
 }
 
-/// A case that is played at the origin and far from it, to right and above; `figure` gives numbers that are compared, as
-/// parts of a scale.
+/// A case that is played at the origin and far from it, to right and above; `figure` gives numbers that are compared,
+/// as parts of a scale.
 fn case(
     name: &str,
     what: &str,

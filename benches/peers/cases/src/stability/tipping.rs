@@ -13,8 +13,8 @@ pub(super) fn cases() -> Vec<Case> {
 /// Boxes of the leaning stack.
 const BOXES: u32 = 10;
 
-/// Each box is set off from the one below by the same step d. The centre of the upper k is (k + 1) d / 2 from that of the
-/// box they stand on, and must not be beyond its edge at 1/2: with k = 9 above the lowest, d = 1/10.
+/// Each box is set off from the one below by the same step d. The centre of the upper k is (k + 1) d / 2 from that of
+/// the box they stand on, and must not be beyond its edge at 1/2: with k = 9 above the lowest, d = 1/10.
 fn stairs(step: f64) -> Scene {
     let boxes = (0..BOXES).map(|index| BodySpec {
         position: [step * (f64::from(index) - 4.5), f64::from(index) + 0.5],
