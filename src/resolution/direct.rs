@@ -53,7 +53,7 @@ const LEAST_COMPLIANCE: f64 = 1e-7;
 const NEWTON_STEPS: usize = 40;
 
 /// Sweeps where Newton's method has not come to an end.
-const FALL_BACK_SWEEPS: usize = 10;
+const FALL_BACK_SWEEPS: usize = 20;
 
 /// The limits of friction follow the normal impulses in so many Newton steps, then they hold still until the next
 /// substep, so that the steps end.
@@ -76,7 +76,8 @@ struct Part {
     movers: Range<usize>,
     points: Range<usize>,
     compliance: f64,
-    /// Whether Newton's method failed in this step.
+    /// Whether Newton's method failed in this step. It would fail in the substeps to come too, at the price of a
+    /// hundred sweeps, so these are swept.
     is_unsolved: bool,
 }
 
@@ -223,6 +224,10 @@ impl DirectSolver {
         self.follow_impulses(part);
         if self.points[part.points.clone()].iter().all(|point| point.is_content(&self.sought)) {
             return true;
+        }
+        if part.is_unsolved {
+            self.sweep(part);
+            return false;
         }
         let compliances = [COMPLIANCE, part.compliance];
         let is_stiff = part.compliance < COMPLIANCE;
