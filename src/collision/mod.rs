@@ -7,7 +7,7 @@ mod detection;
 mod manifold;
 mod refresh;
 
-pub(crate) use contacts::{Contact, Contacts, Frozen, SharedContacts};
+pub(crate) use contacts::{Contact, Contacts, Frozen, Kind, SharedContacts};
 pub use detection::detect;
 pub(crate) use detection::{detect_within, sweep};
 pub(crate) use manifold::Corner;

@@ -57,9 +57,10 @@ pub(crate) fn refresh(contact: &mut Contact, bodies: &Bodies, settings: Refresh)
     contact.is_kept = settings.recycling && pair.may_recycle(contact);
     if contact.is_kept {
         pair.recycle(contact);
-        return;
+    } else {
+        pair.find_anew(contact);
     }
-    pair.find_anew(contact);
+    contact.follows = !contact.is_kept && (pair.has_circle() || contact.pivots());
 }
 
 /// The two bodies of a contact as the narrow phase sees them: from the centre of a.

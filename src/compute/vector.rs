@@ -28,6 +28,12 @@ impl<L: Lane> LaneVec2<L> {
     pub(crate) fn perp(self) -> Self {
         Self { x: -self.y, y: self.x }
     }
+
+    /// `yes` where the mask holds, `no` elsewhere.
+    #[inline(always)]
+    pub(crate) fn select(mask: L::Mask, yes: Self, no: Self) -> Self {
+        Self { x: L::select(mask, yes.x, no.x), y: L::select(mask, yes.y, no.y) }
+    }
 }
 
 impl LaneVec2<Column> {

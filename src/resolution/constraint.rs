@@ -48,6 +48,32 @@ pub(crate) struct PointFriction<C> {
     pub(crate) normal_share: C,
 }
 
+/// Normal and points of a contact, with its bodies where they are now.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Geometry<L> {
+    pub(crate) normal: LaneVec2<L>,
+    pub(crate) points: [GeometryPoint<L>; 2],
+}
+
+/// Where one of the points is.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct GeometryPoint<L> {
+    pub(crate) anchor_a: LaneVec2<L>,
+    pub(crate) anchor_b: LaneVec2<L>,
+    pub(crate) separation: L,
+}
+
+impl<L: Lane> Geometry<L> {
+    /// Points at the centres of the bodies, still to be moved to where they are.
+    #[inline(always)]
+    pub(crate) fn of_normal(normal: LaneVec2<L>) -> Self {
+        let zero = L::splat(0.0);
+        let center = LaneVec2 { x: zero, y: zero };
+        let point = GeometryPoint { anchor_a: center, anchor_b: center, separation: zero };
+        Self { normal, points: [point; 2] }
+    }
+}
+
 /// What the sweeps see as the separation of a point that awaits its impact, m.
 pub(crate) const OUT_OF_REACH: f32 = 1e9;
 
@@ -201,30 +227,83 @@ impl<L: Lane> ContactConstraint<L> {
     }
 }
 
+impl<L: Lane> ContactConstraint<L> {
+    /// Takes normal and the first `POINTS` points over, with the bodies in the states `a` and `b` within the step.
+    /// Separations count from the start of the step.
+    #[inline(always)]
+    pub(crate) fn set_geometry_in<const POINTS: usize>(
+        &mut self,
+        geometry: &Geometry<L>,
+        a: &BodyState<L>,
+        b: &BodyState<L>,
+    ) {
+        self.normal = geometry.normal;
+        for index in 0..POINTS {
+            let GeometryPoint { anchor_a, anchor_b, separation } = geometry.points[index];
+            let to = &mut self.points[index];
+            (to.anchor_a, to.anchor_b, to.separation) = (anchor_a, anchor_b, separation);
+            let moved = self.separation(&self.points[index], a, b) - separation;
+            self.points[index].separation = separation - moved;
+        }
+        self.find_masses::<POINTS>();
+    }
+
+    /// The same constraint, with normal and points of `other` where the mask holds.
+    #[inline(always)]
+    pub(crate) fn with_geometry_where(&self, mask: L::Mask, other: &Self) -> Self {
+        let mut chosen = *self;
+        chosen.normal = LaneVec2::select(mask, other.normal, self.normal);
+        chosen.coupling = L::select(mask, other.coupling, self.coupling);
+        for (index, to) in chosen.points.iter_mut().enumerate() {
+            let (yes, no) = (&other.points[index], &self.points[index]);
+            to.anchor_a = LaneVec2::select(mask, yes.anchor_a, no.anchor_a);
+            to.anchor_b = LaneVec2::select(mask, yes.anchor_b, no.anchor_b);
+            to.separation = L::select(mask, yes.separation, no.separation);
+            to.normal_k = L::select(mask, yes.normal_k, no.normal_k);
+            let (yes, no) = (&other.frictions[index], &self.frictions[index]);
+            chosen.frictions[index].mass = L::select(mask, yes.mass, no.mass);
+        }
+        chosen
+    }
+
+    /// Adds what the share of the contact at its first `POINTS` points gives the bodies, times `factor`. Before the
+    /// sweep after the move, the impulse along the tangent is the share.
+    #[inline(always)]
+    pub(crate) fn add_share<const POINTS: usize>(
+        &self,
+        factor: L,
+        a: &mut BodyState<L>,
+        b: &mut BodyState<L>,
+    ) {
+        for (point, friction) in self.points.iter().zip(&self.frictions).take(POINTS) {
+            let normal = self.normal * (factor * friction.normal_share);
+            let tangent = self.normal.perp() * (factor * friction.impulse);
+            self.apply(point, normal + tangent, a, b);
+        }
+    }
+}
+
 impl ContactConstraint<f32> {
     /// Takes normal and points over from a manifold of the bodies as they were when the step began.
     pub(crate) fn set_geometry(&mut self, manifold: &Manifold) {
-        self.normal = manifold.normal.into();
-        for (to, point) in self.points.iter_mut().zip(manifold.points()) {
-            to.anchor_a = point.anchor_a.into();
-            to.anchor_b = point.anchor_b.into();
-            to.separation = point.separation;
-            to.normal_k = THERE;
-        }
-        match manifold.points() {
-            [_] => self.find_masses::<1>(),
-            _ => self.find_masses::<2>(),
-        }
+        let rest = BodyState::REST;
+        self.set_manifold_in(manifold, &rest, &rest);
     }
 
-    /// Takes normal and points over from a manifold of the bodies in the states `a` and `b`, within the step. It
-    /// must have as many points as before.
-    pub(crate) fn set_geometry_in(&mut self, manifold: &Manifold, a: &BodyState, b: &BodyState) {
-        self.set_geometry(manifold);
+    /// Takes normal and points over from a manifold of the bodies in the states `a` and `b` within the step.
+    pub(crate) fn set_manifold_in(&mut self, manifold: &Manifold, a: &BodyState, b: &BodyState) {
+        let mut geometry = Geometry::of_normal(manifold.normal.into());
         for (index, point) in manifold.points().iter().enumerate() {
-            // Separations count from the start of the step.
-            let moved = self.separation(&self.points[index], a, b) - point.separation;
-            self.points[index].separation = point.separation - moved;
+            geometry.points[index] = GeometryPoint {
+                anchor_a: point.anchor_a.into(),
+                anchor_b: point.anchor_b.into(),
+                separation: point.separation,
+            };
+            self.points[index].normal_k = THERE;
+        }
+        match manifold.points() {
+            [_] => self.set_geometry_in::<1>(&geometry, a, b),
+            _ => self.set_geometry_in::<2>(&geometry, a, b),
         }
     }
 

@@ -9,7 +9,7 @@
 mod passes;
 
 use crate::body::{Bodies, Effort};
-use crate::collision::Contacts;
+use crate::collision::{Contacts, Kind};
 use crate::compute::COLUMN;
 use crate::resolution::constraint::ContactConstraint;
 use crate::resolution::constraint_graph::passes::part;
@@ -35,10 +35,10 @@ const SECTION: usize = COLOURS + 1;
 pub(crate) struct Colour {
     /// Slots of the movable bodies in it.
     bodies: BitSet,
-    /// Indices of the contacts in it: first those of one point, so that most blocks have only such or none.
+    /// Indices of the contacts in it, sorted by their kind.
     pub(crate) contacts: Vec<u32>,
-    /// How many of them have one point.
-    singles: usize,
+    /// By kind: where the contacts of that kind end.
+    ends_of_kinds: [usize; Kind::COUNT],
     /// The contacts as the solver sees them during a step, in the same order.
     blocks: Vec<ContactBlock>,
     /// By block: what the step did to its contacts.
@@ -142,7 +142,7 @@ impl ConstraintGraph {
         self.len += 1;
     }
 
-    /// Moves a contact of the graph to where those with as many points are, if it has not as many as before.
+    /// Moves a contact of the graph to where those of its kind are.
     pub(crate) fn sort_in(&mut self, contacts: &mut Contacts, index: u32) {
         if let Some((number, place)) = contacts[index].graph_place {
             let colour = &mut self.colours[number as usize];
@@ -203,6 +203,11 @@ impl ConstraintGraph {
     /// is in it.
     pub(crate) fn number(&self, (colour, place): (u32, u32)) -> usize {
         self.colours[colour as usize].first_block * COLUMN + place as usize
+    }
+
+    /// Gives the contacts of a block, its colour and its number in it, that follow the surface a name.
+    pub(crate) fn set_followers(&mut self, (colour, number): (u32, usize), followers: u32) {
+        self.colours[colour as usize].blocks[number].followers = followers;
     }
 
     fn block(&self, (colour, place): (u32, u32)) -> (&ContactBlock, usize) {
@@ -277,8 +282,8 @@ impl ConstraintGraph {
                 if contacts[index].graph_place != Some((number as u32, place as u32)) {
                     return Err(format!("contact {index} is not where the constraint graph holds it"));
                 }
-                if contacts[index].is_sorted_as_single != (place < colour.singles) {
-                    return Err(format!("contact {index} is not among those with as many points"));
+                if contacts[index].sorted_as as usize != colour.kind_at(place) {
+                    return Err(format!("contact {index} is not among those of its kind"));
                 }
                 for slot in contacts[index].slots {
                     if number % SECTION != OVERFLOW && bodies.is_dynamic(slot) && !seen.insert(slot) {
@@ -306,35 +311,47 @@ impl Colour {
         self.contacts.is_empty()
     }
 
-    /// Puts a contact to those with as many points; `number` is that of this colour.
-    fn push(&mut self, number: u32, index: u32, contacts: &mut Contacts) {
-        let is_single = contacts[index].manifold.points().len() == 1;
-        contacts[index].is_sorted_as_single = is_single;
-        self.contacts.push(index);
-        let mut place = self.contacts.len() - 1;
-        if is_single {
-            self.contacts.swap(self.singles, place);
-            contacts[self.contacts[place]].graph_place = Some((number, place as u32));
-            place = self.singles;
-            self.singles += 1;
-        }
-        contacts[index].graph_place = Some((number, place as u32));
+    /// Which kind of contacts stands at a place, as a number.
+    fn kind_at(&self, place: usize) -> usize {
+        self.ends_of_kinds.iter().take_while(|&&end| end <= place).count()
     }
 
-    /// Takes the contact at a place out; others fill the gap.
-    fn take(&mut self, number: u32, mut place: usize, contacts: &mut Contacts) {
-        if place < self.singles {
-            self.singles -= 1;
-            let last_single = self.contacts[self.singles];
-            if place < self.singles {
-                self.contacts[place] = last_single;
-                contacts[last_single].graph_place = Some((number, place as u32));
+    /// Puts a contact to those of its kind; `number` is that of this colour.
+    fn push(&mut self, number: u32, index: u32, contacts: &mut Contacts) {
+        let kind = contacts[index].kind();
+        contacts[index].sorted_as = kind;
+        // Of each kind after it, the first contact becomes the last.
+        let mut gap = self.contacts.len();
+        self.contacts.push(index);
+        for later in (kind as usize + 1..Kind::COUNT).rev() {
+            let first = self.ends_of_kinds[later - 1];
+            if first != gap {
+                self.put(number, gap, self.contacts[first], contacts);
             }
-            place = self.singles;
+            self.ends_of_kinds[later] += 1;
+            gap = first;
         }
-        self.contacts.swap_remove(place);
-        if let Some(&moved) = self.contacts.get(place) {
-            contacts[moved].graph_place = Some((number, place as u32));
+        self.ends_of_kinds[kind as usize] += 1;
+        self.put(number, gap, index, contacts);
+    }
+
+    /// Takes the contact at a place out; the last of each kind from its own on fills the gap.
+    fn take(&mut self, number: u32, place: usize, contacts: &mut Contacts) {
+        let mut gap = place;
+        for kind in self.kind_at(place)..Kind::COUNT {
+            self.ends_of_kinds[kind] -= 1;
+            let last = self.ends_of_kinds[kind];
+            if last != gap {
+                self.put(number, gap, self.contacts[last], contacts);
+            }
+            gap = last;
         }
+        self.contacts.pop();
+    }
+
+    /// Writes a contact to a place.
+    fn put(&mut self, number: u32, place: usize, index: u32, contacts: &mut Contacts) {
+        self.contacts[place] = index;
+        contacts[index].graph_place = Some((number, place as u32));
     }
 }

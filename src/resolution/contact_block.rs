@@ -1,7 +1,7 @@
 //! How contacts are stored while a step is solved: eight to a block, column by column, so that lanes of any width
 //! load and store them without turning rows into columns.
 
-use crate::body::{Bodies, Motion};
+use crate::body::{Bodies, Motion, NONE};
 use crate::collision::{Contact, Contacts, ManifoldPoint};
 use crate::compute::{BodyState, COLUMN, Column, GROUND_ROW, Lane, LaneVec2, RowPairs, Rows, Shared};
 use crate::resolution::constraint::{
@@ -22,6 +22,8 @@ pub(crate) struct ContactBlock {
     fit: Fit,
     /// Contacts that are more than bodies at rest on each other.
     lively: Marks,
+    /// What the caller calls those of them that follow the surface; `NONE` where there are none.
+    pub(crate) followers: u32,
     columns: ContactConstraint<Column>,
 }
 
@@ -102,6 +104,7 @@ impl ContactBlock {
         self.is_special = false;
         self.fit = Fit::ALL;
         self.lively = Marks::default();
+        self.followers = NONE;
         self.columns.special.awaits_impact = Default::default();
         for (place, &index) in indices.iter().enumerate() {
             self.put(place, &contacts[index], bodies, scale);
@@ -254,13 +257,13 @@ impl ContactBlock {
         constraint
     }
 
-    /// Writes normal and points of one contact back.
+    /// Writes normal and points back.
     #[inline(always)]
-    pub(crate) fn store_geometry(&mut self, place: usize, constraint: &ContactConstraint<f32>) {
+    pub(crate) fn store_geometry<L: Lane>(&mut self, place: usize, constraint: &ContactConstraint<L>) {
         if self.fit.is_single {
-            self.columns.store_geometry::<1>(place, constraint);
+            self.columns.store_geometry::<L, 1>(place, constraint);
         } else {
-            self.columns.store_geometry::<2>(place, constraint);
+            self.columns.store_geometry::<L, 2>(place, constraint);
         }
     }
 
@@ -390,19 +393,23 @@ impl ContactConstraint<Column> {
     }
 
     #[inline(always)]
-    fn store_geometry<const POINTS: usize>(&mut self, place: usize, constraint: &ContactConstraint<f32>) {
+    fn store_geometry<L: Lane, const POINTS: usize>(
+        &mut self,
+        place: usize,
+        constraint: &ContactConstraint<L>,
+    ) {
         self.normal.store(place, constraint.normal);
         if POINTS == 2 {
-            self.coupling.set(place, constraint.coupling);
+            constraint.coupling.store(&mut self.coupling, place);
         }
         for (to, point) in self.points.iter_mut().zip(&constraint.points).take(POINTS) {
             to.anchor_a.store(place, point.anchor_a);
             to.anchor_b.store(place, point.anchor_b);
-            to.separation.set(place, point.separation);
-            to.normal_k.set(place, point.normal_k);
+            point.separation.store(&mut to.separation, place);
+            point.normal_k.store(&mut to.normal_k, place);
         }
         for (to, friction) in self.frictions.iter_mut().zip(&constraint.frictions).take(POINTS) {
-            to.mass.set(place, friction.mass);
+            friction.mass.store(&mut to.mass, place);
         }
     }
 }

@@ -6,13 +6,15 @@
 //! substep, unless their manifold is kept because the bodies hardly move, and an impact finds its manifold at its
 //! own time.
 
-use crate::body::Bodies;
+use crate::body::{Bodies, Effort};
 use crate::collision::{Contact, Contacts, Manifold, detect_within};
-use crate::compute::{BodyState, GROUND_ROW};
+use crate::compute::{BodyState, COLUMN, Column, Crew, GROUND_ROW, Lane, Shared, Width};
 use crate::math::{Rot, Vec2};
 use crate::resolution::constraint::ContactConstraint;
 use crate::resolution::constraint_graph::ConstraintGraph;
-use crate::resolution::pivot::Pivot;
+use crate::resolution::contact_block::ContactBlock;
+use crate::resolution::follower::Follower;
+use crate::resolution::kernel::Kernel;
 
 /// Far enough that the nearest points of two bodies are found wherever they are, m.
 const ANY_DISTANCE: f32 = 1e9;
@@ -31,88 +33,134 @@ pub(crate) fn manifold_in(contact: &Contact, bodies: &Bodies, [a, b]: [&BodyStat
     detect_within(shapes[0], rotations[0], shapes[1], rotations[1], offset, ANY_DISTANCE).unwrap_or_default()
 }
 
-/// Contacts that follow the surface within the step, with their places in the constraint graph.
+/// Contacts that follow the surface within the step.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Followers {
-    /// By index: those whose manifold has to be found anew.
+    /// Blocks of the constraint graph with contacts that follow in closed form: colour, and number in it.
+    blocks: Vec<(u32, usize)>,
+    /// By block: those contacts.
+    columns: Vec<Follower<Column>>,
+    /// By index, and place in the graph: those whose manifold has to be found anew.
     found_anew: Vec<(u32, (u32, u32))>,
-    /// Those of a corner on a face.
-    pivots: Vec<(Pivot, (u32, u32))>,
 }
 
 impl Followers {
     pub(crate) fn clear(&mut self) {
+        self.blocks.clear();
+        self.columns.clear();
         self.found_anew.clear();
-        self.pivots.clear();
     }
 
-    /// Takes up a contact with a circle, or of a single corner under load, if its manifold was found anew. A
-    /// corner that is still on its way has the manifold of the place where it will land.
-    pub(crate) fn consider(&mut self, index: u32, contact: &Contact, bodies: &Bodies) {
-        let (false, Some(place)) = (contact.is_kept, contact.graph_place) else { return };
-        let has_circle = contact.slots.into_iter().any(|slot| bodies.motions[slot as usize].is_round);
-        if has_circle || contact.pivots() {
-            let [a, b] = contact.slots.map(|slot| bodies.motions[slot as usize].pose.center);
-            let extents = contact.slots.map(|slot| bodies.motions[slot as usize].extent);
-            match Pivot::new(&contact.manifold, b - a, extents) {
-                Some(pivot) => self.pivots.push((pivot, place)),
-                None => self.found_anew.push((index, place)),
-            }
+    /// Takes up a contact, if it follows the surface. `dt` is the length of the step, s. Those of a block of the
+    /// constraint graph come one after the other.
+    pub(crate) fn consider(&mut self, index: u32, contact: &Contact, bodies: &Bodies, dt: f32) {
+        let (true, Some(graph_place)) = (contact.follows, contact.graph_place) else { return };
+        let Some(follower) = Follower::new(contact, bodies, dt) else {
+            self.found_anew.push((index, graph_place));
+            return;
+        };
+        let (colour, place) = (graph_place.0, graph_place.1 as usize);
+        let block = (colour, place / COLUMN);
+        if self.blocks.last() != Some(&block) {
+            self.blocks.push(block);
+            self.columns.push(Follower::default());
+        }
+        let last = self.columns.len() - 1;
+        self.columns[last].set(place % COLUMN, &follower);
+    }
+
+    /// Tells the blocks of the graph which of their contacts follow.
+    pub(crate) fn mark(&self, graph: &mut ConstraintGraph) {
+        for (number, &block) in self.blocks.iter().enumerate() {
+            graph.set_followers(block, number as u32);
         }
     }
 
     pub(crate) fn is_empty(&self) -> bool {
-        self.found_anew.is_empty() && self.pivots.is_empty()
+        self.columns.is_empty() && self.found_anew.is_empty()
     }
 
-    /// Brings the constraints up to where the bodies are now.
-    pub(crate) fn follow(&self, contacts: &Contacts, bodies: &Bodies, constraints: &mut Constraints<'_>) {
+    /// Brings the constraints up to where the bodies are now, and turns their parts of `shares`: by row, what of the
+    /// warm start the bodies still get; none where they get nothing.
+    pub(crate) fn follow(
+        &self,
+        (crew, effort, width): (&Crew, Effort, Width),
+        (contacts, bodies, graph): (&Contacts, &Bodies, &mut ConstraintGraph),
+        shares: &mut [BodyState],
+    ) {
         for (number, &(index, place)) in self.found_anew.iter().enumerate() {
             let ahead = |by: usize| self.found_anew.get(number + by).map(|&(index, _)| index);
             contacts.prefetch_ahead(bodies, ahead);
-            let [a, b] = constraints.graph.rows(place).map(|row| &bodies.states[row as usize]);
+            let [a, b] = graph.rows(place).map(|row| &bodies.states[row as usize]);
             let contact = &contacts[index];
             if let Some(manifold) = manifold_in(contact, bodies, [a, b]).restricted_to(&contact.manifold) {
-                constraints.bring_to(place, &manifold, [a, b]);
+                let before = graph.constraint(place);
+                let mut constraint = before;
+                constraint.set_manifold_in(&manifold, a, b);
+                graph.set_geometry(place, &constraint);
+                if !shares.is_empty() {
+                    add_shares([(&before, -1.0), (&constraint, 1.0)], graph.moved_rows(place), shares);
+                }
             }
         }
-        for (pivot, place) in &self.pivots {
-            let [a, b] = constraints.graph.rows(*place).map(|row| &bodies.states[row as usize]);
-            if let Some(manifold) = pivot.manifold_in(a, b) {
-                constraints.bring_to(*place, &manifold, [a, b]);
-            }
+        if !self.columns.is_empty() {
+            let has_shares = !shares.is_empty();
+            let (columns, states, shares) = (&self.columns[..], &bodies.states[..], Shared::new(shares));
+            let follow = Follow { columns, states, has_shares, shares };
+            graph.for_each(crew, (effort, width), &follow);
         }
     }
 }
 
-/// Constraints that are brought up to date within the step.
-#[derive(Debug)]
-pub(crate) struct Constraints<'a> {
-    pub(crate) graph: &'a mut ConstraintGraph,
-    /// By row: what of the warm start the bodies still get; none where they get nothing.
-    pub(crate) shares: &'a mut [BodyState],
+/// Brings the contacts of a block up to where their bodies are.
+#[derive(Clone, Debug)]
+struct Follow<'a> {
+    /// Those that follow, by what their block calls them.
+    columns: &'a [Follower<Column>],
+    states: &'a [BodyState],
+    has_shares: bool,
+    shares: Shared<'a, BodyState>,
 }
 
-impl Constraints<'_> {
-    /// Gives the constraint at a place of the graph the normal and the points of a manifold of its bodies in the states
-    /// `a` and `b`, and turns its part of the shares.
-    fn bring_to(&mut self, place: (u32, u32), manifold: &Manifold, [a, b]: [&BodyState; 2]) {
-        let (block, place) = self.graph.block_mut(place);
-        let before = block.load_one(place);
-        let mut constraint = before;
-        constraint.set_geometry_in(manifold, a, b);
-        block.store_geometry(place, &constraint);
-        let has_share = before.frictions.iter().any(|friction| friction.normal_share > 0.0);
-        if has_share && !self.shares.is_empty() {
-            let rows = block.moved_rows(place);
-            add_shares([(&before, -1.0), (&constraint, 1.0)], rows, self.shares);
+impl Kernel for Follow<'_> {
+    #[inline(always)]
+    fn run<L: Lane>(&self, block: &mut ContactBlock, place: usize) {
+        let Some(followers) = self.columns.get(block.followers as usize) else { return };
+        if block.fit().is_single {
+            self.follow::<L, 1>(followers, block, place);
+        } else {
+            self.follow::<L, 2>(followers, block, place);
+        }
+    }
+}
+
+impl Follow<'_> {
+    #[inline(always)]
+    fn follow<L: Lane, const POINTS: usize>(
+        &self,
+        followers: &Follower<Column>,
+        block: &mut ContactBlock,
+        place: usize,
+    ) {
+        let [a, b] = block.gather::<L>(self.states, place);
+        let (geometry, follows) = followers.load::<L>(place).geometry_in::<POINTS>(&a, &b);
+        let before = block.load::<L>(place);
+        let mut after = before;
+        after.set_geometry_in::<POINTS>(&geometry, &a, &b);
+        let after = before.with_geometry_where(follows, &after);
+        block.store_geometry(place, &after);
+        if self.has_shares {
+            let [mut a, mut b] = block.gather_velocities::<L>(&self.shares, place);
+            let one = L::select(follows, L::splat(1.0), L::splat(0.0));
+            before.add_share::<POINTS>(-one, &mut a, &mut b);
+            after.add_share::<POINTS>(one, &mut a, &mut b);
+            block.scatter(&self.shares, place, &[a, b]);
         }
     }
 }
 
 /// Adds what the share of a contact gives its bodies, times a factor, to their rows; of each of `constraints`, which
-/// are the contact with different geometries. Before the sweep after the move, the impulse along the tangent is the
-/// share.
+/// are the contact with different geometries.
 pub(crate) fn add_shares<const N: usize>(
     constraints: [(&ContactConstraint<f32>, f32); N],
     rows: [u32; 2],
@@ -121,13 +169,7 @@ pub(crate) fn add_shares<const N: usize>(
     let mut pair = rows.map(|row| shares[row as usize]);
     let [a, b] = &mut pair;
     for (constraint, factor) in constraints {
-        for (point, friction) in constraint.points.iter().zip(&constraint.frictions) {
-            if friction.normal_share > 0.0 || friction.impulse != 0.0 {
-                let normal = constraint.normal * (factor * friction.normal_share);
-                let tangent = constraint.normal.perp() * (factor * friction.impulse);
-                constraint.apply(point, normal + tangent, a, b);
-            }
-        }
+        constraint.add_share::<2>(factor, a, b);
     }
     for (row, share) in rows.into_iter().zip(pair) {
         if row != GROUND_ROW {

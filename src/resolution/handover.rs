@@ -204,7 +204,7 @@ impl Piece {
             return false;
         };
         let mut constraint = scene.graph.constraint(self.graph_place);
-        constraint.set_geometry_in(&manifold, &there[0], &there[1]);
+        constraint.set_manifold_in(&manifold, &there[0], &there[1]);
         scene.graph.set_geometry(self.graph_place, &constraint);
         let speed = -constraint.normal.dot(constraint.points[0].relative_velocity(&before[0], &before[1]));
         if manifold.points()[0].separation - self.level > MEETING_TOLERANCE * speed.abs() * scene.h {

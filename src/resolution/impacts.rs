@@ -263,7 +263,7 @@ impl Impacts {
         bouncy.apply_impulses(&meeting, &mut after);
         if let Some(manifold) = manifold.restricted_to(&contact.manifold) {
             let mut constraint = scene.graph.constraint(bouncy.graph_place);
-            constraint.set_geometry_in(&manifold, &there[0], &there[1]);
+            constraint.set_manifold_in(&manifold, &there[0], &there[1]);
             scene.graph.set_geometry(bouncy.graph_place, &constraint);
         }
         self.count += 1;

@@ -11,7 +11,7 @@ use crate::resolution::constraint::StepResidual;
 use crate::resolution::constraint_graph::ConstraintGraph;
 use crate::resolution::direct::{Aim, DirectSolver};
 use crate::resolution::effort::{EffortClass, Loads};
-use crate::resolution::follow::{Constraints, Followers, add_shares};
+use crate::resolution::follow::{Followers, add_shares};
 use crate::resolution::handover::{HandoverScene, Handovers};
 use crate::resolution::impacts::{ImpactScene, Impacts, bounce_threshold};
 use crate::resolution::integrate::{
@@ -224,8 +224,8 @@ impl Solver {
             self.accelerate(tables, &class.rows, acceleration);
         }
         let shares = if has_shares { &mut self.shares[..] } else { &mut [] };
-        let mut constraints = Constraints { graph: tables.graph, shares };
-        self.followers.follow(tables.contacts, tables.bodies, &mut constraints);
+        let means = (tables.crew, class.effort, scheme.width);
+        self.followers.follow(means, (tables.contacts, tables.bodies, tables.graph), shares);
         if is_direct {
             self.direct.restore_free(&mut tables.bodies.states);
         }
@@ -340,7 +340,7 @@ impl Solver {
     }
 
     /// Takes up the contacts that may bounce, and those that follow the surface within the step.
-    fn gather_special(&mut self, scheme: &Scheme, effort: Effort, tables: &SolveTables<'_>) {
+    fn gather_special(&mut self, scheme: &Scheme, effort: Effort, tables: &mut SolveTables<'_>) {
         let (bodies, contacts) = (&*tables.bodies, &*tables.contacts);
         let h = scheme.substep_time();
         self.impacts.clear();
@@ -355,7 +355,7 @@ impl Solver {
                 let threshold = bounce_threshold(scheme.restitution_threshold, contact, accelerations, h);
                 self.impacts.add(index, contact, tables.graph, threshold);
             }
-            self.followers.consider(index, contact, bodies);
+            self.followers.consider(index, contact, bodies, scheme.dt);
             if effort == Effort::Direct {
                 return;
             }
@@ -365,6 +365,7 @@ impl Solver {
             }
             self.handovers.consider(index, contact, bodies);
         });
+        self.followers.mark(tables.graph);
         self.handovers.group();
     }
 

@@ -85,6 +85,20 @@ impl Hull {
         if index + 1 < self.count as usize { index + 1 } else { 0 }
     }
 
+    /// How far a point, m, is in front of the edge's line that it is furthest in front of, and which edge that is;
+    /// minus infinity for a point that is NaN.
+    #[inline(always)]
+    pub(crate) fn nearest_face(&self, point: Vec2) -> (f32, usize) {
+        let mut nearest = (f32::NEG_INFINITY, 0);
+        for (index, (normal, plane)) in self.normals().iter().zip(&self.planes).enumerate() {
+            let gap = normal.dot(point) - plane;
+            if gap > nearest.0 {
+                nearest = (gap, index);
+            }
+        }
+        nearest
+    }
+
     /// Smallest width across, m. The narrowest strip that holds a convex outline has an edge on one of its
     /// sides, so it is enough to measure from each edge.
     pub(crate) fn thickness(&self) -> f32 {

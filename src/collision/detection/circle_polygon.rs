@@ -14,13 +14,7 @@ use crate::shape::{Circle, Hull};
 #[inline]
 pub(super) fn detect(a: &Hull, rotation_a: Rot, b: Circle, offset: Vec2, margin: f32) -> Option<Manifold> {
     let center = rotation_a.unrotate(offset);
-    let (mut gap, mut face) = (f32::NEG_INFINITY, 0);
-    for (i, (normal, plane)) in a.normals().iter().zip(&a.planes).enumerate() {
-        let face_gap = normal.dot(center) - plane;
-        if face_gap > gap {
-            (gap, face) = (face_gap, i);
-        }
-    }
+    let (mut gap, face) = a.nearest_face(center);
     if !within(gap - b.radius(), margin) {
         return None;
     }

@@ -1,0 +1,390 @@
+//! A contact that follows the surface: where it is while its two bodies move within the step, in closed form.
+//!
+//! What touches is a tip, which is a corner or a circle, and what it touches is a face or another circle.
+//!
+//! ```text
+//! from a to b  d' = d + Δx_b - Δx_a + (ΔR_b - 1) p_b - (ΔR_a - 1) p_a
+//!                                        p: a tip, the centre of a circle, a point of a face; from the body's centre
+//! normal       n' = ΔR n on a face, turned with the body that has it;  n' = d'/|d'| between circles
+//! gap          s' = n'·d' - r            r: the radii of the circles
+//! ```
+//!
+//! This is what detection finds as long as a tip stays on its face, at a fraction of its cost. Eight contacts at a time
+//! are computed with, those of a [`ContactBlock`](crate::resolution::contact_block::ContactBlock).
+
+use crate::body::{Bodies, Motion};
+use crate::collision::{Contact, Corner, ManifoldPoint};
+use crate::compute::{BodyState, Column, Lane, LaneVec2};
+use crate::math::Vec2;
+use crate::resolution::constraint::Geometry;
+
+/// A tip this many times as far from the centre of the other body as any point of its outline has left its face, no
+/// unit: what is frozen then is found anew in the next step, and no arm grows without bounds.
+const SLACK: f32 = 1.1;
+
+/// What touches at one of the (at most two) points, as the step began.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default)]
+struct TouchingPair<C> {
+    /// Where the surfaces are, or the centres of circles, from the centres of the bodies, m.
+    parts: [LaneVec2<C>; 2],
+    /// From that of a to that of b, m.
+    apart: LaneVec2<C>,
+    /// 1 where the contact point stays with what b touches with, 0 where it stays with a's.
+    stays_with_b: C,
+    /// Radius of the circle that it stays with, m; 0 for a corner.
+    radius: C,
+}
+
+/// A contact that follows the surface, or as many as a lane holds.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Follower<C> {
+    normal: LaneVec2<C>,
+    /// 1 where the normal turns with b, 0 where it turns with a.
+    turns_with_b: C,
+    /// 1 where two circles touch: the normal is the line of their centres.
+    is_of_circles: C,
+    /// Sum of the radii of the circles, m.
+    radii: C,
+    /// Which part of the gap the contact point is away from what it stays with: half, or none on a circle that touches
+    /// a face, so that the arm of friction is its radius.
+    gap_part: C,
+    /// Square of the distance from the centre of the body with the face at which the point must have left it, m²; 0
+    /// where no contact follows.
+    reach_squared: C,
+    pairs: [TouchingPair<C>; 2],
+}
+
+impl Follower<f32> {
+    /// The contact, whose manifold was found anew, if it is one of two circles, of a circle on a face, or of a corner
+    /// under load on a face. A circle must stay over the face for a step of `dt` seconds.
+    pub(crate) fn new(contact: &Contact, bodies: &Bodies, dt: f32) -> Option<Self> {
+        let motions = contact.slots.map(|slot| &bodies.motions[slot as usize]);
+        let offset = motions[1].pose.center - motions[0].pose.center;
+        match motions.map(|motion| motion.is_round) {
+            [true, true] => Some(Self::of_circles(contact, motions, offset)),
+            [false, false] => Self::of_corner(contact, motions),
+            round => Self::of_circle_on_face(contact, bodies, usize::from(round[1]), offset, dt),
+        }
+    }
+
+    fn of_circles(contact: &Contact, [a, b]: [&Motion; 2], offset: Vec2) -> Self {
+        let pair = TouchingPair { apart: offset.into(), radius: a.extent, ..TouchingPair::default() };
+        Self {
+            // For circles with one centre, whose line has no direction.
+            normal: contact.manifold.normal.into(),
+            is_of_circles: 1.0,
+            radii: a.extent + b.extent,
+            gap_part: 0.5,
+            reach_squared: f32::INFINITY,
+            pairs: [pair, TouchingPair::default()],
+            ..Self::default()
+        }
+    }
+
+    /// `circle` is 0 where a is the circle, 1 where b is.
+    fn of_circle_on_face(
+        contact: &Contact,
+        bodies: &Bodies,
+        circle: usize,
+        offset: Vec2,
+        dt: f32,
+    ) -> Option<Self> {
+        let [circle_slot, face_slot] = [contact.slots[circle], contact.slots[1 - circle]];
+        let face_motion = &bodies.motions[face_slot as usize];
+        let shape = &bodies.shapes[face_slot as usize];
+        let (hull, rotation) = (shape.hull()?, shape.rotation_at(face_motion.pose.rotation));
+        // To the circle; first in the frame of the face's body.
+        let to_circle = if circle == 1 { offset } else { -offset };
+        let center = rotation.unrotate(to_circle);
+        let (gap, face) = hull.nearest_face(center);
+        let along = hull.normals[face].perp();
+        let room = [hull.vertices[face], hull.vertices[hull.next(face)]].map(|end| along.dot(end - center));
+        let [round, flat] = [circle_slot, face_slot].map(|slot| bodies.state(slot));
+        let speed = Vec2::from(round.velocity - flat.velocity).length()
+            + flat.angular_velocity.abs() * to_circle.length();
+        let way = speed * dt;
+        // Written so that NaN has no room.
+        if !(gap > 0.0 && room[0] < -way && room[1] > way) {
+            return None;
+        }
+        let outward = rotation.rotate(hull.normals[face]);
+        let mut parts = [LaneVec2::default(); 2];
+        parts[1 - circle] = (to_circle - outward * gap).into();
+        let sign = if circle == 1 { 1.0 } else { -1.0 };
+        let radius = bodies.motions[circle_slot as usize].extent;
+        let stays_with_b = circle as f32;
+        let pair = TouchingPair { parts, apart: (outward * (sign * gap)).into(), stays_with_b, radius };
+        Some(Self {
+            normal: (outward * sign).into(),
+            turns_with_b: 1.0 - stays_with_b,
+            radii: radius,
+            reach_squared: f32::INFINITY,
+            pairs: [pair, TouchingPair::default()],
+            ..Self::default()
+        })
+    }
+
+    fn of_corner(contact: &Contact, motions: [&Motion; 2]) -> Option<Self> {
+        let manifold = &contact.manifold;
+        let loaded = manifold.points().iter().find(|point| point.normal_impulse > 0.0)?;
+        let face = match loaded.corner {
+            Corner::OfA => 1,
+            Corner::OfB => 0,
+            Corner::Neither => return None,
+        };
+        let normal = manifold.normal;
+        let pair = |point: &ManifoldPoint| {
+            let half_gap = normal * (0.5 * point.separation);
+            // What is no corner of the other body is where the face ends.
+            let stays_with = if point.corner == Corner::Neither { face } else { 1 - face };
+            TouchingPair {
+                parts: [point.anchor_a - half_gap, point.anchor_b + half_gap].map(LaneVec2::from),
+                apart: (normal * point.separation).into(),
+                stays_with_b: stays_with as f32,
+                radius: 0.0,
+            }
+        };
+        let mut pairs = [TouchingPair::default(); 2];
+        for (to, point) in pairs.iter_mut().zip(manifold.points()) {
+            *to = pair(point);
+        }
+        Some(Self {
+            normal: normal.into(),
+            turns_with_b: face as f32,
+            gap_part: 0.5,
+            reach_squared: (SLACK * motions[face].extent).powi(2),
+            pairs,
+            ..Self::default()
+        })
+    }
+}
+
+impl<L: Lane> Follower<L> {
+    /// Where the contacts are with their bodies in the states `a` and `b` within the step, up to so many `POINTS`, and
+    /// which of them follow: not those whose tip must have left its face.
+    #[inline(always)]
+    pub(crate) fn geometry_in<const POINTS: usize>(
+        &self,
+        a: &BodyState<L>,
+        b: &BodyState<L>,
+    ) -> (Geometry<L>, L::Mask) {
+        let (zero, least) = (L::splat(0.0), L::splat(f32::MIN_POSITIVE));
+        let moved = b.delta_position - a.delta_position;
+        let turns_with_b = self.turns_with_b.greater(zero);
+        let turned = [a, b].map(|state| self.normal + state.delta_rotation.displacement(self.normal));
+        let mut geometry = Geometry::of_normal(LaneVec2::select(turns_with_b, turned[1], turned[0]));
+        let mut follows = self.reach_squared.greater(zero);
+        for index in 0..POINTS {
+            let pair = &self.pairs[index];
+            let [part_a, part_b] = pair.parts;
+            let [swung_a, swung_b] =
+                [a.delta_rotation.displacement(part_a), b.delta_rotation.displacement(part_b)];
+            let apart = pair.apart + moved + swung_b - swung_a;
+            // Two circles have one point. Below the smallest normal number the direction has lost its digits.
+            if index == 0 {
+                let squared = apart.dot(apart);
+                let is_radial = L::both(self.is_of_circles.greater(zero), squared.greater(least));
+                let radial = apart * (L::splat(1.0) / squared.max(least).sqrt());
+                geometry.normal = LaneVec2::select(is_radial, radial, geometry.normal);
+            }
+            let separation = geometry.normal.dot(apart) - self.radii;
+            let offset = part_a + pair.apart - part_b + moved;
+            let away = geometry.normal * (pair.radius + self.gap_part * separation);
+            let stays_with_b = pair.stays_with_b.greater(zero);
+            let anchor_a =
+                LaneVec2::select(stays_with_b, part_b + swung_b - away + offset, part_a + swung_a + away);
+            let anchor_b = anchor_a - offset;
+            let of_face = LaneVec2::select(turns_with_b, anchor_b, anchor_a);
+            follows = L::both(follows, self.reach_squared.greater(of_face.dot(of_face)));
+            let to = &mut geometry.points[index];
+            (to.anchor_a, to.anchor_b, to.separation) = (anchor_a, anchor_b, separation);
+        }
+        (geometry, follows)
+    }
+}
+
+impl Follower<Column> {
+    /// Writes the contact at `place`.
+    pub(crate) fn set(&mut self, place: usize, follower: &Follower<f32>) {
+        self.normal.store(place, follower.normal);
+        self.turns_with_b.set(place, follower.turns_with_b);
+        self.is_of_circles.set(place, follower.is_of_circles);
+        self.radii.set(place, follower.radii);
+        self.gap_part.set(place, follower.gap_part);
+        self.reach_squared.set(place, follower.reach_squared);
+        for (to, pair) in self.pairs.iter_mut().zip(&follower.pairs) {
+            for (to, &part) in to.parts.iter_mut().zip(&pair.parts) {
+                to.store(place, part);
+            }
+            to.apart.store(place, pair.apart);
+            to.stays_with_b.set(place, pair.stays_with_b);
+            to.radius.set(place, pair.radius);
+        }
+    }
+
+    /// The contacts from `place` on, a multiple of the lane's width.
+    #[inline(always)]
+    pub(crate) fn load<L: Lane>(&self, place: usize) -> Follower<L> {
+        let pair = |pair: &TouchingPair<Column>| TouchingPair {
+            parts: [pair.parts[0].load(place), pair.parts[1].load(place)],
+            apart: pair.apart.load(place),
+            stays_with_b: L::load(&pair.stays_with_b, place),
+            radius: L::load(&pair.radius, place),
+        };
+        Follower {
+            normal: self.normal.load(place),
+            turns_with_b: L::load(&self.turns_with_b, place),
+            is_of_circles: L::load(&self.is_of_circles, place),
+            radii: L::load(&self.radii, place),
+            gap_part: L::load(&self.gap_part, place),
+            reach_squared: L::load(&self.reach_squared, place),
+            pairs: [pair(&self.pairs[0]), pair(&self.pairs[1])],
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::body::Body;
+    use crate::collision::{Contacts, Manifold, detect_within};
+    use crate::compute::LaneRot;
+    use crate::math::Rot;
+    use crate::shape::Shape;
+
+    /// A body that has moved by so much, and turned by `angle`, since the step began.
+    fn state(moved: [f32; 2], angle: f32) -> BodyState {
+        let Rot { c, s } = Rot::from_angle(angle);
+        BodyState {
+            delta_position: Vec2::from(moved).into(),
+            delta_rotation: LaneRot { c, s },
+            ..BodyState::REST
+        }
+    }
+
+    /// Two bodies, the second `offset` from the first, and their contact with its deepest point under load.
+    fn touching(shapes: [&Shape; 2], angles: [f32; 2], offset: Vec2) -> (Bodies, Contact) {
+        let mut bodies = Bodies::default();
+        let at = [Vec2::ZERO, offset];
+        let keys = [0, 1].map(|side| {
+            let body = Body::dynamic(*shapes[side]).at([at[side].x, at[side].y]).angle(angles[side]);
+            bodies.insert(&body)
+        });
+        let slots = keys.map(|id| id.0.index());
+        let mut contacts = Contacts::default();
+        let index = contacts.begin(&mut bodies, slots, 0.5, 0.0);
+        let mut contact = contacts[index].clone();
+        contact.manifold = detected(&bodies, &contact, [&BodyState::REST; 2]);
+        let points = contact.manifold.points_mut();
+        let deepest = points.iter_mut().min_by(|p, q| p.separation.total_cmp(&q.separation));
+        deepest.expect("they touch").normal_impulse = 1.0;
+        (bodies, contact)
+    }
+
+    /// What detection finds with the bodies in these states.
+    fn detected(bodies: &Bodies, contact: &Contact, states: [&BodyState; 2]) -> Manifold {
+        let slots = contact.slots.map(|slot| slot as usize);
+        let poses = slots.map(|slot| bodies.motions[slot].pose);
+        let [p, q] = [0, 1].map(|side| {
+            let LaneRot { c, s } = states[side].delta_rotation;
+            Rot { c, s } * poses[side].rotation
+        });
+        let moved = Vec2::from(states[1].delta_position - states[0].delta_position);
+        let offset = poses[1].center - poses[0].center + moved;
+        let [a, b] = slots.map(|slot| &bodies.shapes[slot]);
+        detect_within(a, p, b, q, offset, 0.2).expect("they are near")
+    }
+
+    /// Whether the point under load is followed to where detection finds it. Lengths of 1 m round by 6e-8 some ten
+    /// times.
+    fn check((bodies, contact): &(Bodies, Contact), states: [BodyState; 2]) {
+        let [a, b] = &states;
+        let follower = Follower::new(contact, bodies, 0.01).expect("it can be followed");
+        let (geometry, follows) = follower.geometry_in::<2>(a, b);
+        assert!(follows);
+        let now = detected(bodies, contact, [a, b]);
+        let loaded = contact.manifold.points().iter().position(|point| point.normal_impulse > 0.0).unwrap();
+        let feature = contact.manifold.points()[loaded].feature;
+        let point = &geometry.points[loaded];
+        let now_point =
+            now.points().iter().find(|point| point.feature == feature).expect("it is still there");
+        let far = |one: LaneVec2<f32>, other: Vec2| (Vec2::from(one) - other).length() > 1e-6;
+        assert!(!far(geometry.normal, now.normal), "{geometry:?} {now:?}");
+        assert!((point.separation - now_point.separation).abs() < 1e-6, "{geometry:?} {now:?}");
+        assert!(!far(point.anchor_a, now_point.anchor_a), "{geometry:?} {now:?}");
+        assert!(!far(point.anchor_b, now_point.anchor_b), "{geometry:?} {now:?}");
+    }
+
+    /// Bodies that move and turn by as much as in a step of a fast game, and pairs of them in both orders.
+    fn check_in_both_orders(shapes: [&Shape; 2], angles: [f32; 2], offset: Vec2) {
+        let ([a, b], [p, q]) = (shapes, angles);
+        for sway in [0.0, 0.005, -0.01] {
+            let states = [state([0.01, -0.02], 0.03), state([-0.03, sway], -0.05)];
+            check(&touching([a, b], [p, q], offset), states);
+            check(&touching([b, a], [q, p], -offset), states);
+        }
+    }
+
+    fn tilted(tilt: f32, [x, y]: [f32; 2]) -> Vec2 {
+        Rot::from_angle(tilt).rotate(Vec2::new(x, y))
+    }
+
+    #[test]
+    fn a_corner_is_followed_to_where_detection_finds_it() {
+        let board = Shape::obb(4.0, 0.5);
+        let triangle = Shape::polygon([[0.0, -0.6], [0.5, 0.4], [-0.5, 0.4]]).unwrap();
+        for (shape, angle, height) in
+            [(Shape::obb(1.0, 1.0), 0.6, 0.93), (Shape::obb(0.5, 1.5), -0.3, 1.03), (triangle, 0.2, 0.84)]
+        {
+            for tilt in [0.0, 0.25, -0.4] {
+                check_in_both_orders([&board, &shape], [tilt, tilt + angle], tilted(tilt, [0.3, height]));
+            }
+        }
+    }
+
+    #[test]
+    fn a_circle_is_followed_to_where_detection_finds_it() {
+        let circle = Shape::circle(0.4);
+        let hexagon = Shape::polygon(std::array::from_fn::<[f32; 2], 6, _>(|i| {
+            let Rot { c, s } = Rot::from_angle(std::f32::consts::TAU * (i as f32 / 6.0 - 0.25 + 1.0 / 12.0));
+            [1.2 * c, 1.2 * s]
+        }))
+        .unwrap();
+        for tilt in [0.0, 0.25, -0.4] {
+            check_in_both_orders([&Shape::obb(4.0, 0.5), &circle], [tilt, 0.7], tilted(tilt, [0.3, 0.64]));
+            check_in_both_orders([&hexagon, &circle], [tilt, 0.7], tilted(tilt, [0.1, 1.44]));
+            check_in_both_orders([&Shape::circle(0.7), &circle], [tilt, 0.7], tilted(tilt, [0.5, 0.97]));
+        }
+    }
+
+    /// Near the end of a face detection has to be asked: over the corner the normal is another.
+    #[test]
+    fn a_circle_near_a_corner_is_not_followed() {
+        for (x, moves, is_followed) in [(1.9, true, false), (1.9, false, true), (2.05, false, false)] {
+            let shapes = [&Shape::obb(4.0, 0.5), &Shape::circle(0.4)];
+            let (mut bodies, contact) = touching(shapes, [0.0; 2], Vec2::new(x, 0.63));
+            let row = bodies.motions[contact.slots[1] as usize].row as usize;
+            bodies.states[row].velocity = Vec2::new(if moves { 20.0 } else { 0.0 }, 0.0).into();
+            assert_eq!(Follower::new(&contact, &bodies, 0.01).is_some(), is_followed, "at {x}");
+        }
+    }
+
+    /// A corner that slides past the end of the face, and circles with one centre: what has no direction.
+    #[test]
+    fn what_cannot_be_followed_stays_where_it_was() {
+        let shapes = [&Shape::obb(1.0, 0.5), &Shape::obb(1.0, 1.0)];
+        let (bodies, contact) = touching(shapes, [0.0, 0.6], Vec2::new(0.3, 0.93));
+        let follower = Follower::new(&contact, &bodies, 0.01).unwrap();
+        let gone = state([2.0, 0.0], 0.0);
+        let (_, follows) = follower.geometry_in::<2>(&BodyState::REST, &gone);
+        assert!(!follows);
+
+        let (bodies, contact) = touching([&Shape::circle(0.5); 2], [0.0; 2], Vec2::new(0.25, 0.0));
+        let follower = Follower::new(&contact, &bodies, 0.01).unwrap();
+        let (geometry, _) = follower.geometry_in::<1>(&BodyState::REST, &state([-0.25, 0.0], 0.0));
+        assert!((geometry.normal.dot(geometry.normal) - 1.0).abs() < 1e-6, "{geometry:?}");
+        assert!(geometry.points[0].separation.is_finite(), "{geometry:?}");
+    }
+}
