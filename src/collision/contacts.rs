@@ -64,6 +64,8 @@ pub(crate) struct Contact {
     pub(crate) has_bounced: bool,
     /// Whether it follows the surface within the step: its manifold was found anew, and a body rolls or topples on it.
     pub(crate) follows: bool,
+    /// For how many steps it has been followed since its manifold was found.
+    pub(crate) followed_steps: u8,
     /// Among which contacts of its colour the constraint graph has it.
     pub(crate) sorted_as: Kind,
     /// For how many steps it has been under great load.
@@ -231,6 +233,7 @@ impl Contacts {
             approach_speed: 0.0,
             graph_place: None,
             follows: false,
+            followed_steps: 0,
             sorted_as: Kind::Single,
             awake_place: NONE,
             links: first.map(|next| Link { previous: NONE, next }),

@@ -33,6 +33,14 @@ const ROUND_RECYCLE_DISTANCE: f32 = 0.01;
 /// Cosine of the angle that either body may turn before the manifold is found anew: 11 degrees.
 const RECYCLE_COSINE: f32 = 0.98;
 
+/// Bodies rest on each other, or beside each other, while they move slower than so many of the distances at which they
+/// are speculative in a second, and have moved by less than such a share of it: 2 cm/s and 0.5 mm for large ones.
+const REST_RATE: f32 = 1.0;
+const REST_SHARE: f32 = 0.025;
+
+/// A corner is followed from step to step for so many, then it is found anew.
+const LONGEST_FOLLOWED: u8 = 15;
+
 /// What a refresh needs to know beside the contact and the bodies.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Refresh {
@@ -57,7 +65,7 @@ pub(crate) fn refresh(contact: &mut Contact, bodies: &Bodies, settings: Refresh)
     contact.is_kept = settings.recycling && pair.may_recycle(contact);
     if contact.is_kept {
         pair.recycle(contact);
-    } else {
+    } else if !(settings.recycling && pair.still_pivots(contact)) {
         pair.find_anew(contact);
     }
     contact.follows = !contact.is_kept && (pair.has_circle() || contact.pivots());
@@ -163,15 +171,44 @@ impl<'a> Pair<'a> {
         [since(self.motion_a, then.rotation_a), since(self.motion_b, then.rotation_b)]
     }
 
-    /// Whether the manifold may be kept: it carries load, and the bodies are nearly where they were. Not that of
-    /// a single corner, over which a body topples: its arm is what decides whether and when.
+    /// Whether the manifold may be kept: it carries load, and the bodies are nearly where they were; or it carries none,
+    /// and they rest. Not that of a single corner, over which a body topples: its arm is what decides whether and when.
     fn may_recycle(&self, contact: &Contact) -> bool {
+        if !contact.is_loaded() {
+            return !contact.manifold.points().is_empty() && self.rest_since(&contact.frozen);
+        }
         let distance = self.recycle_distance();
         let pivots = contact.pivots() && !self.has_circle();
-        contact.is_loaded()
-            && !pivots
+        !pivots
             && (self.offset - contact.frozen.offset).length_squared() < distance * distance
             && self.turned_since(&contact.frozen).iter().all(|turned| turned.c > RECYCLE_COSINE)
+    }
+
+    /// Whether a contact of a corner under load has been followed to where it is now, by bodies that rest: for a few
+    /// steps, so that rounding does not add up.
+    fn still_pivots(&self, contact: &mut Contact) -> bool {
+        let still = contact.follows
+            && contact.followed_steps < LONGEST_FOLLOWED
+            && !self.has_circle()
+            && contact.pivots()
+            && self.rest_since(&contact.frozen);
+        contact.followed_steps = if still { contact.followed_steps + 1 } else { 0 };
+        still
+    }
+
+    /// Whether the bodies are slow, and have hardly moved against each other since then.
+    fn rest_since(&self, then: &Frozen) -> bool {
+        let Course { motion, turning } = self.course();
+        let near = self.near();
+        let swung = |motion: &Motion, turned: Rot| turned.s.abs() * motion.extent;
+        let [turned_a, turned_b] = self.turned_since(then);
+        let moved = (self.offset - then.offset).length()
+            + swung(self.motion_a, turned_a)
+            + swung(self.motion_b, turned_b);
+        motion.length() + turning < REST_RATE * near * self.dt
+            && moved < REST_SHARE * near
+            && turned_a.c > RECYCLE_COSINE
+            && turned_b.c > RECYCLE_COSINE
     }
 
     /// Keeps the normal, and the anchors on their bodies, which they turn with: what topples does so about where it

@@ -204,12 +204,18 @@ impl ContactBlock {
         residual: &mut StepResidual,
     ) -> f32 {
         let mut load: f32 = 0.0;
+        if contact.follows {
+            contact.manifold.normal = self.columns.normal.load::<f32>(place).into();
+        }
         for (index, stored) in contact.manifold.points_mut().iter_mut().enumerate() {
             let (point, end) = (&self.columns.points[index], &ends[index]);
             let separation = end.separation.get(place);
             stored.separation = separation;
-            stored.anchor_a = end.anchor_a.load::<f32>(place).into();
-            stored.anchor_b = end.anchor_b.load::<f32>(place).into();
+            // What follows is there already.
+            let [anchor_a, anchor_b] =
+                if contact.follows { [point.anchor_a, point.anchor_b] } else { [end.anchor_a, end.anchor_b] };
+            stored.anchor_a = anchor_a.load::<f32>(place).into();
+            stored.anchor_b = anchor_b.load::<f32>(place).into();
             stored.normal_impulse = point.normal_impulse.get(place);
             stored.tangent_impulse = self.columns.frictions[index].impulse.get(place);
             residual.penetration = residual.penetration.max(-separation);

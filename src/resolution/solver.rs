@@ -141,7 +141,11 @@ pub(crate) fn solve(
             solver.handovers.release(tables.graph);
         }
         let kick = Some(scheme.kick_time());
-        solver.integrate(scheme, class, tables, Advance { kick, ..Advance::NONE });
+        // Where nothing looks at velocities before the warm start, it gives the kick too, which saves a pass.
+        let kicks_late = solver.sweeps_only(class.effort);
+        if !kicks_late {
+            solver.integrate(scheme, class, tables, Advance { kick, ..Advance::NONE });
+        }
         if solver.impacts.len() > 0 {
             let (kicks, SolveTables { bodies, contacts, graph, .. }) = (&solver.kicks, &mut *tables);
             let which = (class.effort, scheme.width);
@@ -149,7 +153,7 @@ pub(crate) fn solve(
         }
         match class.effort {
             Effort::Direct => solver.direct.solve(tables.graph, &mut tables.bodies.states, Aim::Push, h),
-            _ => solver.sweep_before_move(scheme, class, tables),
+            _ => solver.sweep_before_move(scheme, class, tables, kick.filter(|_| kicks_late)),
         }
         solver.move_on(scheme, class, tables, acceleration);
         match class.effort {
@@ -232,11 +236,22 @@ impl Solver {
         self.integrate(scheme, class, tables, Advance { drift: None, kick, shares: has_shares });
     }
 
-    /// Contacts by sweeps, before the bodies move.
-    fn sweep_before_move(&mut self, scheme: &Scheme, class: &EffortClass<'_>, tables: &mut SolveTables<'_>) {
+    /// Whether contacts are solved by sweeps and nothing else.
+    fn sweeps_only(&self, effort: Effort) -> bool {
+        effort != Effort::Direct && self.impacts.len() == 0 && self.handovers.is_empty()
+    }
+
+    /// Contacts by sweeps, before the bodies move; first their `kick`, s, if they have not had it.
+    fn sweep_before_move(
+        &mut self,
+        scheme: &Scheme,
+        class: &EffortClass<'_>,
+        tables: &mut SolveTables<'_>,
+        kick: Option<f32>,
+    ) {
         let h = scheme.substep_time();
         self.handovers.hold_back(tables.graph, &tables.bodies.states, h);
-        self.warm_start(scheme, class, tables);
+        self.warm_start(scheme, class, tables, kick);
         let SolveTables { bodies, contacts, graph, crew, .. } = tables;
         let states = &mut bodies.states;
         let sweep = scheme.sweep_over(states, scheme.main_sweep());
@@ -369,18 +384,24 @@ impl Solver {
         self.handovers.group();
     }
 
-    /// Gives the bodies the part of the last impulses that they get before they move.
+    /// Gives the bodies their `kick`, s, and the part of the last impulses that they get before they move.
     ///
     /// The contacts hold still in between, so the share after the move is the same: it is kept by row, which saves
     /// a pass over the contacts.
-    fn warm_start(&mut self, scheme: &Scheme, class: &EffortClass<'_>, tables: &mut SolveTables<'_>) {
+    fn warm_start(
+        &mut self,
+        scheme: &Scheme,
+        class: &EffortClass<'_>,
+        tables: &mut SolveTables<'_>,
+        kick: Option<f32>,
+    ) {
         self.shares.resize(tables.bodies.states.len(), BodyState::REST);
         let shares = &mut self.shares[class.rows.clone()];
         tables.crew.run(shares, FILL_COST, |shares| shares.fill(BodyState::REST));
         let (part, is_fitted) = (scheme.warm_part(), scheme.fitted_kernels);
         let start = WarmStart { shares: Shared::new(&mut self.shares), part, is_fitted };
         tables.graph.for_each(tables.crew, (class.effort, scheme.width), &start);
-        self.integrate(scheme, class, tables, Advance { shares: true, ..Advance::NONE });
+        self.integrate(scheme, class, tables, Advance { kick, shares: true, ..Advance::NONE });
     }
 
     /// Gives the contacts that begin to bear load friction before the move: there is none to start from, and a box set

@@ -147,7 +147,6 @@ impl DirectPoint {
         sum
     }
 
-    /// Speed of b towards a, with the sign turned, that the impulse along the normal is to make up for, and along the
     /// vn + bias and vt, m/s: the first is negative where the point approaches.
     fn approach_and_slip(&self, velocities: &[f64]) -> [f64; 2] {
         [
