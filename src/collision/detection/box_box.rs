@@ -34,6 +34,11 @@ pub(super) fn detect(
     if !(within(separation_a, margin) && within(separation_b, margin)) {
         return None;
     }
+    // Across a corner the gaps along both axes add up. Spares most corners that are too far apart the search below.
+    let apart_squared = |gap: Vec2| gap.max(Vec2::ZERO).length_squared();
+    if apart_squared(gap_a).max(apart_squared(gap_b)) > margin * margin {
+        return None;
+    }
     let tolerance = Tolerance::new(half_a.x.min(half_a.y), half_b.x.min(half_b.y), b_in_a);
     if separation_b > separation_a + tolerance.preference {
         let face = side_toward(a_in_b, across_b);
