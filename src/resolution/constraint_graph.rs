@@ -225,10 +225,11 @@ impl ConstraintGraph {
         block.load_one(place)
     }
 
-    /// Whether the contact at a place of the graph presses its bodies apart.
-    pub(crate) fn is_loaded(&self, place: (u32, u32)) -> bool {
+    /// Whether the contact at a place of the graph presses its bodies apart, and had no impulses to start this substep
+    /// from.
+    pub(crate) fn is_newly_loaded(&self, place: (u32, u32)) -> bool {
         let (block, place) = self.block(place);
-        block.is_loaded(place)
+        block.is_newly_loaded(place)
     }
 
     /// The rows of the bodies of the contact at a place of the graph.

@@ -239,9 +239,11 @@ impl ContactBlock {
         self.lively
     }
 
-    /// Whether a contact presses its bodies apart.
-    pub(crate) fn is_loaded(&self, place: usize) -> bool {
-        self.columns.points.iter().any(|point| point.normal_impulse.get(place) > 0.0)
+    /// Whether a contact presses its bodies apart, and had no impulses to start this substep from.
+    pub(crate) fn is_newly_loaded(&self, place: usize) -> bool {
+        let ContactConstraint { points, frictions, .. } = &self.columns;
+        points.iter().any(|point| point.normal_impulse.get(place) > 0.0)
+            && frictions.iter().all(|friction| friction.normal_share.get(place) == 0.0)
     }
 
     /// The contacts from `place` on, a multiple of the lane's width.

@@ -95,10 +95,10 @@ pub(crate) struct Solver {
     pub(crate) impacts: Impacts,
     followers: Followers,
     handovers: Handovers,
-    /// Places in the constraint graph of contacts of two points, and with friction, that begin to bear load in this
-    /// step.
+    /// Places in the constraint graph of contacts of two points, and with friction, that bear no load yet as the step
+    /// begins.
     newcomers: Vec<(u32, u32)>,
-    /// Scratch: those of them that a sweep goes over.
+    /// Scratch: those of them that begin to in this substep.
     loaded_newcomers: Vec<(u32, u32)>,
     direct: DirectSolver,
 }
@@ -277,7 +277,7 @@ impl Solver {
             graph.for_each(tables.crew, (class.effort, scheme.width), &sweep);
         }
         if scheme.relax_iterations > 0 {
-            self.sweep_newcomers(scheme, relax, graph, states, |_, _| true);
+            self.sweep_newcomers(scheme, relax, graph, states);
         }
     }
 
@@ -408,27 +408,23 @@ impl Solver {
     /// on a slope would go down freely for half a substep. It counts as a share of a warm start.
     fn grip_newcomers(&mut self, scheme: &Scheme, graph: &mut ConstraintGraph, states: &mut [BodyState]) {
         let kind = Sweep { friction: true, ..scheme.main_sweep() };
-        self.sweep_newcomers(scheme, kind, graph, states, |graph, place| {
-            graph.constraint(place).frictions.iter().all(|friction| friction.impulse == 0.0)
-        });
+        self.sweep_newcomers(scheme, kind, graph, states);
         for &place in &self.loaded_newcomers {
             let constraint = graph.constraint(place);
             add_shares([(&constraint, 1.0)], graph.moved_rows(place), &mut self.shares);
         }
     }
 
-    /// Sweeps a few times over the contacts that begin to bear load and fit.
+    /// Sweeps a few times over the contacts that begin to bear load in this substep.
     fn sweep_newcomers(
         &mut self,
         scheme: &Scheme,
         kind: Sweep,
         graph: &mut ConstraintGraph,
         states: &mut [BodyState],
-        fits: impl Fn(&ConstraintGraph, (u32, u32)) -> bool,
     ) {
-        let loaded = self.newcomers.iter().filter(|&&place| graph.is_loaded(place) && fits(graph, place));
         self.loaded_newcomers.clear();
-        self.loaded_newcomers.extend(loaded);
+        self.loaded_newcomers.extend(self.newcomers.iter().filter(|&&place| graph.is_newly_loaded(place)));
         let sweep = scheme.sweep_over(states, kind);
         for _ in 0..NEWCOMER_SWEEPS {
             for &place in &self.loaded_newcomers {
