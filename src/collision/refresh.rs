@@ -1,5 +1,5 @@
 //! Brings the manifold of a contact up to date, once per step: kept where the bodies have hardly moved
-//! against each other, found anew otherwise.
+//! against each other, left as it is where the solver has followed it, found anew otherwise.
 //!
 //! Keeping it ("recycling", Box2D 3.2) saves the detection, but more: a normal and anchors that hold still
 //! while a stack trembles do not feed the trembling, which is what lets tall stacks stand.
@@ -62,13 +62,23 @@ pub(crate) fn refresh(contact: &mut Contact, bodies: &Bodies, settings: Refresh)
     }
     contact.has_bounced = false;
     contact.approach_speed = 0.0;
-    contact.is_kept = settings.recycling && pair.may_recycle(contact);
-    if contact.is_kept {
-        pair.recycle(contact);
-    } else if !(settings.recycling && pair.still_pivots(contact)) {
-        pair.find_anew(contact);
+    let upkeep = pair.upkeep(contact, settings.recycling);
+    contact.is_kept = matches!(upkeep, Upkeep::Recycle);
+    match upkeep {
+        Upkeep::Recycle => pair.recycle(contact),
+        Upkeep::LeaveAsFollowed => contact.followed_steps += 1,
+        Upkeep::FindAnew(course) => pair.find_anew(contact, course),
     }
     contact.follows = !contact.is_kept && (pair.has_circle() || contact.pivots());
+}
+
+/// How a manifold is brought up to date.
+enum Upkeep {
+    /// Normal and anchors are kept.
+    Recycle,
+    /// It has been followed to where it is.
+    LeaveAsFollowed,
+    FindAnew(Course),
 }
 
 /// The two bodies of a contact as the narrow phase sees them: from the centre of a.
@@ -119,6 +129,7 @@ impl<'a> Pair<'a> {
         }
     }
 
+    #[inline(always)]
     fn course(&self) -> Course {
         let [state_a, state_b] = self.slots.map(|slot| self.bodies.state(slot));
         let turning = |motion: &Motion, w: f32| (w.abs() * self.dt).min(2.0) * motion.extent;
@@ -171,44 +182,46 @@ impl<'a> Pair<'a> {
         [since(self.motion_a, then.rotation_a), since(self.motion_b, then.rotation_b)]
     }
 
-    /// Whether the manifold may be kept: it carries load, and the bodies are nearly where they were; or it carries none,
-    /// and they rest. Not that of a single corner, over which a body topples: its arm is what decides whether and when.
-    fn may_recycle(&self, contact: &Contact) -> bool {
-        if !contact.is_loaded() {
-            return !contact.manifold.points().is_empty() && self.rest_since(&contact.frozen);
+    #[inline(always)]
+    fn upkeep(&self, contact: &Contact, recycling: bool) -> Upkeep {
+        if recycling && self.stays_under_load(contact) {
+            return Upkeep::Recycle;
         }
+        let course = self.course();
+        let has_points = !contact.manifold.points().is_empty();
+        let rests = recycling && has_points && self.rests(course, &contact.frozen);
+        let was_followed = contact.follows && contact.followed_steps < LONGEST_FOLLOWED;
+        if rests && !contact.is_loaded() {
+            Upkeep::Recycle
+        } else if rests && was_followed && !self.has_circle() && contact.pivots() {
+            Upkeep::LeaveAsFollowed
+        } else {
+            Upkeep::FindAnew(course)
+        }
+    }
+
+    /// Whether the manifold carries load, and the bodies are nearly where they were. Not that of a single corner, over
+    /// which a body topples: its arm is what decides whether and when.
+    fn stays_under_load(&self, contact: &Contact) -> bool {
         let distance = self.recycle_distance();
         let pivots = contact.pivots() && !self.has_circle();
-        !pivots
+        contact.is_loaded()
+            && !pivots
             && (self.offset - contact.frozen.offset).length_squared() < distance * distance
             && self.turned_since(&contact.frozen).iter().all(|turned| turned.c > RECYCLE_COSINE)
     }
 
-    /// Whether a contact of a corner under load has been followed to where it is now, by bodies that rest: for a few
-    /// steps, so that rounding does not add up.
-    fn still_pivots(&self, contact: &mut Contact) -> bool {
-        let still = contact.follows
-            && contact.followed_steps < LONGEST_FOLLOWED
-            && !self.has_circle()
-            && contact.pivots()
-            && self.rest_since(&contact.frozen);
-        contact.followed_steps = if still { contact.followed_steps + 1 } else { 0 };
-        still
-    }
-
     /// Whether the bodies are slow, and have hardly moved against each other since then.
-    fn rest_since(&self, then: &Frozen) -> bool {
-        let Course { motion, turning } = self.course();
+    fn rests(&self, Course { motion, turning }: Course, then: &Frozen) -> bool {
         let near = self.near();
-        let swung = |motion: &Motion, turned: Rot| turned.s.abs() * motion.extent;
+        if motion.length() + turning >= REST_RATE * near * self.dt {
+            return false;
+        }
         let [turned_a, turned_b] = self.turned_since(then);
-        let moved = (self.offset - then.offset).length()
-            + swung(self.motion_a, turned_a)
-            + swung(self.motion_b, turned_b);
-        motion.length() + turning < REST_RATE * near * self.dt
-            && moved < REST_SHARE * near
-            && turned_a.c > RECYCLE_COSINE
-            && turned_b.c > RECYCLE_COSINE
+        let swung = turned_a.s.abs() * self.motion_a.extent + turned_b.s.abs() * self.motion_b.extent;
+        turned_a.c > 0.0
+            && turned_b.c > 0.0
+            && (self.offset - then.offset).length() + swung < REST_SHARE * near
     }
 
     /// Keeps the normal, and the anchors on their bodies, which they turn with: what topples does so about where it
@@ -228,8 +241,8 @@ impl<'a> Pair<'a> {
     }
 
     /// Finds the manifold; impulses stay with their feature.
-    fn find_anew(&self, contact: &mut Contact) {
-        let course = self.course();
+    fn find_anew(&self, contact: &mut Contact, course: Course) {
+        contact.followed_steps = 0;
         let mut manifold = self.find_manifold(course);
         for point in manifold.points_mut() {
             let same = |old: &&ManifoldPoint| old.feature == point.feature;
