@@ -2,7 +2,7 @@
 
 use rustycs::prelude::*;
 
-use crate::support::{G, add, add_floor, assert_relative, earth, earth_with, spin};
+use crate::support::{G, add, add_floor, assert_near, assert_relative, earth, earth_with, place, run, spin};
 
 /// Width and height of the plank, m.
 const PLANK: [f64; 2] = [0.4, 2.0];
@@ -57,11 +57,10 @@ fn a_plank_topples_in_the_time_of_a_pendulum_upside_down() {
 /// A domino that is tipped with 1.2 times the energy that lifts its centre over its edge goes over it, and slowly: what
 /// decides is the arm of the weight, half its width and less with every degree. About the edge φ'' = -g c sin(φ₀ -
 /// φ)/k² with the distance c of the centre, k² = (w² + h²)/3 and φ₀ = atan(w/h). At the top it still has the square
-/// root of
-/// 0.2/1.2 of its speed. In the first step both corners touch, and the arm of the weight holds still while the centre
-/// goes over it: h/2 · 1.16 rad/s · 1/120 s = 2.4 mm of 50 mm or 5 %, so that 5 % of 5.7 rad/s² · 1/60 s are lost, 0.4
-/// % of the speed, which are 0.8 % of the energy, 5 % of the sixth of it that is left at the top, and 2.4 % of the
-/// speed.
+/// root of 0.2/1.2 of its speed. In the first step both corners touch, and the arm of the weight holds still while the
+/// centre goes over it: h/2 · 1.16 rad/s · 1/120 s = 2.4 mm of 50 mm or 5 %, so that 5 % of 5.7 rad/s² · 1/60 s are
+/// lost, 0.4 % of the speed, which are 0.8 % of the energy, 5 % of the sixth of it that is left at the top, and 2.4 %
+/// of the speed.
 #[test]
 fn a_domino_goes_over_its_edge_with_the_energy_it_was_given() {
     let (width, height) = (0.1, 0.5);
@@ -79,4 +78,33 @@ fn a_domino_goes_over_its_edge_with_the_energy_it_was_given() {
         slowest = slowest.min(-spin(&world, domino));
     }
     assert_relative(slowest, speed * (0.2_f64 / 1.2).sqrt(), 0.03, "speed at the top");
+}
+
+/// A ladder of length L and thickness t at 60° from the floor stands on one corner and leans on a smooth wall with
+/// another. About the foot the weight has the arm (L cos θ - t sin θ)/2 and the wall's force N the arm L sin θ, and
+/// nothing creeps or fades while it stands. What gives way at both ends, 0.14 · 4 g h/(28/s) = 0.8 mm each as k is at
+/// most four over the mass, turns it by 0.8 mm/(L sin θ) = 5e-4 and changes cot θ = 0.58 by 0.1 % of it for each.
+#[test]
+fn a_ladder_leans_on_the_wall_with_the_force_that_balances_its_weight() {
+    let (length, thickness, angle) = (2.0_f64, 0.05, 60.0_f64.to_radians());
+    let (sin, cos) = angle.sin_cos();
+    let mut world = earth_with(Settings { friction_mix: Mix::Min, ..Settings::default() });
+    add_floor(&mut world, 0.5);
+    let wall = add(&mut world, Body::fixed(Shape::aabb(1.0, 10.0)).at([0.5, 5.0]).friction(0.0));
+    let center = [-0.5 * (length * cos + thickness * sin), 0.5 * (length * sin + thickness * cos)];
+    let ladder = Body::dynamic(Shape::obb(length as f32, thickness as f32)).at(center).angle(angle as f32);
+    let ladder = add(&mut world, ladder.friction(0.5).restitution(0.0));
+    let weight = f64::from(world.body(ladder).unwrap().mass()) * G;
+    run(&mut world, 5.0);
+    let early = place(&world, ladder);
+    for _ in 0..20 {
+        run(&mut world, 1.0);
+        let on_wall = world.contacts().find(|contact| [contact.a(), contact.b()].contains(&wall)).unwrap();
+        let impulses = on_wall.points().iter().map(|point| f64::from(point.normal_impulse)).sum::<f64>();
+        let expected = 0.5 * weight * (length * cos - thickness * sin) / (length * sin);
+        assert_relative(impulses * 240.0, expected, 2e-3, "force on the wall");
+    }
+    for (late, early) in place(&world, ladder).into_iter().zip(early) {
+        assert_near(late, early, 1e-6, "place after 20 s more");
+    }
 }
