@@ -320,17 +320,6 @@ impl Contacts {
         }
     }
 
-    /// Asks for what the contacts further on in a list are read for; `ahead` names the one so many places ahead.
-    #[inline(always)]
-    pub(crate) fn prefetch_ahead(&self, bodies: &Bodies, ahead: impl Fn(usize) -> Option<u32>) {
-        if let Some(index) = ahead(AHEAD) {
-            self.prefetch_bodies(index, bodies);
-        }
-        if let Some(index) = ahead(2 * AHEAD) {
-            self.prefetch(index);
-        }
-    }
-
     /// The contacts, for several threads to change: each contact by one of them.
     pub(crate) fn shared(&mut self) -> SharedContacts<'_> {
         self.all.shared()

@@ -88,9 +88,7 @@ impl Followers {
         (contacts, bodies, graph): (&Contacts, &Bodies, &mut ConstraintGraph),
         shares: &mut [BodyState],
     ) {
-        for (number, &(index, place)) in self.found_anew.iter().enumerate() {
-            let ahead = |by: usize| self.found_anew.get(number + by).map(|&(index, _)| index);
-            contacts.prefetch_ahead(bodies, ahead);
+        for &(index, place) in &self.found_anew {
             let [a, b] = graph.rows(place).map(|row| &bodies.states[row as usize]);
             let contact = &contacts[index];
             if let Some(manifold) = manifold_in(contact, bodies, [a, b]).restricted_to(&contact.manifold) {

@@ -30,7 +30,7 @@ fn planets_keep_their_orbits_for_10_000_orbits_of_mercury() {
 }
 
 #[test]
-#[ignore = "five of a hundred end with an overlap of up to 5 cm"]
+#[ignore = "a few of a hundred end with an overlap of centimetres"]
 fn worlds_by_chance_stay_sound() {
     hold(&["random-worlds-100"]);
 }

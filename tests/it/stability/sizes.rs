@@ -14,7 +14,7 @@ fn a_tower_of_millimetres_stands() {
 }
 
 #[test]
-#[ignore = "stones of 1 cm overlap by a tenth: efforts go to and fro"]
+#[ignore = "a heap of stones of 1 cm is solved directly while it moves, and too large for that once it lies"]
 fn gravel_comes_to_rest_on_a_ground_of_kilometres() {
     hold(&["gravel-middle", "gravel-edge"]);
 }
