@@ -86,7 +86,7 @@ impl<'a> Runs<'a> {
     /// they are well above the least error of all.
     pub(super) fn order(&self) -> Order {
         let least = self.rows.iter().map(|row| row.error).fold(f64::INFINITY, f64::min);
-        if self.rows.iter().all(|row| row.error <= ROUNDING) {
+        if !self.rows.is_empty() && self.rows.iter().all(|row| row.error <= ROUNDING) {
             return Order::Rounding;
         }
         let counts = |row: &Row| row.error > (WELL_ABOVE * least).max(ROUNDING) && row.error < LOST;
@@ -255,5 +255,6 @@ mod tests {
         let Order::Observed(order) = runs("peer", &rows).order() else { panic!("there is a slope") };
         assert!((order - 2.0).abs() < 0.01, "{order}");
         assert_eq!(runs("peer", &rows[..1]).order(), Order::Unknown);
+        assert_eq!(runs("peer", &[]).order(), Order::Unknown, "of an engine that was not run");
     }
 }

@@ -39,11 +39,11 @@ impl Entry<'_> {
         self.problem.class == Class::Smooth
     }
 
-    /// Whether it is at most a tenth in the same time, or rounding.
-    fn is_a_tenth(&self) -> bool {
+    /// Whether it is at most a tenth in the same time, or rounding; `None` if no peer was run.
+    fn is_a_tenth(&self) -> Option<bool> {
         let small =
             |in_time: InTime| in_time.ours <= ROUNDING || in_time.ratio().is_none_or(|ratio| ratio <= TENTH);
-        self.comparison.in_default_time().is_some_and(small)
+        self.comparison.in_default_time().map(small)
     }
 
     /// Whether at default settings every engine is wrong by the whole.
@@ -71,7 +71,7 @@ impl Entry<'_> {
         let is_beaten = at_once > 1.0;
         if is_beaten {
             findings.push(format!("{} times the better peer's error in the same time", factor(at_once)));
-        } else if self.is_smooth() && !self.is_a_tenth() {
+        } else if self.is_smooth() && self.is_a_tenth() == Some(false) {
             findings.push(format!(
                 "{} of the better peer's error in the same time, not a tenth",
                 factor(at_once)
@@ -195,7 +195,7 @@ fn in_short(entries: &[Entry<'_>], text: &mut String) {
     _ = writeln!(
         text,
         "- In the same time it is at most a tenth of that of the better peer on {}.",
-        tally("smooth problems", &smooth, Entry::is_a_tenth)
+        tally("smooth problems", &smooth, |entry| entry.is_a_tenth() == Some(true))
     );
     _ = writeln!(
         text,
