@@ -16,6 +16,15 @@ pub(crate) const REST_SPEED: f32 = 0.05;
 /// An island sleeps after this time of rest, s: long enough for a tower at its tipping point to show it.
 pub(crate) const TIME_TO_SLEEP: f32 = 0.5;
 
+/// Islands at rest are looked for so many times a second: to look for them in each step takes a tenth of the time of a
+/// heap in which a single body cannot come to rest.
+const LOOKS_PER_SECOND: f32 = 8.0;
+
+/// Whether islands at rest are looked for in this tick of a world.
+pub(crate) fn is_due(tick: u64, tick_rate: f32) -> bool {
+    tick % (tick_rate / LOOKS_PER_SECOND).max(1.0) as u64 == 0
+}
+
 /// Sleeping islands, each the slots of its bodies.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Sleepers {

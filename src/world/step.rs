@@ -11,7 +11,7 @@ use crate::world::World;
 use crate::world::attractor::Field;
 use crate::world::events::{ContactEvent, HitEvent};
 use crate::world::profile::{Counters, Stage};
-use crate::world::sleep::{REST_SPEED, TIME_TO_SLEEP};
+use crate::world::sleep::{self, REST_SPEED, TIME_TO_SLEEP};
 
 /// What it costs to bring a manifold up to date that can be kept, and to move the pose and the box of a body on, ns.
 const REFRESH_COST: usize = 20;
@@ -48,7 +48,8 @@ impl World {
         profile.run_stage(Stage::Finalize, self.bodies.awake_count(), || self.finalize());
         profile.run_stage(Stage::Events, self.changing_count(), || self.report_events());
         self.remove_those_that_left();
-        profile.run_stage(Stage::Sleep, self.resting, || self.put_to_sleep());
+        let resting = if sleep::is_due(self.ticks, self.settings.tick_rate) { self.resting } else { 0 };
+        profile.run_stage(Stage::Sleep, resting, || self.put_to_sleep());
         self.crew.end_step();
         profile.counters = self.count();
         self.profile = profile;
