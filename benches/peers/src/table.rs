@@ -101,12 +101,14 @@ impl<R: Record> Table<R> {
         for row in read_all(&text).into_iter().filter(keeps) {
             replace(&mut rows, row);
         }
-        let mut text = R::COLUMNS.join(",") + "\n";
-        text.extend(rows.iter().map(text_of));
-        let new = path.with_extension("csv.new");
-        fs::write(&new, text)?;
-        fs::rename(&new, path)?;
+        write_all(path, &rows)?;
         Ok(Self { rows, path: path.into(), file: OpenOptions::new().append(true).open(path)? })
+    }
+
+    /// Writes the rows without those that were replaced, and gives them back.
+    pub(crate) fn close(self) -> io::Result<Vec<R>> {
+        write_all(&self.path, &self.rows)?;
+        Ok(self.rows)
     }
 
     pub(crate) fn rows(&self) -> &[R] {
@@ -121,10 +123,19 @@ impl<R: Record> Table<R> {
     pub(crate) fn add(&mut self, row: R) -> io::Result<()> {
         self.file.write_all(text_of(&row).as_bytes())?;
         self.file.flush()?;
-        // In the file, the later one of two is read.
+        // In the file the row it replaces stays until the end; the later one of two is read.
         replace(&mut self.rows, row);
         Ok(())
     }
+}
+
+/// Writes a file anew, whole or not at all.
+fn write_all<R: Record>(path: &Path, rows: &[R]) -> io::Result<()> {
+    let mut text = R::COLUMNS.join(",") + "\n";
+    text.extend(rows.iter().map(text_of));
+    let new = path.with_extension("csv.new");
+    fs::write(&new, text)?;
+    fs::rename(&new, path)
 }
 
 /// Adds a row in the place of the one it replaces, if there is one.
@@ -159,6 +170,12 @@ mod tests {
             table.add(other.clone()).unwrap();
             table.add(Row { error: 0.5, ..row() }).unwrap();
             assert_eq!(table.rows().len(), 2, "a row replaces the one before");
+            let rows = table.close().unwrap();
+            assert_eq!(
+                read_all::<Row>(&fs::read_to_string(&path).unwrap()),
+                rows,
+                "in the file too, at the end"
+            );
         }
         // The end of a process within a line.
         let text = fs::read_to_string(&path).unwrap() + "slide,00,rust";

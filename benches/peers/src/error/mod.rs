@@ -66,7 +66,7 @@ fn compare_all(
     let is_complete = measure(&tasks, &mut table, repeats, is_stopped)?;
     println!("{}: {} rows", table.path().display(), table.rows().len());
     let engines: Vec<&dyn Engine> = contestants.iter().map(|contestant| contestant.engine.as_ref()).collect();
-    page::write(folder, problems, &engines, table.rows())?;
+    page::write(folder, problems, &engines, &table.close()?)?;
     Ok(is_complete)
 }
 

@@ -42,7 +42,7 @@ fn race_all(options: &SpeedOptions, courses: &[Course], is_stopped: &dyn Fn() ->
     let mut table = Table::open(&folder.join("speed.csv"), holds)?;
     let is_complete = measure(options, courses, &engines, &mut table, repeats, is_stopped)?;
     println!("{}: {} rows", table.path().display(), table.rows().len());
-    page::write(folder, courses, table.rows())?;
+    page::write(folder, courses, &table.close()?)?;
     Ok(is_complete)
 }
 

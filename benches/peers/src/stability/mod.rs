@@ -41,7 +41,7 @@ fn judge_all(options: &StabilityOptions, cases: &[Case], is_stopped: &dyn Fn() -
     let tasks = tasks(options, cases, &contestants, table.rows());
     let is_complete = play_all(&tasks, folder, &mut table, is_stopped)?;
     let engines: Vec<&dyn Engine> = contestants.iter().map(|contestant| contestant.engine.as_ref()).collect();
-    page::write(folder, cases, &engines, table.rows())?;
+    page::write(folder, cases, &engines, &table.close()?)?;
     Ok(is_complete)
 }
 
