@@ -62,7 +62,7 @@ pub(crate) struct Contact {
     pub(crate) is_kept: bool,
     /// Whether the bodies met and parted again within the last step.
     pub(crate) has_bounced: bool,
-    /// Whether it follows the surface within the step: its manifold was found anew, and a body rolls or topples on it.
+    /// Whether it follows the surface within the step: its manifold is not kept, and a body rolls or topples on it.
     pub(crate) follows: bool,
     /// For how many steps it has been followed since its manifold was found.
     pub(crate) followed_steps: u8,
@@ -317,6 +317,15 @@ impl Contacts {
     pub(crate) fn prefetch_bodies(&self, index: u32, bodies: &Bodies) {
         for slot in self[index].slots {
             prefetch(&bodies.motions, slot as usize);
+        }
+    }
+
+    /// Takes note that the body in `slot` was moved by hand: where its contacts were followed to is no longer where they
+    /// are.
+    pub(crate) fn forget_followed(&mut self, bodies: &Bodies, slot: u32) {
+        let of_body: Vec<u32> = self.of_body(bodies, slot).collect();
+        for index in of_body {
+            self[index].follows = false;
         }
     }
 

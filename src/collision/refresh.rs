@@ -33,9 +33,11 @@ const ROUND_RECYCLE_DISTANCE: f32 = 0.01;
 /// Cosine of the angle that either body may turn before the manifold is found anew: 11 degrees.
 const RECYCLE_COSINE: f32 = 0.98;
 
-/// Bodies rest on each other, or beside each other, while they move slower than so many of the distances at which they
-/// are speculative in a second, and have moved by less than such a share of it: 2 cm/s and 0.5 mm for large ones.
-const REST_RATE: f32 = 1.0;
+/// Bodies rest on each other, or beside each other, while it would take them this time to go as far as the distance
+/// from which on they have points, s: slower than 2 cm/s, if they are not small.
+const REST_TIME: f32 = 1.0;
+
+/// And while they have moved against each other by less than this share of it, no unit: 0.5 mm.
 const REST_SHARE: f32 = 0.025;
 
 /// A corner is followed from step to step for so many, then it is found anew.
@@ -182,6 +184,7 @@ impl<'a> Pair<'a> {
         [since(self.motion_a, then.rotation_a), since(self.motion_b, then.rotation_b)]
     }
 
+    /// How the manifold is to be brought up to date.
     #[inline(always)]
     fn upkeep(&self, contact: &Contact, recycling: bool) -> Upkeep {
         if recycling && self.stays_under_load(contact) {
@@ -214,7 +217,7 @@ impl<'a> Pair<'a> {
     /// Whether the bodies are slow, and have hardly moved against each other since then.
     fn rests(&self, Course { motion, turning }: Course, then: &Frozen) -> bool {
         let near = self.near();
-        if motion.length() + turning >= REST_RATE * near * self.dt {
+        if (motion.length() + turning) * REST_TIME >= near * self.dt {
             return false;
         }
         let [turned_a, turned_b] = self.turned_since(then);

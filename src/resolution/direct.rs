@@ -52,7 +52,7 @@ const LEAST_COMPLIANCE: f64 = 1e-7;
 /// Newton steps at most. From the impulses of the last substep one or two are the rule.
 const NEWTON_STEPS: usize = 40;
 
-/// Sweeps where Newton's method has not come to an end.
+/// Sweeps where Newton's method has not come to an end. Fewer leave more small piles awake.
 const FALL_BACK_SWEEPS: usize = 20;
 
 /// The limits of friction follow the normal impulses in so many Newton steps, then they hold still until the next
@@ -76,8 +76,8 @@ struct Part {
     movers: Range<usize>,
     points: Range<usize>,
     compliance: f64,
-    /// Whether Newton's method failed in this step. It would fail in the substeps to come too, at the price of a
-    /// hundred sweeps, so these are swept.
+    /// Whether Newton's method failed in this step. It would fail in the substeps to come too, at the price of many
+    /// sweeps, so these are swept.
     is_unsolved: bool,
 }
 

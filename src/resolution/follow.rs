@@ -102,9 +102,8 @@ impl Followers {
             }
         }
         if !self.columns.is_empty() {
-            let has_shares = !shares.is_empty();
-            let (columns, states, shares) = (&self.columns[..], &bodies.states[..], Shared::new(shares));
-            let follow = Follow { columns, states, has_shares, shares };
+            let shares = (!shares.is_empty()).then(|| Shared::new(shares));
+            let follow = Follow { columns: &self.columns, states: &bodies.states, shares };
             graph.for_each(crew, (effort, width), &follow);
         }
     }
@@ -116,8 +115,7 @@ struct Follow<'a> {
     /// Those that follow, by what their block calls them.
     columns: &'a [Follower<Column>],
     states: &'a [BodyState],
-    has_shares: bool,
-    shares: Shared<'a, BodyState>,
+    shares: Option<Shared<'a, BodyState>>,
 }
 
 impl Kernel for Follow<'_> {
@@ -147,12 +145,12 @@ impl Follow<'_> {
         after.set_geometry_in::<POINTS>(&geometry, &a, &b);
         let after = before.with_geometry_where(follows, &after);
         block.store_geometry(place, &after);
-        if self.has_shares {
-            let [mut a, mut b] = block.gather_velocities::<L>(&self.shares, place);
+        if let Some(shares) = &self.shares {
+            let [mut a, mut b] = block.gather_velocities::<L>(shares, place);
             let one = L::select(follows, L::splat(1.0), L::splat(0.0));
             before.add_share::<POINTS>(-one, &mut a, &mut b);
             after.add_share::<POINTS>(one, &mut a, &mut b);
-            block.scatter(&self.shares, place, &[a, b]);
+            block.scatter(shares, place, &[a, b]);
         }
     }
 }

@@ -57,7 +57,7 @@ pub(crate) struct Follower<C> {
 }
 
 impl Follower<f32> {
-    /// The contact, whose manifold was found anew, if it is one of two circles, of a circle on a face, or of a corner
+    /// The contact, whose manifold is that of now, if it is one of two circles, of a circle on a face, or of a corner
     /// under load on a face. A circle must stay over the face for a step of `dt` seconds.
     pub(crate) fn new(contact: &Contact, bodies: &Bodies, dt: f32) -> Option<Self> {
         let motions = contact.slots.map(|slot| &bodies.motions[slot as usize]);

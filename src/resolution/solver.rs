@@ -140,10 +140,10 @@ pub(crate) fn solve(
         if substep > 0 {
             solver.handovers.release(tables.graph);
         }
-        let kick = Some(scheme.kick_time());
         // Where nothing looks at velocities before the warm start, it gives the kick too, which saves a pass.
-        let kicks_late = solver.sweeps_only(class.effort);
-        if !kicks_late {
+        let late_kick = solver.sweeps_only(class.effort).then(|| scheme.kick_time());
+        if late_kick.is_none() {
+            let kick = Some(scheme.kick_time());
             solver.integrate(scheme, class, tables, Advance { kick, ..Advance::NONE });
         }
         if solver.impacts.len() > 0 {
@@ -153,7 +153,7 @@ pub(crate) fn solve(
         }
         match class.effort {
             Effort::Direct => solver.direct.solve(tables.graph, &mut tables.bodies.states, Aim::Push, h),
-            _ => solver.sweep_before_move(scheme, class, tables, kick.filter(|_| kicks_late)),
+            _ => solver.sweep_before_move(scheme, class, tables, late_kick),
         }
         solver.move_on(scheme, class, tables, acceleration);
         match class.effort {

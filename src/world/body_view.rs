@@ -241,6 +241,7 @@ impl<'a> BodyMut<'a> {
     fn moved(&mut self) {
         let slot = self.slot();
         self.world.update_box(slot);
+        self.world.contacts.forget_followed(&self.world.bodies, slot);
         self.wake();
         self.world.wake_neighbours(slot);
     }

@@ -8,7 +8,7 @@ fn towers_stand_at_any_size() {
 }
 
 #[test]
-#[ignore = "trembles at 0.09 mm/s, 1 mm boxes at 60 Hz fall by 8 % of their size in a substep"]
+#[ignore = "trembles by rounding: a box of 1 mm falls by 8 % of its size in a substep"]
 fn a_tower_of_millimetres_stands() {
     hold(&["tower-1mm"]);
 }

@@ -180,6 +180,27 @@ fn in_short(entries: &[Entry<'_>], text: &mut String) {
     text.push_str("## In short\n\n");
     let compared: Vec<&Entry<'_>> =
         entries.iter().filter(|entry| entry.comparison.at_default().is_some()).collect();
+    if compared.is_empty() {
+        text.push_str("- No peer was run at default settings.\n");
+    } else {
+        beside_peers(compared, text);
+    }
+    for entry in entries {
+        let (Some(goal), Some(row)) = (entry.problem.goal, entry.comparison.ours.default_row()) else {
+            continue;
+        };
+        let verdict = if entry.meets_goal() == Some(true) { "within" } else { "**not** within" };
+        let (found, goal, name) = (entry.figure(row.error), entry.figure(goal), &entry.problem.name);
+        _ = writeln!(
+            text,
+            "- `{name}`: {found} at default settings, {verdict} the {goal} we hold ourselves to."
+        );
+    }
+    text.push('\n');
+}
+
+/// What we hold ourselves to, on the problems that a peer was run on too.
+fn beside_peers(compared: Vec<&Entry<'_>>, text: &mut String) {
     let is_best = |entry: &Entry<'_>| entry.comparison.is_best_at_default() == Some(true);
     _ = writeln!(
         text,
@@ -202,18 +223,6 @@ fn in_short(entries: &[Entry<'_>], text: &mut String) {
         "- Its observed order of convergence is at least {SECOND}, or all its errors are rounding, on {}.",
         tally("smooth problems", &smooth, Entry::is_of_second_order)
     );
-    for entry in entries {
-        let (Some(goal), Some(row)) = (entry.problem.goal, entry.comparison.ours.default_row()) else {
-            continue;
-        };
-        let verdict = if entry.meets_goal() == Some(true) { "within" } else { "**not** within" };
-        let (found, goal, name) = (entry.figure(row.error), entry.figure(goal), &entry.problem.name);
-        _ = writeln!(
-            text,
-            "- `{name}`: {found} at default settings, {verdict} the {goal} we hold ourselves to."
-        );
-    }
-    text.push('\n');
 }
 
 fn how_to_read(text: &mut String) {
