@@ -30,6 +30,8 @@ pub(crate) struct Record {
     pub(crate) calm_steps: u8,
     /// The tick from which on more effort may be thought of.
     pub(crate) quiet_until: u64,
+    /// How many times the direct solve did not solve its island.
+    pub(crate) unsolved_times: u8,
     /// The sleeping group the body belongs to, or `NONE` while it is awake or fixed.
     pub(crate) sleep_group: u32,
 }
@@ -134,6 +136,7 @@ impl Bodies {
             effort: Effort::Plain,
             calm_steps: 0,
             quiet_until: 0,
+            unsolved_times: 0,
             sleep_group: NONE,
         };
         let is_dynamic = body.body_type == BodyType::Dynamic;

@@ -43,14 +43,15 @@ use crate::resolution::direct::skyline::Skyline;
 const COMPLIANCE: f64 = 1e-2;
 
 /// The mass of an island, in units of its lightest body's, from which the compliance falls: what is pressed that hard
-/// would sink in before the impulses have grown, and swing.
-const STIFF_MASS: f64 = 5.0;
+/// would sink in before the impulses have grown, and swing. With much less, rounding weighs as much as loads do.
+const STIFF_MASS: f64 = 100.0;
 
 /// The compliance is never less than this: `f64` has digits for no more.
 const LEAST_COMPLIANCE: f64 = 1e-7;
 
-/// Newton steps at most. From the impulses of the last substep one or two are the rule.
-const NEWTON_STEPS: usize = 40;
+/// Newton steps at most. From the impulses of the last substep one or two are the rule. Few of those that need more
+/// come to an end, and a step of the world would be seen to take long.
+const NEWTON_STEPS: usize = 20;
 
 /// Sweeps where Newton's method has not come to an end. Fewer leave more small piles awake.
 const FALL_BACK_SWEEPS: usize = 20;
@@ -59,7 +60,7 @@ const FALL_BACK_SWEEPS: usize = 20;
 /// substep, so that the steps end.
 const LIMIT_STEPS: usize = 3;
 
-/// Halvings of a Newton step that would go too far.
+/// Tries to find how far to go along a Newton step.
 const LINE_SEARCH_STEPS: usize = 30;
 
 /// A body as the direct solve sees it.
@@ -216,13 +217,13 @@ impl DirectSolver {
     }
 
     /// Finds velocities and impulses of one island: of a stiff one with yielding points first, which tells quickly
-    /// which of them press. Returns whether Newton's method came to an end.
+    /// which of them press, and about how hard. Returns whether Newton's method came to an end.
     fn solve_island(&mut self, part: &Part) -> bool {
         for point in &mut self.points[part.points.clone()] {
             point.begin();
         }
         self.follow_impulses(part);
-        if self.points[part.points.clone()].iter().all(|point| point.is_content(&self.sought)) {
+        if self.is_content(part) {
             return true;
         }
         if part.is_unsolved {
@@ -246,6 +247,11 @@ impl DirectSolver {
             }
         }
         true
+    }
+
+    /// Whether all points have what they want.
+    fn is_content(&self, part: &Part) -> bool {
+        self.points[part.points.clone()].iter().all(|point| point.is_content(&self.sought))
     }
 
     /// The fall-back where bodies collide in a heap that Newton's method does not come to grips with: sweeps over the
@@ -347,19 +353,26 @@ impl DirectSolver {
             start += momentum * (self.sought[place] - self.free[place]);
             gain += momentum * self.step[place];
         }
-        let slope = |share: f64| -> f64 {
+        let slope = |share: f64| {
             let of_points = points.iter().zip(&self.ways).map(|(point, way)| point.slope(way, share));
-            start + share * gain + of_points.sum::<f64>()
+            of_points.fold([start + share * gain, gain], |[slope, growth], of_point| {
+                [slope + of_point[0], growth + of_point[1]]
+            })
         };
-        let (mut low, mut high) = (0.0, 1.0);
-        if slope(high) > 1e-9 * slope(low).abs() {
-            for _ in 0..LINE_SEARCH_STEPS {
-                let middle = 0.5 * (low + high);
-                *(if slope(middle) > 0.0 { &mut high } else { &mut low }) = middle;
+        // The slope is made of straight pieces: from one of them on, the next root is the right one.
+        let (mut low, mut high, mut share) = (0.0, 1.0, 1.0);
+        let small = 1e-9 * slope(low)[0].abs();
+        for _ in 0..LINE_SEARCH_STEPS {
+            let [now, growth] = slope(share);
+            if now.abs() <= small || (share == 1.0 && now < 0.0) {
+                break;
             }
+            *(if now > 0.0 { &mut high } else { &mut low }) = share;
+            let root = share - now / growth;
+            share = if root > low && root < high { root } else { 0.5 * (low + high) };
         }
         for place in part.places() {
-            self.sought[place] += high * self.step[place];
+            self.sought[place] += share * self.step[place];
         }
     }
 }

@@ -7,6 +7,9 @@
 //! gets 2, 4 or 8 times as many substeps. Both end when the load does. Only the state decides, never a clock: a clone
 //! works as hard as its original.
 //!
+//! A heap of great weight that begins at rest is solved directly from its first step on: its loads have yet to build up,
+//! and it would fall meanwhile.
+//!
 //! Islands without such a contact are never looked at. The others are found by walking over their contacts; the
 //! bodies of islands with the same effort have neighbouring rows, and colours of the constraint graph of their own.
 
@@ -15,23 +18,25 @@ use core::ops::Range;
 use crate::body::{Bodies, Effort, NONE};
 use crate::collision::{Contact, Contacts};
 use crate::resolution::constraint_graph::ConstraintGraph;
+use crate::resolution::load::{
+    CALM_SHARE, DIRECT_SHARE, LASTING_STEPS, Load, Loads, USUAL_RATE, begins_at_rest,
+};
 use crate::resolution::softness::sag;
 use crate::store::BitSet;
 
-/// Overlap at rest, as a share of the width of the thinner body, from which an island is solved directly.
-const DIRECT_SHARE: f32 = 0.0125;
+/// Contacts under lasting load are looked at every so many steps: a heap has many, and is left alone for most of the time.
+const LOOK_STEPS: u64 = 4;
 
-/// The same from which an island gets more substeps: heaps of many bodies are no worse for less, and pay for more.
-const SWEEP_SHARE: f32 = 1.0;
-
-/// Substeps per second that sags are told for, if there are no fewer, 1/s.
-const USUAL_RATE: f32 = 240.0;
-
-/// A contact must be under such a load for so many steps: a blow is over sooner.
-const LASTING_STEPS: u8 = 4;
-
-/// An island that is too large for its load, or that the direct solve could not solve, is left alone for so many steps.
+/// An island that is too large for its load is left alone for so many steps.
 const QUIET_STEPS: u64 = 120;
+
+/// One that needs no more effort, or that the direct solve could not solve, is left alone for so many: it may have come
+/// into another state by then.
+const RETRY_STEPS: u64 = 12;
+
+/// Each further time that it was not solved, it is left alone for twice as long, so many times: Newton's method comes to
+/// an end where bodies have come to another place, and a heap at rest is shaken where it does not.
+const MOST_UNSOLVED_TIMES: u8 = 6;
 
 /// More substeps are for an island of which more than this share of the contacts asks for them, no unit: a few light
 /// bodies in a heap of heavy ones are not worth the time of all.
@@ -40,15 +45,14 @@ const ASKING_SHARE: f32 = 0.05;
 /// So many steps in a row must do with less effort before it is taken back.
 const CALM_STEPS: u8 = 30;
 
-/// Less effort is enough only when the load is below this share of what asked for more, so that it does not go to
-/// and fro.
-const CALM_SHARE: f32 = 0.7;
-
 /// Islands of more bodies are not solved directly.
 const LARGEST_DIRECT_ISLAND: usize = 256;
 
 /// Nor those whose factorization takes more multiplications.
 const LARGEST_FACTORIZATION: u64 = 100_000;
+
+/// A body that touches more others is a hub: a plate on many balls.
+const HUB_NEIGHBOURS: usize = 12;
 
 /// What an island may be given.
 #[derive(Clone, Copy, Debug)]
@@ -57,82 +61,18 @@ pub(crate) struct Allowance {
     pub(crate) adapts: bool,
     /// Whether they may be solved directly: not by schemes that solve velocities once per substep.
     pub(crate) direct: bool,
+    /// One over the length of a substep of plain effort, 1/s.
+    pub(crate) per_substep: f32,
+    /// What all bodies are accelerated by, m/s².
+    pub(crate) acceleration: f32,
 }
 
-/// The contacts under lasting load, found at the end of a step.
-#[derive(Clone, Debug, Default)]
-pub(crate) struct Loads {
-    /// One over the length of the substep that sags are told for, 1/s, and how many of those of now it takes; 0 where
-    /// nothing adapts.
-    per_substep: f32,
-    factor: f32,
-    /// Indices of the contacts.
-    pub(crate) lasting: Vec<u32>,
-    /// Slots of the bodies of islands that the direct solve could not solve.
-    pub(crate) unsolved: Vec<u32>,
-}
-
-impl Loads {
-    /// Begins a step.
-    pub(crate) fn clear(&mut self) {
-        self.lasting.clear();
-        self.unsolved.clear();
-    }
-
-    /// Begins with the contacts of an effort, that are solved in substeps of length 1/`per_substep`. More substeps than
-    /// usual do not make an island less worth its effort: they are asked for to have less error.
-    pub(crate) fn begin(&mut self, adapts: bool, effort: Effort, per_substep: f32) {
-        self.per_substep = (per_substep / effort.substep_factor() as f32).min(USUAL_RATE);
-        self.factor = if adapts { per_substep / self.per_substep } else { 0.0 };
-    }
-
-    /// How the contacts of an effort are measured.
-    pub(crate) fn measure(&self) -> LoadMeasure {
-        LoadMeasure { per_substep: self.per_substep, factor: self.factor }
-    }
-}
-
-/// How loads are told.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct LoadMeasure {
-    per_substep: f32,
-    factor: f32,
-}
-
-impl LoadMeasure {
-    /// Takes note of the load of a contact, whose greatest k λ is `speed`, m/s. Returns whether it lasts.
-    #[inline(always)]
-    pub(crate) fn is_lasting(self, contact: &mut Contact, speed: f32) -> bool {
-        let sag = sag(self.factor * speed, self.per_substep);
-        if !contact.is_kept || sag <= CALM_SHARE * DIRECT_SHARE * contact.thickness {
-            contact.loaded_steps = 0;
-            return false;
-        }
-        contact.loaded_steps = contact.loaded_steps.saturating_add(1);
-        contact.sag = sag / contact.thickness;
-        contact.loaded_steps >= LASTING_STEPS
-    }
-}
-
-/// The load of the contacts of an island.
-#[derive(Clone, Copy, Debug, Default)]
-struct Load {
-    /// Largest sag, as a share of the thickness.
-    largest: f32,
-    /// How many contacts there are, and how many sag by 1, 2 and 4 times `SWEEP_SHARE`.
-    contacts: f32,
-    asking: [f32; 3],
-}
-
-impl Load {
-    fn add(&mut self, contact: &Contact) {
-        self.contacts += 1.0;
-        if contact.loaded_steps >= LASTING_STEPS {
-            self.largest = self.largest.max(contact.sag);
-            for (asking, times) in self.asking.iter_mut().zip([1.0, 2.0, 4.0]) {
-                *asking += f32::from(u8::from(contact.sag > times * SWEEP_SHARE));
-            }
-        }
+impl Allowance {
+    /// The overlap that sweeps would leave in the end in a contact under the weight of `mass`, kg, whose k is `k`, 1/kg,
+    /// m.
+    fn sag_under(&self, mass: f32, k: f32) -> f32 {
+        let rate = self.per_substep.min(USUAL_RATE);
+        sag(k * mass * self.acceleration / rate, rate)
     }
 }
 
@@ -172,8 +112,11 @@ pub(crate) struct Efforts {
     most_substeps: u32,
     /// Scratch.
     island: Vec<u32>,
+    found: Vec<u32>,
+    hubs: Vec<u32>,
     to_move: Vec<u32>,
     seen: BitSet,
+    begun: BitSet,
     ordered: BitSet,
     place_of_slot: Vec<u32>,
     first: Vec<u32>,
@@ -190,6 +133,11 @@ pub(crate) struct EffortTables<'a> {
 impl EffortTables<'_> {
     fn moves(&self, slot: u32) -> bool {
         self.bodies.is_dynamic(slot) && self.bodies.is_awake(slot)
+    }
+
+    /// Velocity that a unit of impulse through both centres gives the bodies of a contact, 1/kg.
+    fn inverse_mass(&self, contact: &Contact) -> f32 {
+        contact.slots.iter().map(|&slot| self.bodies.motions[slot as usize].inverse_mass).sum()
     }
 
     /// The contacts with points of the body in `slot`, and the bodies on their other side.
@@ -223,14 +171,26 @@ impl Efforts {
         for &slot in &loads.unsolved {
             // It may have been removed since.
             if tables.bodies.records.at(slot).is_some() {
-                tables.bodies.records[slot].quiet_until = tick + QUIET_STEPS;
+                let record = &mut tables.bodies.records[slot];
+                record.quiet_until = tick + (RETRY_STEPS << record.unsolved_times);
+                record.unsolved_times = (record.unsolved_times + 1).min(MOST_UNSOLVED_TIMES);
             }
         }
-        if loads.lasting.is_empty() && tables.bodies.raised_count() == 0 {
+        let has_work = !(loads.lasting.is_empty() && loads.begun_at_rest.is_empty());
+        if !has_work && tables.bodies.raised_count() == 0 {
             return;
         }
         self.seen.clear();
-        for &index in &loads.lasting {
+        if allowance.adapts && allowance.direct && !loads.begun_at_rest.is_empty() {
+            self.begun.clear();
+            for &index in &loads.begun_at_rest {
+                for slot in tables.contacts[index].slots {
+                    self.begin_island(slot, allowance, &mut tables);
+                }
+            }
+        }
+        let lasting = if tick % LOOK_STEPS == 0 { &loads.lasting[..] } else { &[] };
+        for &index in lasting {
             // It may have ended since.
             for slot in tables.contacts.get(index).map_or([NONE; 2], |contact| contact.slots) {
                 self.decide_island(slot, (tick, allowance), &mut tables);
@@ -298,25 +258,64 @@ impl Efforts {
         if record.effort == Effort::Plain && record.quiet_until > tick {
             return;
         }
-        let load = self.walk(slot, tables);
+        let mut load = Load::default();
+        flood(slot, &mut self.seen, &mut self.island, tables, |contact| load.add(contact));
         let has = self.island.iter().map(|&slot| tables.bodies.records[slot].effort).max();
         let has = has.unwrap_or_default();
         let record_of = |&slot: &u32| &tables.bodies.records[slot];
         let calm = self.island.iter().map(|slot| record_of(slot).calm_steps).min().unwrap_or_default();
-        let is_quiet = self.island.iter().any(|slot| record_of(slot).quiet_until > tick);
+        let quiet_until =
+            self.island.iter().map(|slot| record_of(slot).quiet_until).max().unwrap_or_default();
+        let is_quiet = quiet_until > tick;
         let may_be_direct = allowance.direct && !is_quiet && self.is_little_work(tables);
         let wanted = if allowance.adapts { wanted(load, has, may_be_direct) } else { Effort::Plain };
         let can_go_on = allowance.adapts && (has != Effort::Direct || may_be_direct);
         let falls = wanted < has && can_go_on;
         let effort = if falls && calm < CALM_STEPS { has } else { wanted };
-        let calm = if falls { calm.saturating_add(1) } else { 0 };
+        self.give(effort, if falls { calm.saturating_add(1) } else { 0 }, tables);
+        if effort == Effort::Plain {
+            let pause = if may_be_direct { RETRY_STEPS } else { QUIET_STEPS };
+            let until = if is_quiet { quiet_until } else { tick + pause };
+            for &slot in &self.island {
+                let record = &mut tables.bodies.records[slot];
+                record.quiet_until = until;
+                if falls {
+                    record.unsolved_times = 0;
+                }
+            }
+        }
+    }
+
+    /// Has the island of the body in `slot` solved directly from its first step on, if all of it begins at rest and some
+    /// contact would sag too far if it bore all the weight: sweeps pass the weight on from row to row, and what is to
+    /// stand would fall first.
+    fn begin_island(&mut self, slot: u32, allowance: Allowance, tables: &mut EffortTables<'_>) {
+        if slot == NONE || self.begun.contains(slot) || !tables.moves(slot) {
+            return;
+        }
+        let (mut begins, mut softest) = (true, 0.0_f32);
+        let look_at = |contact: &Contact| {
+            begins &= begins_at_rest(contact, tables.bodies);
+            softest = softest.max(tables.inverse_mass(contact) / contact.thickness);
+        };
+        flood(slot, &mut self.begun, &mut self.island, tables, look_at);
+        let mass =
+            self.island.iter().map(|&slot| tables.bodies.motions[slot as usize].inverse_mass.recip()).sum();
+        let may_sag = allowance.sag_under(mass, softest) > DIRECT_SHARE;
+        if begins && may_sag && self.is_little_work(tables) {
+            for &slot in &self.island {
+                self.seen.insert(slot);
+            }
+            // For as long as it takes to find out what the contacts bear.
+            self.give(Effort::Direct, CALM_STEPS - LASTING_STEPS - 1, tables);
+        }
+    }
+
+    /// Gives the island an effort.
+    fn give(&mut self, effort: Effort, calm_steps: u8, tables: &mut EffortTables<'_>) {
         for &slot in &self.island {
             tables.bodies.set_effort(slot, effort);
-            let record = &mut tables.bodies.records[slot];
-            record.calm_steps = calm;
-            if effort == Effort::Plain {
-                record.quiet_until = tick + QUIET_STEPS;
-            }
+            tables.bodies.records[slot].calm_steps = calm_steps;
         }
         for &slot in &self.island {
             for (index, other) in tables.neighbours(slot) {
@@ -336,18 +335,29 @@ impl Efforts {
         }
     }
 
-    /// Walks over the island of the body in `slot`; returns the load of its contacts. Leaves the bodies in an order in
-    /// which neighbours are near each other: from a far end on, by distance.
-    fn walk(&mut self, slot: u32, tables: &EffortTables<'_>) -> Load {
-        let mut load = Load::default();
-        flood(slot, &mut self.seen, &mut self.island, tables, |contact| load.add(contact));
-        if self.island.len() <= LARGEST_DIRECT_ISLAND {
-            let end = self.island[self.island.len() - 1];
-            self.ordered.clear();
-            flood(end, &mut self.ordered, &mut self.island, tables, |_| ());
-            self.island.reverse();
+    /// Brings the bodies of the island in an order in which neighbours are near each other: from a far end on, by
+    /// distance. Those that touch many others come last, where they fill a row of the matrix and no more.
+    fn order(&mut self, tables: &EffortTables<'_>) {
+        let found = std::mem::take(&mut self.found);
+        self.found = std::mem::replace(&mut self.island, found);
+        self.island.clear();
+        self.ordered.clear();
+        let is_hub = |slot: u32| {
+            tables.neighbours(slot).filter(|&(_, other)| tables.moves(other)).nth(HUB_NEIGHBOURS).is_some()
+        };
+        let hubs = self.found.iter().copied().filter(|&slot| is_hub(slot));
+        self.hubs.clear();
+        self.hubs.extend(hubs);
+        for &slot in &self.hubs {
+            self.ordered.insert(slot);
         }
-        load
+        for &slot in self.found.iter().rev() {
+            if !self.ordered.contains(slot) {
+                flood_on(slot, &mut self.ordered, &mut self.island, tables, |_| ());
+            }
+        }
+        self.island.reverse();
+        self.island.extend(&self.hubs);
     }
 
     /// Whether the island is small enough to be solved directly.
@@ -355,6 +365,7 @@ impl Efforts {
         if self.island.len() > LARGEST_DIRECT_ISLAND {
             return false;
         }
+        self.order(tables);
         self.place_of_slot.resize(tables.bodies.motions.len(), NONE);
         for (place, &slot) in (0_u32..).zip(&self.island) {
             self.place_of_slot[slot as usize] = place;
@@ -383,9 +394,20 @@ fn flood(
     mut look_at: impl FnMut(&Contact),
 ) {
     island.clear();
+    flood_on(slot, seen, island, tables, &mut look_at);
+}
+
+/// Adds the body in `slot` to the `island`, and all that contacts connect with it, nearest first.
+fn flood_on(
+    slot: u32,
+    seen: &mut BitSet,
+    island: &mut Vec<u32>,
+    tables: &EffortTables<'_>,
+    mut look_at: impl FnMut(&Contact),
+) {
+    let mut next = island.len();
     island.push(slot);
     seen.insert(slot);
-    let mut next = 0;
     while let Some(&slot) = island.get(next) {
         next += 1;
         for (index, other) in tables.neighbours(slot) {

@@ -18,13 +18,15 @@ mod impacts;
 mod integrate;
 mod islands;
 mod kernel;
+mod load;
 mod projection;
 mod softness;
 mod solver;
 
 pub(crate) use constraint::StepResidual;
 pub(crate) use constraint_graph::ConstraintGraph;
-pub(crate) use effort::{Allowance, EffortTables, Efforts, Loads};
+pub(crate) use effort::{Allowance, EffortTables, Efforts};
 pub(crate) use integrate::SpeedLimits;
 pub(crate) use islands::Islands;
+pub(crate) use load::{Loads, begins_at_rest};
 pub(crate) use solver::{Acceleration, Scheme, SolveTables, Solver, solve};

@@ -10,7 +10,7 @@ use crate::math::Vec2;
 use crate::resolution::constraint::StepResidual;
 use crate::resolution::constraint_graph::ConstraintGraph;
 use crate::resolution::direct::{Aim, DirectSolver};
-use crate::resolution::effort::{EffortClass, Loads};
+use crate::resolution::effort::EffortClass;
 use crate::resolution::follow::{Followers, add_shares};
 use crate::resolution::handover::{HandoverScene, Handovers};
 use crate::resolution::impacts::{ImpactScene, Impacts, bounce_threshold};
@@ -18,6 +18,7 @@ use crate::resolution::integrate::{
     Advance, Damping, Kick, Kicks, SpeedLimits, damping_loss, drift, integrate,
 };
 use crate::resolution::kernel::{Sweep, SweepOver, WarmStart};
+use crate::resolution::load::Loads;
 use crate::resolution::projection::Project;
 
 /// How a step is solved. One text covers the default and the classic scheme: the classic one has a single

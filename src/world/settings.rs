@@ -176,10 +176,15 @@ impl Settings {
         Ok(())
     }
 
-    /// What islands may be given beyond the plain effort.
-    pub(crate) fn allowance(&self) -> Allowance {
+    /// What islands may be given beyond the plain effort, where all bodies are accelerated by `acceleration`, m/s².
+    pub(crate) fn allowance(&self, acceleration: f32) -> Allowance {
         let is_biased = self.position_correction == PositionCorrection::Bias;
-        Allowance { adapts: self.adaptive, direct: self.split_kick && is_biased }
+        Allowance {
+            adapts: self.adaptive,
+            direct: self.split_kick && is_biased,
+            per_substep: 1.0 / self.substep_seconds(),
+            acceleration,
+        }
     }
 
     /// Length of a substep of plain effort, s.

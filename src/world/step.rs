@@ -6,7 +6,7 @@ use crate::body::{Bodies, BodyId, BodyType, Effort, Forcing, Motion, NONE};
 use crate::collision::{Refresh, refresh};
 use crate::compute::{BodyState, Shared};
 use crate::math::{Rot, Vec2};
-use crate::resolution::{EffortTables, SolveTables, StepResidual, solve};
+use crate::resolution::{EffortTables, SolveTables, StepResidual, begins_at_rest, solve};
 use crate::world::World;
 use crate::world::attractor::Field;
 use crate::world::events::{ContactEvent, HitEvent};
@@ -138,13 +138,16 @@ impl World {
         let is_asleep = |slot: u32| self.bodies.records[slot].sleep_group != NONE;
         if !is_asleep(a) && !is_asleep(b) {
             self.graph.enter(&mut self.contacts, &self.bodies, index);
+            if begins_at_rest(&self.contacts[index], &self.bodies) {
+                self.loads.begun_at_rest.push(index);
+            }
         }
     }
 
     /// The substep loop, for the islands of each effort.
     fn solve(&mut self) {
         let settings = &self.settings;
-        let allowance = settings.allowance();
+        let allowance = settings.allowance(self.acceleration.length());
         let Self { bodies, contacts, graph, crew, .. } = self;
         self.efforts.decide(self.ticks, allowance, &self.loads, EffortTables { bodies, contacts, graph });
         self.loads.clear();

@@ -8,8 +8,8 @@ use crate::compute::{self, BodyState, COLUMN, Crew, Job, Lane, Width};
 use crate::resolution::constraint::StepResidual;
 use crate::resolution::constraint_graph::{COLOURS, Colour, ConstraintGraph};
 use crate::resolution::contact_block::{BlockEnd, ContactBlock, PointEnds};
-use crate::resolution::effort::{LoadMeasure, Loads};
 use crate::resolution::kernel::Kernel;
+use crate::resolution::load::{LoadMeasure, Loads};
 
 /// What it costs to make eight constraints, to sweep over them once, and to write them back, ns.
 const PREPARE_COST: usize = 150;

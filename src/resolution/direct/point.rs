@@ -11,7 +11,8 @@ use crate::resolution::softness::{bias, gap_bias};
 /// Velocities that a point wants are found to this much, m/s.
 pub(super) const TOLERANCE: f64 = 1e-5;
 
-/// A gap below this is rounding, m: closing it within a substep would ask for ten times the tolerance.
+/// A gap below this share of the way from the centre of what moves to the point is rounding, no unit: the point would
+/// be sent to and fro to close it.
 const SMALLEST_GAP: f32 = 1e-6;
 
 /// Points that may approach by less than this are held in the first Newton step, m/s.
@@ -32,8 +33,8 @@ pub(super) struct DirectPoint {
     given: [f64; 2],
     /// Velocity that a unit of impulse gives the point by itself, 1/kg.
     inverse_mass: [f64; 2],
-    /// Velocity per impulse that the point yields, 1/kg, along the normal and along the tangent.
-    compliance: [f64; 2],
+    /// Impulse per velocity that the point yields by, kg, along the normal and along the tangent.
+    stiffness: [f64; 2],
     pub(super) friction: f64,
     /// What it yields to is the change from these impulses, N s, along the normal and along the tangent.
     pub(super) prior: [f64; 2],
@@ -55,7 +56,7 @@ impl DirectPoint {
             tangent: Default::default(),
             given: [0.0; 2],
             inverse_mass: [1.0; 2],
-            compliance: [1.0; 2],
+            stiffness: [1.0; 2],
             friction: 0.0,
             prior: [0.0; 2],
             found: [0.0; 2],
@@ -74,13 +75,15 @@ impl DirectPoint {
     ) {
         let (point, friction) = (&constraint.points[self.index], &constraint.frictions[self.index]);
         let separation = constraint.separation(point, a, b) + constraint.special.awaits_impact[self.index];
+        let anchors = [Vec2::from(point.anchor_a), Vec2::from(point.anchor_b)];
+        let moved = (0..2).filter(|&side| self.movers[side] != NONE);
+        let reach = moved.map(|side| anchors[side].length()).fold(0.0, f32::max);
         let bias = match aim {
-            _ if (0.0..SMALLEST_GAP).contains(&separation) => 0.0,
+            _ if (0.0..SMALLEST_GAP * reach).contains(&separation) => 0.0,
             Aim::Push => bias(separation, per_substep),
             Aim::Relax => gap_bias(separation, per_substep),
         };
         let normal = Vec2::from(constraint.normal);
-        let anchors = [Vec2::from(point.anchor_a), Vec2::from(point.anchor_b)];
         let row = |side: usize, axis: Vec2| {
             let sign = if side == 0 { -1.0 } else { 1.0 };
             [axis.x, axis.y, anchors[side].cross(axis)].map(|entry| sign * f64::from(entry))
@@ -107,14 +110,14 @@ impl DirectPoint {
 
     /// Begins to look for impulses, from those of now.
     pub(super) fn begin(&mut self) {
-        self.prior = self.impulse;
         self.found = self.impulse;
         self.limit = self.friction * self.impulse[0];
     }
 
-    /// Lets the point give back this share of a change of its impulses.
+    /// Lets the point give back this share of a change of its impulses from those of now.
     pub(super) fn yield_by(&mut self, compliance: f64) {
-        self.compliance = self.inverse_mass.map(|k| compliance * k);
+        self.stiffness = self.inverse_mass.map(|k| 1.0 / (compliance * k));
+        self.prior = self.impulse;
     }
 
     /// Keeps the impulses of now, or goes back to those found before.
@@ -158,8 +161,8 @@ impl DirectPoint {
     /// The impulses that the point answers an approach and a slip with.
     fn answer(&self, approach: f64, slip: f64) -> [f64; 2] {
         [
-            (self.prior[0] - approach / self.compliance[0]).max(0.0),
-            (self.prior[1] - slip / self.compliance[1]).clamp(-self.limit, self.limit),
+            (self.prior[0] - approach * self.stiffness[0]).max(0.0),
+            (self.prior[1] - slip * self.stiffness[1]).clamp(-self.limit, self.limit),
         ]
     }
 
@@ -182,7 +185,7 @@ impl DirectPoint {
     /// The normal impulse after a step in which the point is held.
     pub(super) fn held_impulse(&self, velocities: &[f64], step: &[f64]) -> f64 {
         let [approach, gain, ..] = self.way(velocities, step);
-        (self.prior[0] - (approach + gain) / self.compliance[0]).max(0.0)
+        (self.prior[0] - (approach + gain) * self.stiffness[0]).max(0.0)
     }
 
     /// Approach and slip, each with what the step adds.
@@ -191,10 +194,18 @@ impl DirectPoint {
         [approach, self.along(&self.normal, step), slip, self.along(&self.tangent, step)]
     }
 
-    /// How p + f change along a way, at a part of it.
-    pub(super) fn slope(&self, &[approach, gain, slip, slip_gain]: &[f64; 4], part: f64) -> f64 {
+    /// The slope of p + f along a way, at a part of it, and how fast that grows.
+    pub(super) fn slope(&self, &[approach, gain, slip, slip_gain]: &[f64; 4], part: f64) -> [f64; 2] {
         let [normal, tangent] = self.answer(approach + part * gain, slip + part * slip_gain);
-        -(normal * gain + tangent * slip_gain)
+        let yields = normal > 0.0;
+        let sticks = tangent.abs() < self.limit;
+        let growth = |responds: bool, gain: f64, stiffness: f64| {
+            if responds { gain * gain * stiffness } else { 0.0 }
+        };
+        [
+            -(normal * gain + tangent * slip_gain),
+            growth(yields, gain, self.stiffness[0]) + growth(sticks, slip_gain, self.stiffness[1]),
+        ]
     }
 
     /// Adds Jᵀ λ to three numbers for each mover.
@@ -226,8 +237,8 @@ impl DirectPoint {
         let is_held = holds && self.given[0] < HELD;
         let presses = is_held || self.impulse[0] > 0.0;
         let sticks = is_held || self.impulse[1].abs() < self.limit;
-        for (responds, row, compliance) in
-            [(presses, &self.normal, self.compliance[0]), (sticks, &self.tangent, self.compliance[1])]
+        for (responds, row, stiffness) in
+            [(presses, &self.normal, self.stiffness[0]), (sticks, &self.tangent, self.stiffness[1])]
         {
             if !responds {
                 continue;
@@ -241,7 +252,7 @@ impl DirectPoint {
                     for (axis, value) in row[side].iter().enumerate() {
                         for (other_axis, other_value) in row[other_side].iter().enumerate() {
                             if other_place + other_axis <= place + axis {
-                                let entry = value * other_value / compliance;
+                                let entry = value * other_value * stiffness;
                                 matrix.add(place + axis, other_place + other_axis, entry);
                             }
                         }

@@ -8,15 +8,19 @@ fn towers_stand_at_any_size() {
 }
 
 #[test]
-#[ignore = "trembles by rounding: a box of 1 mm falls by 8 % of its size in a substep"]
 fn a_tower_of_millimetres_stands() {
     hold(&["tower-1mm"]);
 }
 
 #[test]
-#[ignore = "a heap of stones of 1 cm is solved directly while it moves, and too large for that once it lies"]
 fn gravel_comes_to_rest_on_a_ground_of_kilometres() {
-    hold(&["gravel-middle", "gravel-edge"]);
+    hold(&["gravel-middle"]);
+}
+
+#[test]
+#[ignore = "trembles by what is left of a gap between centres 50 m apart, in f32"]
+fn gravel_comes_to_rest_at_the_edge_of_a_ground_of_kilometres() {
+    hold(&["gravel-edge"]);
 }
 
 #[test]
