@@ -5,17 +5,17 @@
 //! can be removed, put to sleep or woken without looking at any other.
 
 use crate::body::{Bodies, NONE};
-use crate::collision::{Manifold, ManifoldPoint};
+use crate::collision::{Manifold, ManifoldPoint, Offset};
 use crate::compute::prefetch;
-use crate::math::{Rot, Vec2};
+use crate::math::Rot;
 use crate::store::{SharedSlots, Slots};
 
 /// The relative pose for which a manifold was computed; while the bodies stay near it, the manifold's normal
 /// and anchors are kept.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Frozen {
-    /// Centre of b from the centre of a, m.
-    pub(crate) offset: Vec2,
+    /// Centre of b from the centre of a.
+    pub(crate) offset: Offset,
     pub(crate) rotation_a: Rot,
     pub(crate) rotation_b: Rot,
     /// Separation of each point then, m.

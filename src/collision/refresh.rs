@@ -10,7 +10,7 @@
 //! collision, and an oblique blow would be answered along the wrong normal.
 
 use crate::body::{Bodies, Motion};
-use crate::collision::{Contact, Frozen, Manifold, ManifoldPoint, detect_within, sweep};
+use crate::collision::{Contact, Frozen, Manifold, ManifoldPoint, Offset, detect_from, is_flat, sweep};
 use crate::compute::LaneRot;
 use crate::math::{Rot, Vec2};
 use crate::shape::Shape;
@@ -71,7 +71,7 @@ pub(crate) fn refresh(contact: &mut Contact, bodies: &Bodies, settings: Refresh)
         Upkeep::LeaveAsFollowed => contact.followed_steps += 1,
         Upkeep::FindAnew(course) => pair.find_anew(contact, course),
     }
-    contact.follows = !contact.is_kept && (pair.has_circle() || contact.pivots());
+    contact.follows = !contact.is_kept && (pair.has_circle() || contact.pivots()) && !pair.is_flat();
 }
 
 /// How a manifold is brought up to date.
@@ -96,8 +96,8 @@ struct Pair<'a> {
     shape_b: &'a Shape,
     rotation_a: Rot,
     rotation_b: Rot,
-    /// Centre of b from the centre of a, m.
-    offset: Vec2,
+    /// Centre of b from the centre of a.
+    offset: Offset,
     /// Length of the step, s.
     dt: f32,
 }
@@ -126,7 +126,7 @@ impl<'a> Pair<'a> {
             shape_b: &bodies.shapes[b],
             rotation_a: motion_a.pose.rotation,
             rotation_b: motion_b.pose.rotation,
-            offset: motion_b.pose.center - motion_a.pose.center,
+            offset: Offset::between(motion_a.pose.center, motion_b.pose.center),
             dt,
         }
     }
@@ -152,18 +152,33 @@ impl<'a> Pair<'a> {
     /// cost of finding a manifold.
     #[inline(always)]
     fn is_out_of_reach(&self) -> bool {
-        let distance_squared = self.offset.length_squared();
+        let distance_squared = self.offset.near.length_squared();
         let reach = self.motion_a.extent + self.motion_b.extent;
         if distance_squared <= reach * reach {
             return false;
         }
         let Course { motion, turning } = self.course();
         let reach = reach + self.near() + turning + motion.length();
-        distance_squared > reach * reach
+        // In f32 the distance from the middle of a planet is none.
+        distance_squared > reach * reach && !self.is_flat()
     }
 
+    /// Whether one of the two is a circle that the other does not find flat.
     fn has_circle(&self) -> bool {
-        self.motion_a.is_round || self.motion_b.is_round
+        (self.motion_a.is_round || self.motion_b.is_round) && !self.is_flat()
+    }
+
+    /// Whether one of the two is a circle that the other finds flat.
+    fn is_flat(&self) -> bool {
+        let is_flat_for =
+            |motion: &Motion, other: &Motion| motion.is_round && is_flat(motion.extent, other.extent);
+        is_flat_for(self.motion_a, self.motion_b) || is_flat_for(self.motion_b, self.motion_a)
+    }
+
+    /// How far the centres have moved against each other since the manifold was found, m.
+    #[inline(always)]
+    fn moved_since(&self, then: &Frozen) -> Vec2 {
+        (self.offset.near - then.offset.near) + (self.offset.rest - then.offset.rest)
     }
 
     /// How far the bodies may move against each other before their manifold is found anew, m.
@@ -210,7 +225,7 @@ impl<'a> Pair<'a> {
         let pivots = contact.pivots() && !self.has_circle();
         contact.is_loaded()
             && !pivots
-            && (self.offset - contact.frozen.offset).length_squared() < distance * distance
+            && self.moved_since(&contact.frozen).length_squared() < distance * distance
             && self.turned_since(&contact.frozen).iter().all(|turned| turned.c > RECYCLE_COSINE)
     }
 
@@ -222,9 +237,7 @@ impl<'a> Pair<'a> {
         }
         let [turned_a, turned_b] = self.turned_since(then);
         let swung = turned_a.s.abs() * self.motion_a.extent + turned_b.s.abs() * self.motion_b.extent;
-        turned_a.c > 0.0
-            && turned_b.c > 0.0
-            && (self.offset - then.offset).length() + swung < REST_SHARE * near
+        turned_a.c > 0.0 && turned_b.c > 0.0 && self.moved_since(then).length() + swung < REST_SHARE * near
     }
 
     /// Keeps the normal, and the anchors on their bodies, which they turn with: what topples does so about where it
@@ -234,7 +247,7 @@ impl<'a> Pair<'a> {
         let frozen = &contact.frozen;
         let turned = self.turned_since(frozen).map(Rot::inverse);
         let [back_a, back_b] = turned.map(|turned| LaneRot { c: turned.c, s: turned.s });
-        let moved = self.offset - frozen.offset;
+        let moved = self.moved_since(frozen);
         let normal = contact.manifold.normal;
         for (point, then) in contact.manifold.points_mut().iter_mut().zip(frozen.separations) {
             let tip_a: Vec2 = back_a.displacement(point.anchor_a.into()).into();
@@ -268,7 +281,7 @@ impl<'a> Pair<'a> {
         let Course { motion, turning } = course;
         let near = self.near();
         let margin = near + motion.length() + turning;
-        let Some(manifold) = self.detect_at(self.offset, margin) else { return Manifold::default() };
+        let Some(manifold) = self.detect_at(self.offset.near, margin) else { return Manifold::default() };
         let gap = manifold.points().iter().fold(f32::INFINITY, |gap, point| gap.min(point.separation));
         let closing = -manifold.normal.dot(motion);
         if gap <= 0.0 || closing <= gap {
@@ -286,9 +299,9 @@ impl<'a> Pair<'a> {
     /// are those of now along its normal.
     fn find_where_they_meet(&self, motion: Vec2, margin: f32) -> Option<Manifold> {
         let (a, b) = (self.shape_a, self.shape_b);
-        let fraction = sweep(a, self.rotation_a, b, self.rotation_b, self.offset, motion, 0.0)?;
+        let fraction = sweep(a, self.rotation_a, b, self.rotation_b, self.offset.near, motion, 0.0)?;
         let advance = motion * fraction;
-        let mut manifold = self.detect_at(self.offset + advance, margin)?;
+        let mut manifold = self.detect_at(self.offset.near + advance, margin)?;
         let closed = manifold.normal.dot(advance);
         for point in manifold.points_mut() {
             point.separation -= closed;
@@ -296,7 +309,9 @@ impl<'a> Pair<'a> {
         Some(manifold)
     }
 
-    fn detect_at(&self, offset: Vec2, margin: f32) -> Option<Manifold> {
-        detect_within(self.shape_a, self.rotation_a, self.shape_b, self.rotation_b, offset, margin)
+    /// The manifold where the centre of b is `near` from that of a, and what is missing of it as it is now.
+    fn detect_at(&self, near: Vec2, margin: f32) -> Option<Manifold> {
+        let offset = Offset { near, ..self.offset };
+        detect_from(self.shape_a, self.rotation_a, self.shape_b, self.rotation_b, offset, margin)
     }
 }

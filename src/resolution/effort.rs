@@ -32,7 +32,7 @@ const QUIET_STEPS: u64 = 120;
 
 /// One that needs no more effort, or that the direct solve could not solve, is left alone for so many: it may have come
 /// into another state by then.
-const RETRY_STEPS: u64 = 12;
+const RETRY_STEPS: u64 = 10;
 
 /// Each further time that it was not solved, it is left alone for twice as long, so many times: Newton's method comes to
 /// an end where bodies have come to another place, and a heap at rest is shaken where it does not.

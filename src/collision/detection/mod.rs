@@ -13,6 +13,7 @@
 //! | aabb, aabb | gaps along the two axes | up to 2 |
 //! | box, box | separating axes from half sizes, clipping | up to 2 |
 //! | polygon, polygon | separating axes over the hulls, clipping | up to 2 |
+//! | circle 10,000 times as large as the other shape | heights of the corners above it | up to 2 |
 
 mod aabb_aabb;
 mod box_box;
@@ -21,15 +22,17 @@ mod circle_circle;
 mod circle_polygon;
 mod clip;
 mod closest;
+mod large_circle;
 mod polygon_polygon;
 mod sweep;
 #[cfg(test)]
 mod tests;
 
+pub(crate) use large_circle::is_flat;
 pub(crate) use sweep::sweep;
 
 use crate::collision::Manifold;
-use crate::math::{Pose, Rot, Vec2};
+use crate::math::{Point, Pose, Rot, Vec2};
 use crate::shape::Shape;
 
 /// Where two shapes touch or overlap, without a world; `None` where there is a gap between them.
@@ -48,7 +51,57 @@ use crate::shape::Shape;
 /// assert!(detect(&floor, Pose::at([0.0, 0.0]), &ball, Pose::at([3.0, 1.25])).is_none());
 /// ```
 pub fn detect(shape_a: &Shape, pose_a: Pose, shape_b: &Shape, pose_b: Pose) -> Option<Manifold> {
-    detect_within(shape_a, pose_a.rotation, shape_b, pose_b.rotation, pose_b.center - pose_a.center, 0.0)
+    let offset = Offset::between(pose_a.center, pose_b.center);
+    detect_from(shape_a, pose_a.rotation, shape_b, pose_b.rotation, offset, 0.0)
+}
+
+/// The centre of b from the centre of a, with more digits than `f32` has, m.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Offset {
+    /// Rounded to `f32`.
+    pub(crate) near: Vec2,
+    /// What is missing.
+    pub(crate) rest: Vec2,
+}
+
+impl Offset {
+    #[inline(always)]
+    pub(crate) fn between(a: Point, b: Point) -> Self {
+        let near = b - a;
+        let rest = |b: f64, a: f64, near: f32| (b - a - f64::from(near)) as f32;
+        Self { near, rest: Vec2::new(rest(b.x, a.x, near.x), rest(b.y, a.y, near.y)) }
+    }
+}
+
+/// The same as [`detect_within`], to the last digit of the offset: what is missing in `f32` changes a gap by its part
+/// along the normal.
+#[inline]
+pub(crate) fn detect_from(
+    shape_a: &Shape,
+    rotation_a: Rot,
+    shape_b: &Shape,
+    rotation_b: Rot,
+    offset: Offset,
+    margin: f32,
+) -> Option<Manifold> {
+    let (rot_a, rot_b) = (shape_a.rotation_at(rotation_a), shape_b.rotation_at(rotation_b));
+    match (shape_a, shape_b) {
+        (Shape::Circle(a), b) if is_flat(a.radius(), b.extent()) => {
+            return large_circle::detect(*a, b, rot_b, offset, margin);
+        }
+        (a, Shape::Circle(b)) if is_flat(b.radius(), a.extent()) => {
+            let Offset { near, rest } = offset;
+            let offset = Offset { near: -near, rest: -rest };
+            return flip(large_circle::detect(*b, a, rot_a, offset, margin));
+        }
+        _ => {}
+    }
+    let mut manifold = detect_within(shape_a, rotation_a, shape_b, rotation_b, offset.near, margin)?;
+    let missing = manifold.normal.dot(offset.rest);
+    for point in manifold.points_mut() {
+        point.separation += missing;
+    }
+    Some(manifold)
 }
 
 /// The manifold of two shapes whose gap is at most `margin`, m; its points are those with a separation of at

@@ -18,7 +18,6 @@ fn gravel_comes_to_rest_on_a_ground_of_kilometres() {
 }
 
 #[test]
-#[ignore = "trembles by what is left of a gap between centres 50 m apart, in f32"]
 fn gravel_comes_to_rest_at_the_edge_of_a_ground_of_kilometres() {
     hold(&["gravel-edge"]);
 }
@@ -39,7 +38,6 @@ fn a_disc_on_a_vertex_stays_or_rolls_but_does_not_sink() {
 }
 
 #[test]
-#[ignore = "the gap to a circle of 6,400 km is a difference of two f32"]
 fn boxes_stand_on_a_planet() {
     hold(&["planet-as-ground"]);
 }

@@ -141,3 +141,27 @@ fn a_manifold_is_the_same_far_from_the_origin() {
         }
     }
 }
+
+/// The deepest point is that on level ground, but for what the circle falls off by, extent²/2R, here 4e-8 m, and for the
+/// rounding of numbers as large as the shapes, 1e-6 m.
+#[test]
+fn a_shape_on_a_planet_touches_as_on_level_ground() {
+    let radius = 6.4e6;
+    let (planet, ground) = (Shape::circle(radius), Shape::aabb(100.0, 10.0));
+    let mut rng = rng(7);
+    for (number, shape) in (0..100).flat_map(|_| random_shapes(&mut rng)).enumerate() {
+        let pose = Pose::new([0.0, 0.1], 0.1 * number as f32);
+        let on_planet = detect(&planet, Pose::at([0.0, -f64::from(radius)]), &shape, pose);
+        let on_ground = detect(&ground, Pose::at([0.0, -5.0]), &shape, pose);
+        let (Some(on_planet), Some(on_ground)) = (on_planet, on_ground) else {
+            panic!("{shape:?} does not touch")
+        };
+        assert!((on_planet.normal - on_ground.normal).length() < 1e-6);
+        let deepest =
+            |manifold: &Manifold| manifold.points().iter().map(|point| point.separation).fold(0.0, f32::min);
+        let (here, there) = (deepest(&on_planet), deepest(&on_ground));
+        assert!((here - there).abs() < 2e-6, "{shape:?}: {here} m, not {there} m");
+        let flipped = detect(&shape, pose, &planet, Pose::at([0.0, -f64::from(radius)])).unwrap();
+        assert_eq!(flipped, on_planet.flipped());
+    }
+}

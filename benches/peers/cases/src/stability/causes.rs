@@ -21,15 +21,6 @@ pub(super) fn of(case: &str) -> &'static str {
             "Each pair is pushed apart as if it were alone. A box that 49 others push the same way gets the sum, of which the \
              relax sweep takes out what the contacts can see at the end of the substep, not what has made them part."
         }
-        "gravel-edge" => {
-            "A gap to the ground is found from its centre, 50 m below: in f32 it comes in pieces of 4 µm, which the direct solve \
-             closes at once. And normals are kept while stones turn by up to 11° against each other, which is worth up to 2 % of \
-             a stone."
-        }
-        "planet-as-ground" => {
-            "The gap to a circle is the distance of the centres less its radius. In f32 that moves by half a metre at a time at \
-             6,400 km, so contacts do not see that they sink, and yield at 1 cm/s."
-        }
         "random-worlds-100" | "random-worlds-10000" => {
             "Light bodies under ones up to a hundred times as heavy: some are hit by them in the last step, as worlds of little \
              gravity have not come to rest after 3 s, others belong to islands that Newton's method does not solve. Solved by \
