@@ -284,7 +284,8 @@ impl<'a> Pair<'a> {
         let Some(manifold) = self.detect_at(self.offset.near, margin) else { return Manifold::default() };
         let gap = manifold.points().iter().fold(f32::INFINITY, |gap, point| gap.min(point.separation));
         let closing = -manifold.normal.dot(motion);
-        if gap <= 0.0 || closing <= gap {
+        // What is flat has one normal, wherever they meet.
+        if gap <= 0.0 || closing <= gap || self.is_flat() {
             let in_reach = gap <= near + turning + closing.max(0.0);
             return if in_reach { manifold } else { Manifold::default() };
         }
