@@ -135,6 +135,11 @@ impl EffortTables<'_> {
         self.bodies.is_dynamic(slot) && self.bodies.is_awake(slot)
     }
 
+    /// The bodies of a contact that may have ended since it was told of.
+    fn slots(&self, index: u32) -> [u32; 2] {
+        self.contacts.get(index).map_or([NONE; 2], |contact| contact.slots)
+    }
+
     /// Velocity that a unit of impulse through both centres gives the bodies of a contact, 1/kg.
     fn inverse_mass(&self, contact: &Contact) -> f32 {
         contact.slots.iter().map(|&slot| self.bodies.motions[slot as usize].inverse_mass).sum()
@@ -184,15 +189,14 @@ impl Efforts {
         if allowance.adapts && allowance.direct && !loads.begun_at_rest.is_empty() {
             self.begun.clear();
             for &index in &loads.begun_at_rest {
-                for slot in tables.contacts[index].slots {
+                for slot in tables.slots(index) {
                     self.begin_island(slot, allowance, &mut tables);
                 }
             }
         }
         let lasting = if tick % LOOK_STEPS == 0 { &loads.lasting[..] } else { &[] };
         for &index in lasting {
-            // It may have ended since.
-            for slot in tables.contacts.get(index).map_or([NONE; 2], |contact| contact.slots) {
+            for slot in tables.slots(index) {
                 self.decide_island(slot, (tick, allowance), &mut tables);
             }
         }
