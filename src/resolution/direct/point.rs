@@ -114,6 +114,11 @@ impl DirectPoint {
         self.limit = self.friction * self.impulse[0];
     }
 
+    /// Whether it has no impulses.
+    pub(super) fn is_unloaded(&self) -> bool {
+        self.impulse == [0.0; 2]
+    }
+
     /// Lets the point give back this share of a change of its impulses from those of now.
     pub(super) fn yield_by(&mut self, compliance: f64) {
         self.stiffness = self.inverse_mass.map(|k| 1.0 / (compliance * k));
