@@ -323,9 +323,11 @@ impl Contacts {
     /// Takes note that the body in `slot` was moved by hand: where its contacts were followed to is no longer where they
     /// are.
     pub(crate) fn forget_followed(&mut self, bodies: &Bodies, slot: u32) {
-        let of_body: Vec<u32> = self.of_body(bodies, slot).collect();
-        for index in of_body {
-            self[index].follows = false;
+        let mut index = bodies.records[slot].first_contact;
+        while index != NONE {
+            let contact = &mut self[index];
+            contact.follows = false;
+            index = contact.links[contact.side(slot)].next;
         }
     }
 

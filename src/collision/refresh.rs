@@ -10,7 +10,9 @@
 //! collision, and an oblique blow would be answered along the wrong normal.
 
 use crate::body::{Bodies, Motion};
-use crate::collision::{Contact, Frozen, Manifold, ManifoldPoint, Offset, detect_from, is_flat, sweep};
+use crate::collision::{
+    Contact, Frozen, Manifold, ManifoldPoint, Offset, detect_flat, detect_from, is_flat, sweep,
+};
 use crate::compute::LaneRot;
 use crate::math::{Rot, Vec2};
 use crate::shape::Shape;
@@ -313,6 +315,7 @@ impl<'a> Pair<'a> {
     /// The manifold where the centre of b is `near` from that of a, and what is missing of it as it is now.
     fn detect_at(&self, near: Vec2, margin: f32) -> Option<Manifold> {
         let offset = Offset { near, ..self.offset };
-        detect_from(self.shape_a, self.rotation_a, self.shape_b, self.rotation_b, offset, margin)
+        let detect = if self.is_flat() { detect_flat } else { detect_from };
+        detect(self.shape_a, self.rotation_a, self.shape_b, self.rotation_b, offset, margin)
     }
 }

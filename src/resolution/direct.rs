@@ -236,8 +236,11 @@ impl DirectSolver {
         }
         let is_stiff = part.compliance < COMPLIANCE;
         let begins = self.points[part.points.clone()].iter().all(DirectPoint::is_unloaded);
-        let stages =
-            [Some(COMPLIANCE), is_stiff.then_some(part.compliance), begins.then_some(FIRST_COMPLIANCE)];
+        let stages = [
+            Some(COMPLIANCE),
+            is_stiff.then_some(part.compliance),
+            begins.then_some(part.compliance.min(FIRST_COMPLIANCE)),
+        ];
         for (number, compliance) in stages.into_iter().flatten().enumerate() {
             for point in &mut self.points[part.points.clone()] {
                 point.yield_by(compliance);

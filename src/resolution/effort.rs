@@ -263,6 +263,7 @@ impl Efforts {
             return;
         }
         let mut load = Load::default();
+        self.island.clear();
         flood(slot, &mut self.seen, &mut self.island, tables, |contact| load.add(contact));
         let has = self.island.iter().map(|&slot| tables.bodies.records[slot].effort).max();
         let has = has.unwrap_or_default();
@@ -302,6 +303,7 @@ impl Efforts {
             begins &= begins_at_rest(contact, tables.bodies);
             softest = softest.max(tables.inverse_mass(contact) / contact.thickness);
         };
+        self.island.clear();
         flood(slot, &mut self.begun, &mut self.island, tables, look_at);
         let mass =
             self.island.iter().map(|&slot| tables.bodies.motions[slot as usize].inverse_mass.recip()).sum();
@@ -342,8 +344,7 @@ impl Efforts {
     /// Brings the bodies of the island in an order in which neighbours are near each other: from a far end on, by
     /// distance. Those that touch many others come last, where they fill a row of the matrix and no more.
     fn order(&mut self, tables: &EffortTables<'_>) {
-        let found = std::mem::take(&mut self.found);
-        self.found = std::mem::replace(&mut self.island, found);
+        std::mem::swap(&mut self.found, &mut self.island);
         self.island.clear();
         self.ordered.clear();
         let is_hub = |slot: u32| {
@@ -357,7 +358,7 @@ impl Efforts {
         }
         for &slot in self.found.iter().rev() {
             if !self.ordered.contains(slot) {
-                flood_on(slot, &mut self.ordered, &mut self.island, tables, |_| ());
+                flood(slot, &mut self.ordered, &mut self.island, tables, |_| ());
             }
         }
         self.island.reverse();
@@ -388,21 +389,9 @@ impl Efforts {
     }
 }
 
-/// Fills `island` with the body in `slot` and all that contacts connect with it, nearest first; looks at every
+/// Adds the body in `slot` to the `island`, and all that contacts connect with it, nearest first; looks at every
 /// contact.
 fn flood(
-    slot: u32,
-    seen: &mut BitSet,
-    island: &mut Vec<u32>,
-    tables: &EffortTables<'_>,
-    mut look_at: impl FnMut(&Contact),
-) {
-    island.clear();
-    flood_on(slot, seen, island, tables, &mut look_at);
-}
-
-/// Adds the body in `slot` to the `island`, and all that contacts connect with it, nearest first.
-fn flood_on(
     slot: u32,
     seen: &mut BitSet,
     island: &mut Vec<u32>,

@@ -31,6 +31,8 @@ mod tests;
 pub(crate) use large_circle::is_flat;
 pub(crate) use sweep::sweep;
 
+use core::ops::Neg;
+
 use crate::collision::Manifold;
 use crate::math::{Point, Pose, Rot, Vec2};
 use crate::shape::Shape;
@@ -52,7 +54,10 @@ use crate::shape::Shape;
 /// ```
 pub fn detect(shape_a: &Shape, pose_a: Pose, shape_b: &Shape, pose_b: Pose) -> Option<Manifold> {
     let offset = Offset::between(pose_a.center, pose_b.center);
-    detect_from(shape_a, pose_a.rotation, shape_b, pose_b.rotation, offset, 0.0)
+    let is_flat_for = |shape: &Shape, other: &Shape| matches!(shape, Shape::Circle(circle) if is_flat(circle.radius(), other.extent()));
+    let is_flat = is_flat_for(shape_a, shape_b) || is_flat_for(shape_b, shape_a);
+    let detect = if is_flat { detect_flat } else { detect_from };
+    detect(shape_a, pose_a.rotation, shape_b, pose_b.rotation, offset, 0.0)
 }
 
 /// The centre of b from the centre of a, with more digits than `f32` has, m.
@@ -62,6 +67,13 @@ pub(crate) struct Offset {
     pub(crate) near: Vec2,
     /// What is missing.
     pub(crate) rest: Vec2,
+}
+
+impl Neg for Offset {
+    type Output = Self;
+    fn neg(self) -> Self {
+        Self { near: -self.near, rest: -self.rest }
+    }
 }
 
 impl Offset {
@@ -84,24 +96,33 @@ pub(crate) fn detect_from(
     offset: Offset,
     margin: f32,
 ) -> Option<Manifold> {
+    let mut found = detect_within(shape_a, rotation_a, shape_b, rotation_b, offset.near, margin);
+    if let Some(manifold) = &mut found {
+        let missing = manifold.normal.dot(offset.rest);
+        for point in manifold.points_mut() {
+            point.separation += missing;
+        }
+    }
+    found
+}
+
+/// The same where one of the two is a circle that the other finds flat, see [`is_flat`].
+pub(crate) fn detect_flat(
+    shape_a: &Shape,
+    rotation_a: Rot,
+    shape_b: &Shape,
+    rotation_b: Rot,
+    offset: Offset,
+    margin: f32,
+) -> Option<Manifold> {
     let (rot_a, rot_b) = (shape_a.rotation_at(rotation_a), shape_b.rotation_at(rotation_b));
     match (shape_a, shape_b) {
-        (Shape::Circle(a), b) if is_flat(a.radius(), b.extent()) => {
-            return large_circle::detect(*a, b, rot_b, offset, margin);
+        (Shape::Circle(a), b) if a.radius() > b.extent() => {
+            large_circle::detect(*a, b, rot_b, offset, margin)
         }
-        (a, Shape::Circle(b)) if is_flat(b.radius(), a.extent()) => {
-            let Offset { near, rest } = offset;
-            let offset = Offset { near: -near, rest: -rest };
-            return flip(large_circle::detect(*b, a, rot_a, offset, margin));
-        }
-        _ => {}
+        (a, Shape::Circle(b)) => flip(large_circle::detect(*b, a, rot_a, -offset, margin)),
+        _ => None,
     }
-    let mut manifold = detect_within(shape_a, rotation_a, shape_b, rotation_b, offset.near, margin)?;
-    let missing = manifold.normal.dot(offset.rest);
-    for point in manifold.points_mut() {
-        point.separation += missing;
-    }
-    Some(manifold)
 }
 
 /// The manifold of two shapes whose gap is at most `margin`, m; its points are those with a separation of at
