@@ -8,10 +8,10 @@
 //! ```
 //!
 //! v₀ being the velocities without contacts. p(u; c) = min(u - c λ₀, 0)²/(2c) makes λ = max(0, λ₀ - u/c) the normal
-//! impulse, λ₀ being that of the last substep: a point yields to a change of load and not to the load, so that at rest
-//! nothing sags (method of multipliers; M. Hestenes, 1969). f is Huber's function, whose slope is the friction, cut off
-//! at ±µ λ. φ is convex and piecewise quadratic, so Newton's method with a line search finds the minimum in a few
-//! steps, each a Cholesky factorization of
+//! impulse, λ₀ being that of the last substep or of the stage before: a point yields to a change of load and not to the
+//! load, so that at rest nothing sags (method of multipliers; M. Hestenes, 1969). f is Huber's function, whose slope is
+//! the friction, cut off at ±µ λ. φ is convex and piecewise quadratic, so Newton's method with a line search finds the
+//! minimum in a few steps, each a Cholesky factorization of
 //!
 //! ```text
 //! H = M + Σ Jnᵀ Jn/c + Σ Jtᵀ Jt/c_t      over points that press, and points that stick

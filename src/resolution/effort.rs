@@ -312,7 +312,7 @@ impl Efforts {
             for &slot in &self.island {
                 self.seen.insert(slot);
             }
-            // For as long as it takes to find out what the contacts bear.
+            // Until it is known what the contacts bear, and no longer if that is little.
             self.give(Effort::Direct, CALM_STEPS - LASTING_STEPS - 1, tables);
         }
     }

@@ -1,13 +1,14 @@
 //! A circle so large that the other shape finds it flat: a planet.
 //!
-//! The nearest corners are found along the line between the centres, so that a face rests on two points, as on level
-//! ground: over the shape the circle falls off by less than rounding. The distance of the centres is taken in `f64`: in
-//! `f32` that from the middle of the Earth comes in pieces of half a metre.
+//! The face that looks down the line between the centres touches at its ends, as on level ground: over the shape the
+//! circle falls off by less than rounding. The distance of the centres is taken in `f64`: in `f32` that from the middle
+//! of the Earth comes in pieces of half a metre.
 
+use crate::collision::detection::polygon_polygon::facing;
 use crate::collision::detection::{Offset, within};
 use crate::collision::{FeatureId, Manifold, ManifoldPoint};
 use crate::math::{Rot, Vec2};
-use crate::shape::{Circle, Hull, Shape};
+use crate::shape::{Circle, Shape};
 
 /// Radius in extents of the other shape from which a circle counts as flat, no unit: a face bulges by less than a part
 /// in 80,000 of it.
@@ -43,7 +44,9 @@ pub(super) fn detect(a: Circle, b: &Shape, rotation_b: Rot, offset: Offset, marg
         let lowest = point(-normal * b.extent(), FeatureId::SINGLE);
         return is_near(&lowest).then(|| Manifold::of_one(normal, lowest));
     };
-    let [first, second] = lowest_corners(hull, rotation_b.unrotate(normal)).map(|corner| {
+    let face = facing(hull, rotation_b.unrotate(normal));
+    // Along the outline of the circle, counter-clockwise, its end comes first.
+    let [first, second] = [hull.next(face), face].map(|corner| {
         point(rotation_b.rotate(hull.vertices[corner]), FeatureId::of_vertices(0, corner as u8))
     });
     match (is_near(&first), is_near(&second)) {
@@ -52,16 +55,4 @@ pub(super) fn detect(a: Circle, b: &Shape, rotation_b: Rot, offset: Offset, marg
         (false, true) => Some(Manifold::of_one(normal, second)),
         (false, false) => None,
     }
-}
-
-/// The lowest corner of a hull and the lower of those beside it, counter-clockwise as the circle sees them: from the
-/// right to the left, where `up` is the way away from it.
-fn lowest_corners(hull: &Hull, up: Vec2) -> [usize; 2] {
-    let height = |corner: &usize| up.dot(hull.vertices[*corner]);
-    let corners = 0..hull.vertices().len();
-    let lowest =
-        corners.clone().min_by(|one, other| height(one).total_cmp(&height(other))).unwrap_or_default();
-    let next = hull.next(lowest);
-    let before = corners.clone().find(|&corner| hull.next(corner) == lowest).unwrap_or_default();
-    if height(&next) < height(&before) { [next, lowest] } else { [lowest, before] }
 }

@@ -13,7 +13,7 @@
 //! | aabb, aabb | gaps along the two axes | up to 2 |
 //! | box, box | separating axes from half sizes, clipping | up to 2 |
 //! | polygon, polygon | separating axes over the hulls, clipping | up to 2 |
-//! | circle 10,000 times as large as the other shape | heights of the corners above it | up to 2 |
+//! | circle 10,000 times as large as the other shape | heights of the ends of a face above it | up to 2 |
 
 mod aabb_aabb;
 mod box_box;

@@ -124,7 +124,7 @@ impl Pair<'_> {
 
 /// The edge of a hull whose outward normal is the most opposed to `normal`, in the hull's frame.
 #[inline(always)]
-fn facing(hull: &Hull, normal: Vec2) -> usize {
+pub(super) fn facing(hull: &Hull, normal: Vec2) -> usize {
     let (mut best, mut least) = (0, f32::INFINITY);
     for (i, n) in hull.normals().iter().enumerate() {
         let cosine = n.dot(normal);

@@ -45,8 +45,9 @@ fn boxes_stand_on_a_planet() {
     hold(&["planet-as-ground"]);
 }
 
-/// A disc that falls off by 1e-7 m over a metre is level ground for a ball, which bounces as there, and for a box that
-/// lands on a corner, which comes to rest on a face: half its height above the ground, but for its sag, less than 2 mm.
+/// Below what falls on it a disc of 6,400 km is level ground, to 2e-6 m. A ball bounces as there, to the rounding of
+/// f32: 1e-7 of 8 m/s in each bounce, for 10 s. A box that lands on a corner comes to rest on a face, half its height
+/// above the ground but for its sag: 0.14 g h/(2·28/s) = 0.1 mm times k of a corner over 1/m, shared by two, 2.5/2.
 #[test]
 fn what_falls_onto_a_planet_comes_to_rest_as_on_level_ground() {
     let radius = 6.4e6;
@@ -71,6 +72,6 @@ fn what_falls_onto_a_planet_comes_to_rest_as_on_level_ground() {
         assert!((here - there).abs() < 1e-5, "{here} m, not {there} m");
     }
     for height in [box_on_planet, box_on_ground] {
-        assert!((height - 0.5).abs() < 2e-3, "{height} m");
+        assert!((height - 0.5).abs() < 2e-4, "{height} m");
     }
 }

@@ -3,7 +3,7 @@
 use super::hold;
 
 #[test]
-#[ignore = "sweeps let the top fall for some steps before the load has come up, and it rocks for more than 10 s"]
+#[ignore = "too many boxes for the direct solve: by sweeps the middle sags by centimetres, and the rows tilt and rock"]
 fn pyramids_stand() {
     hold(&["pyramid-40", "pyramid-100"]);
 }

@@ -161,6 +161,7 @@ fn a_shape_on_a_planet_touches_as_on_level_ground() {
             |manifold: &Manifold| manifold.points().iter().map(|point| point.separation).fold(0.0, f32::min);
         let (here, there) = (deepest(&on_planet), deepest(&on_ground));
         assert!((here - there).abs() < 2e-6, "{shape:?}: {here} m, not {there} m");
+        assert_eq!(on_planet.points().len(), on_ground.points().len(), "{shape:?}");
         let flipped = detect(&shape, pose, &planet, Pose::at([0.0, -f64::from(radius)])).unwrap();
         assert_eq!(flipped, on_planet.flipped());
     }

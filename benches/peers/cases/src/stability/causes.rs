@@ -9,8 +9,8 @@ pub(super) fn of(case: &str) -> &'static str {
              as there are bodies that share it, by overlap."
         }
         "pyramid-40" | "pyramid-100" => {
-            "More than 256 bodies, so sweeps only: a load climbs by some rows per step, the top falls meanwhile, rocks, and a \
-             pyramid has nothing that damps it but its contacts."
+            "More than 256 bodies, so sweeps only. By them each contact sags under its load, the middle, which bears most, by more \
+             than the sides, so the rows tilt and drift; and in the first steps the top falls, and rocks for more than 10 s."
         }
         "leaning-inside" => {
             "It falls with 64 substeps too, so it is not the sag at rest. In the first steps, before sweeps have built up the load, \
