@@ -153,13 +153,21 @@ impl Tree {
 
     /// Gives a leaf another box.
     ///
-    /// It is taken out and put back, but the search for its new place starts at the lowest old ancestor that
-    /// still holds the new box: most moves are short, and the upper half of the tree need not be read.
+    /// As long as its grandparent holds the new box, it keeps its sibling, and the rotations on the way up give it
+    /// better company where that helps. Else it is taken out and put back, but the search for its new place starts at
+    /// the lowest old ancestor that still holds the new box: most moves are short, and the upper half of the tree need
+    /// not be read.
     pub(crate) fn move_leaf(&mut self, leaf: u32, aabb: Aabb) {
         let place = self.leaf_places[leaf as usize];
         let node = Node { aabb, ..*self.node(place) };
         if place == ROOT {
             self.put(ROOT, node);
+            return;
+        }
+        let grandparent = self.node(node.parent).parent;
+        if self.node(grandparent).aabb.contains(aabb) {
+            self.nodes[place as usize] = node;
+            self.refit_upward(node.parent);
             return;
         }
         let mut start = self.detach(place);
