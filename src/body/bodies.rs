@@ -57,6 +57,8 @@ pub(crate) struct Motion {
     pub(crate) velocity_carry: Vec2,
     /// How long the body has been nearly at rest, s.
     pub(crate) still_time: f32,
+    /// How far the outline may still move before its box must be looked at, m.
+    pub(crate) room: f32,
 }
 
 const _: () = assert!(size_of::<Motion>() == 64);
@@ -148,6 +150,7 @@ impl Bodies {
             extent: body.shape.extent(),
             thickness: body.shape.thickness(),
             still_time: 0.0,
+            room: 0.0,
             row: GROUND_ROW,
             is_round: matches!(body.shape, Shape::Circle(_)),
         };

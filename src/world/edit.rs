@@ -27,6 +27,7 @@ impl World {
         let (limit, velocity) = (self.settings.max_speed, Vec2::from(self.bodies.state(slot).velocity));
         let cut = velocity.max(Vec2::splat(-limit)).min(Vec2::splat(limit));
         let motion = cut * self.settings.tick_seconds() as f32;
+        self.bodies.motions[slot as usize].room = 0.0;
         self.broad_phase.update(slot, self.bodies.aabb(slot), motion);
     }
 

@@ -17,6 +17,9 @@ use crate::world::sleep::{self, REST_SPEED, TIME_TO_SLEEP};
 const REFRESH_COST: usize = 20;
 const FINALIZE_COST: usize = 25;
 
+/// A body that moves by less than this share of its extent per step stays in its fat box for some steps.
+const SLOW_SHARE: f32 = 0.01;
+
 impl World {
     /// Moves the world by one tick of `1 / tick_rate` seconds. Never fails and never panics.
     ///
@@ -191,14 +194,22 @@ impl World {
             for (state, (&slot, leaves_box)) in states.iter_mut().zip(slots.iter().zip(leaves_box)) {
                 let velocity = Vec2::from(state.velocity);
                 forcings.change(slot as usize, Forcing::end_step);
-                let aabb = motions.change(slot as usize, |motion| {
+                *leaves_box = motions.change(slot as usize, |motion| {
                     let is_resting = move_on(motion, state, dt);
                     if may_sleep && is_resting {
                         resting.fetch_add(1, Ordering::Relaxed);
                     }
-                    shapes[slot as usize].bounding_box(motion.pose)
+                    let aabb = || shapes[slot as usize].bounding_box(motion.pose);
+                    let ahead = velocity.norm_1() * dt;
+                    if motion.room > ahead {
+                        debug_assert!(!broad_phase.leaves_box(slot, aabb(), velocity * dt));
+                        return false;
+                    }
+                    let aabb = aabb();
+                    let is_slow = ahead < SLOW_SHARE * motion.extent;
+                    motion.room = if is_slow { broad_phase.room(slot, aabb) } else { 0.0 };
+                    broad_phase.leaves_box(slot, aabb, velocity * dt)
                 });
-                *leaves_box = broad_phase.leaves_box(slot, aabb, velocity * dt);
             }
         });
         self.resting = resting.into_inner();
@@ -289,6 +300,9 @@ fn move_on(motion: &mut Motion, state: &mut BodyState, dt: f32) -> bool {
     let turn = Rot { c: state.delta_rotation.c, s: state.delta_rotation.s };
     motion.pose.center += state.delta_position.into();
     motion.pose.rotation = (turn * motion.pose.rotation).normalized();
+    // Rotations round in their last digit.
+    let swing = if motion.is_round { 0.0 } else { (1.0 - turn.c).abs() + turn.s.abs() + 2.0 * f32::EPSILON };
+    motion.room -= Vec2::from(state.delta_position).norm_1() + swing * motion.extent;
     state.stand_still();
     let speed = Vec2::from(state.velocity).length() + state.angular_velocity.abs() * motion.extent;
     // A kinematic body rests only when it does not move at all: it keeps what it touches awake.

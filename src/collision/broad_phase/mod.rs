@@ -148,6 +148,21 @@ impl BroadPhase {
         !stays
     }
 
+    /// How far the outline of a body with the box `tight` may at least move, m, until
+    /// [`leaves_box`](Self::leaves_box) can say that it leaves its fat box: what is free on the narrowest side, as long
+    /// as the fat box is far from [`TOO_BIG`].
+    pub(crate) fn room(&self, body: u32, tight: Aabb) -> f32 {
+        let fat = self.proxies[body as usize].fat;
+        let (low, high) = (tight.min - fat.min, fat.max - tight.max);
+        let narrowest = low.x.min(low.y).min(high.x).min(high.y);
+        // Bounds round by one digit each, here and where the box is looked at, and the ways since then a hundred times.
+        let reach = fat.min.abs().max(fat.max.abs());
+        let room = 0.99 * narrowest - 4.0 * f32::EPSILON * reach.x.max(reach.y);
+        // Each side can be twice the way shorter then, which takes eight ways off the outline and one off the margins.
+        let least_perimeter = fattened(tight, Vec2::ZERO).perimeter() - 9.0 * room;
+        if fat.perimeter() < 0.99 * TOO_BIG * least_perimeter { room } else { 0.0 }
+    }
+
     /// Gives a body another fat box.
     #[cold]
     #[inline(never)]

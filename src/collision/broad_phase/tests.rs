@@ -239,6 +239,31 @@ fn a_box_that_was_stretched_by_speed_shrinks_when_the_body_rests() {
 }
 
 #[test]
+fn a_body_whose_outline_moves_by_less_than_its_room_does_not_leave_its_box() {
+    let mut random = Random(5);
+    let mut with_room = 0;
+    for _ in 0..20_000 {
+        let mut broad_phase = BroadPhase::default();
+        let far = [0.0, 1e3, 1e6][random.below(3) as usize];
+        let corner = Vec2::new(far + random.between(-1.0, 1.0), random.between(-1.0, 1.0));
+        let size = Vec2::new(random.between(0.01, 2.0), random.between(0.01, 2.0));
+        broad_phase.add(0, true, Aabb::new(corner, corner + size));
+        let stretch = random.between(0.0, 0.2);
+        broad_phase.update(0, Aabb::new(corner, corner + size), Vec2::new(stretch, 0.0));
+        let room = broad_phase.room(0, Aabb::new(corner, corner + size));
+        with_room += u32::from(room > 0.0);
+        // Each bound goes a way of its own, as far as the outline may, and the body is about to go the rest.
+        let way = random.between(0.0, 1.0) * room.max(0.0);
+        let mut moved = |place: Vec2| place + Vec2::new(random.between(-way, way), random.between(-way, way));
+        let tight = Aabb::new(moved(corner), moved(corner + size));
+        let ahead = room - way;
+        let is_through = room <= 0.0 || !broad_phase.leaves_box(0, tight, Vec2::new(ahead, -ahead));
+        assert!(is_through, "{corner:?} {size:?} {stretch} {room} {way}");
+    }
+    assert!((5_000..19_000).contains(&with_room), "{with_room}");
+}
+
+#[test]
 fn the_margin_of_a_small_body_is_a_part_of_its_size() {
     let mut broad_phase = BroadPhase::default();
     let centimetre = Aabb::new(Vec2::ZERO, Vec2::splat(0.01));
