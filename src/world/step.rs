@@ -192,23 +192,23 @@ impl World {
         let rows = (&mut states[1..], (&slot_of_row[1..], &mut leaves_box[..]));
         crew.run(rows, FINALIZE_COST, |(states, (slots, leaves_box))| {
             for (state, (&slot, leaves_box)) in states.iter_mut().zip(slots.iter().zip(leaves_box)) {
-                let velocity = Vec2::from(state.velocity);
                 forcings.change(slot as usize, Forcing::end_step);
+                let ahead = Vec2::from(state.velocity) * dt;
                 *leaves_box = motions.change(slot as usize, |motion| {
                     let is_resting = move_on(motion, state, dt);
                     if may_sleep && is_resting {
                         resting.fetch_add(1, Ordering::Relaxed);
                     }
                     let aabb = || shapes[slot as usize].bounding_box(motion.pose);
-                    let ahead = velocity.norm_1() * dt;
-                    if motion.room > ahead {
-                        debug_assert!(!broad_phase.leaves_box(slot, aabb(), velocity * dt));
+                    if motion.room > ahead.norm_1() {
+                        debug_assert!(!broad_phase.leaves_box(slot, aabb(), ahead), "{slot} had room");
                         return false;
                     }
                     let aabb = aabb();
-                    let is_slow = ahead < SLOW_SHARE * motion.extent;
-                    motion.room = if is_slow { broad_phase.room(slot, aabb) } else { 0.0 };
-                    broad_phase.leaves_box(slot, aabb, velocity * dt)
+                    let leaves_box = broad_phase.leaves_box(slot, aabb, ahead);
+                    let stays_long = !leaves_box && ahead.norm_1() < SLOW_SHARE * motion.extent;
+                    motion.room = if stays_long { broad_phase.room(slot, aabb) } else { 0.0 };
+                    leaves_box
                 });
             }
         });
