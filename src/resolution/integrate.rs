@@ -105,16 +105,6 @@ impl Kicks {
     }
 }
 
-/// Damping of the body of a row, for one half kick.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Damping {
-    pub(crate) row: u32,
-    /// Share of the velocity that is lost, no unit.
-    pub(crate) linear: f32,
-    /// Share of the angular velocity that is lost, no unit.
-    pub(crate) angular: f32,
-}
-
 /// Speeds beyond which velocities are cut, far above use: they keep numbers finite, whatever comes.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct SpeedLimits {
@@ -122,14 +112,6 @@ pub(crate) struct SpeedLimits {
     pub(crate) speed: f32,
     /// Angular velocity, rad/s.
     pub(crate) spin: f32,
-}
-
-/// Share of a velocity that damping `c` (1/s) takes in the time `t` (s): 1 - e^(-ct) to second order, and
-/// between 0 and 1 for every c ≥ 0. The share and not what is left, which so near to 1 has lost its digits.
-pub(crate) fn damping_loss(c: f32, t: f32) -> f32 {
-    let x = c * t;
-    let gain = x + 0.5 * x * x;
-    gain / (1.0 + gain)
 }
 
 /// What moves bodies on, in this order.
@@ -152,7 +134,7 @@ const COST: usize = 20;
 const FILL_COST: usize = 60;
 const ACCELERATE_COST: usize = 100;
 
-/// Moves the bodies in `rows` on: their states, what acts on them, and the velocities that a share of the warm start
+/// Moves the bodies in `rows` on, without damping: their states, what acts on them, and the velocities that a share of the warm start
 /// gives, all by row.
 pub(crate) fn integrate(
     (crew, width): (&Crew, Width),

@@ -8,6 +8,7 @@ mod block;
 mod constraint;
 mod constraint_graph;
 mod contact_block;
+mod damping;
 mod direct;
 mod effort;
 mod follow;

@@ -3,20 +3,19 @@
 use core::ops::Range;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-use crate::body::{Bodies, Effort, Forcing};
+use crate::body::{Bodies, Effort};
 use crate::collision::Contacts;
 use crate::compute::{BodyState, Crew, Shared, Width};
 use crate::math::Vec2;
 use crate::resolution::constraint::StepResidual;
 use crate::resolution::constraint_graph::ConstraintGraph;
+use crate::resolution::damping::{Damped, is_damped};
 use crate::resolution::direct::{Aim, DirectSolver};
 use crate::resolution::effort::EffortClass;
 use crate::resolution::follow::{Followers, add_shares};
 use crate::resolution::handover::{HandoverScene, Handovers};
 use crate::resolution::impacts::{ImpactScene, Impacts, bounce_threshold};
-use crate::resolution::integrate::{
-    Advance, Damping, Kick, Kicks, SpeedLimits, damping_loss, drift, integrate,
-};
+use crate::resolution::integrate::{Advance, Kick, Kicks, SpeedLimits, drift};
 use crate::resolution::kernel::{Sweep, SweepOver, WarmStart};
 use crate::resolution::load::Loads;
 use crate::resolution::projection::Project;
@@ -89,8 +88,7 @@ pub(crate) struct Solver {
     kicks: Kicks,
     /// By row: the part of its acceleration that stays the same during the step, m/s²; empty where all of it does.
     steady: Vec<Vec2>,
-    /// Rows with damping.
-    damped: Vec<Damping>,
+    damped: Damped,
     /// By row: the velocities that one share of the warm start gives.
     shares: Vec<BodyState>,
     pub(crate) impacts: Impacts,
@@ -313,7 +311,6 @@ impl Solver {
     ) {
         let (bodies, varies) = (&*tables.bodies, acceleration.varies());
         let forcing_of = |row: usize| &bodies.forcings[bodies.slot_of_row[row] as usize];
-        let is_damped = |forcing: &Forcing| forcing.linear_damping > 0.0 || forcing.angular_damping > 0.0;
         let has_damping = AtomicBool::new(false);
         self.kicks.reset(bodies.states.len());
         self.steady.clear();
@@ -343,12 +340,7 @@ impl Solver {
             let rows = class.rows.clone().map(|row| (row, forcing_of(row)));
             let is_moved = |row: usize| bodies.is_dynamic(bodies.slot_of_row[row]);
             let damped = rows.filter(|&(row, forcing)| is_moved(row) && is_damped(forcing));
-            let kick_time = scheme.kick_time();
-            self.damped.extend(damped.map(|(row, forcing)| Damping {
-                row: row as u32,
-                linear: damping_loss(forcing.linear_damping, kick_time),
-                angular: damping_loss(forcing.angular_damping, kick_time),
-            }));
+            self.damped.add(damped, scheme.kick_time());
         }
         if varies {
             self.accelerate(tables, &class.rows, acceleration);
@@ -457,21 +449,10 @@ impl Solver {
         tables: &mut SolveTables<'_>,
         advance: Advance,
     ) {
-        let damps = advance.kick.is_some() && !self.damped.is_empty();
-        let late = Advance { shares: advance.shares, ..Advance::NONE };
-        let first = if damps { Advance { shares: false, ..advance } } else { advance };
         let SolveTables { bodies: Bodies { states, .. }, crew, .. } = tables;
-        let (kicks, shares, means) = (&mut self.kicks, &self.shares[..], (*crew, scheme.width));
-        integrate(means, class.rows.clone(), (states, kicks, shares), first, scheme.limits);
-        if !damps {
-            return;
-        }
-        for &Damping { row, linear, angular } in &self.damped {
-            let state = &mut states[row as usize];
-            state.velocity = state.velocity - state.velocity * linear;
-            state.angular_velocity -= state.angular_velocity * angular;
-        }
-        integrate(means, class.rows.clone(), (states, kicks, shares), late, scheme.limits);
+        let (kicks, shares, means) = (&mut self.kicks, &mut self.shares[..], (*crew, scheme.width));
+        let tables = (&mut states[..], kicks, shares);
+        self.damped.integrate(means, class.rows.clone(), tables, advance, scheme.limits);
     }
 
     /// Writes impulses back into the contacts and carries back into the bodies.

@@ -295,3 +295,26 @@ fn a_box_query_over_upright_boxes_is_a_comparison_of_bounds() {
         }
     }
 }
+
+/// A few damped bodies get their part of the warm start one by one, many with all others.
+#[test]
+fn a_damped_body_moves_the_same_among_few_bodies_and_among_many() {
+    let with_others = |others: u32| {
+        let mut world = earth_with(Settings::default());
+        add_floor(&mut world, 0.5);
+        let mut ids: Vec<BodyId> =
+            (0..3).map(|row| add(&mut world, unit_box(0.2 * row as f64, 0.5 + row as f64))).collect();
+        ids.push(add(
+            &mut world,
+            unit_box(-5.0, 0.6).velocity([8.0, 0.0]).linear_damping(0.5).angular_damping(0.5),
+        ));
+        for other in 0..others {
+            add(&mut world, unit_box(1000.0 + 10.0 * f64::from(other), 100.0));
+        }
+        run(&mut world, 2.0);
+        ids.iter().map(|&id| (place(&world, id), velocity(&world, id), spin(&world, id))).collect::<Vec<_>>()
+    };
+    let alone = with_others(0);
+    assert!(alone[3].0[0] > -4.0 && alone[0].0 != [0.0, 0.5], "it slides, and hits: {alone:?}");
+    assert_eq!(alone, with_others(60));
+}

@@ -1,0 +1,92 @@
+//! Damping: the part of its velocity that a body loses with each kick.
+
+use core::ops::Range;
+
+use crate::body::Forcing;
+use crate::compute::{BodyState, Crew, Width};
+use crate::resolution::integrate::{Advance, Kicks, SpeedLimits, integrate};
+
+/// Damping of the body of a row, for one kick.
+#[derive(Clone, Copy, Debug)]
+struct Damping {
+    row: u32,
+    /// Share of the velocity that is lost, no unit.
+    linear: f32,
+    /// Share of the angular velocity that is lost, no unit.
+    angular: f32,
+}
+
+/// The bodies with damping.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Damped {
+    rows: Vec<Damping>,
+    /// Scratch: their shares of the warm start.
+    shares: Vec<BodyState>,
+}
+
+/// Whether a body has damping.
+#[inline(always)]
+pub(crate) fn is_damped(forcing: &Forcing) -> bool {
+    forcing.linear_damping > 0.0 || forcing.angular_damping > 0.0
+}
+
+/// Share of a velocity that damping `c` (1/s) takes in the time `t` (s): 1 - e^(-ct) to second order, and
+/// between 0 and 1 for every c ≥ 0. The share and not what is left, which so near to 1 has lost its digits.
+fn damping_loss(c: f32, t: f32) -> f32 {
+    let x = c * t;
+    let gain = x + 0.5 * x * x;
+    gain / (1.0 + gain)
+}
+
+impl Damped {
+    pub(crate) fn clear(&mut self) {
+        self.rows.clear();
+    }
+
+    /// Takes up some bodies with damping, by ascending row, for kicks of so many seconds.
+    pub(crate) fn add<'a>(&mut self, bodies: impl Iterator<Item = (usize, &'a Forcing)>, kick_time: f32) {
+        self.rows.extend(bodies.map(|(row, forcing)| Damping {
+            row: row as u32,
+            linear: damping_loss(forcing.linear_damping, kick_time),
+            angular: damping_loss(forcing.angular_damping, kick_time),
+        }));
+    }
+
+    /// Moves the bodies in `rows` on as [`integrate`] does. With each kick what is damped loses its part, and gets its
+    /// share of the warm start after that. Where only a few are damped, the others get theirs at once.
+    pub(crate) fn integrate(
+        &mut self,
+        means: (&Crew, Width),
+        rows: Range<usize>,
+        (states, kicks, shares): (&mut [BodyState], &mut Kicks, &mut [BodyState]),
+        advance: Advance,
+        limits: SpeedLimits,
+    ) {
+        if advance.kick.is_none() || self.rows.is_empty() {
+            return integrate(means, rows, (states, kicks, shares), advance, limits);
+        }
+        let is_few = self.rows.len() < rows.len() / 4;
+        let late = Advance { shares: advance.shares, ..Advance::NONE };
+        self.shares.clear();
+        if is_few && advance.shares {
+            let put_off =
+                |damping: &Damping| std::mem::replace(&mut shares[damping.row as usize], BodyState::REST);
+            self.shares.extend(self.rows.iter().map(put_off));
+        }
+        let first = Advance { shares: is_few && advance.shares, ..advance };
+        integrate(means, rows.clone(), (states, kicks, shares), first, limits);
+        for &Damping { row, linear, angular } in &self.rows {
+            let state = &mut states[row as usize];
+            state.velocity = state.velocity - state.velocity * linear;
+            state.angular_velocity -= state.angular_velocity * angular;
+        }
+        if !is_few {
+            return integrate(means, rows, (states, kicks, shares), late, limits);
+        }
+        for (&Damping { row, .. }, &share) in self.rows.iter().zip(&self.shares) {
+            let row = row as usize;
+            shares[row] = share;
+            integrate(means, row..row + 1, (states, kicks, shares), late, limits);
+        }
+    }
+}
