@@ -172,9 +172,7 @@ impl<'a> Pair<'a> {
 
     /// Whether one of the two is a circle that the other finds flat.
     fn is_flat(&self) -> bool {
-        let is_flat_for =
-            |motion: &Motion, other: &Motion| motion.is_round && is_flat(motion.extent, other.extent);
-        is_flat_for(self.motion_a, self.motion_b) || is_flat_for(self.motion_b, self.motion_a)
+        is_flat([self.motion_a, self.motion_b].map(|motion| (motion.is_round, motion.extent)))
     }
 
     /// How far the centres have moved against each other since the manifold was found, m.

@@ -6,6 +6,10 @@ use crate::body::Forcing;
 use crate::compute::{BodyState, Crew, Width};
 use crate::resolution::integrate::{Advance, Kicks, SpeedLimits, integrate};
 
+/// Up to one in so many counts as a few. By instructions, the share of a body on its own costs as much as those of some
+/// 25 bodies together.
+const ONE_IN: usize = 25;
+
 /// Damping of the body of a row, for one kick.
 #[derive(Clone, Copy, Debug)]
 struct Damping {
@@ -65,7 +69,7 @@ impl Damped {
         if advance.kick.is_none() || self.rows.is_empty() {
             return integrate(means, rows, (states, kicks, shares), advance, limits);
         }
-        let is_few = self.rows.len() < rows.len() / 4;
+        let is_few = self.rows.len() <= rows.len() / ONE_IN;
         let late = Advance { shares: advance.shares, ..Advance::NONE };
         self.shares.clear();
         if is_few && advance.shares {

@@ -134,8 +134,8 @@ const COST: usize = 20;
 const FILL_COST: usize = 60;
 const ACCELERATE_COST: usize = 100;
 
-/// Moves the bodies in `rows` on, without damping: their states, what acts on them, and the velocities that a share of the warm start
-/// gives, all by row.
+/// Moves the bodies in `rows` on, without damping: their states, what acts on them, and the velocities that a share of
+/// the warm start gives, all by row.
 pub(crate) fn integrate(
     (crew, width): (&Crew, Width),
     rows: Range<usize>,

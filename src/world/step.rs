@@ -17,7 +17,8 @@ use crate::world::sleep::{self, REST_SPEED, TIME_TO_SLEEP};
 const REFRESH_COST: usize = 20;
 const FINALIZE_COST: usize = 25;
 
-/// A body that moves by less than this share of its extent per step stays in its fat box for some steps.
+/// A body that moves by less than this share of its extent per step, no unit, stays in its fat box for some steps: the
+/// margin is more than two of them, up to 0.1 m.
 const SLOW_SHARE: f32 = 0.01;
 
 impl World {

@@ -155,10 +155,11 @@ impl BroadPhase {
         let fat = self.proxies[body as usize].fat;
         let (low, high) = (tight.min - fat.min, fat.max - tight.max);
         let narrowest = low.x.min(low.y).min(high.x).min(high.y);
-        // Bounds round by one digit each, here and where the box is looked at, and the ways since then a hundred times.
+        // Bounds are rounded here and where the box is looked at, by one digit each. The hundredth is for the rounding of
+        // sizes, and of the ways that are taken off the room.
         let reach = fat.min.abs().max(fat.max.abs());
         let room = 0.99 * narrowest - 4.0 * f32::EPSILON * reach.x.max(reach.y);
-        // Each side can be twice the way shorter then, which takes eight ways off the outline and one off the margins.
+        // By then each of four sides may be shorter by twice the room, and the margins, a part of them, by a little.
         let least_perimeter = fattened(tight, Vec2::ZERO).perimeter() - 9.0 * room;
         if fat.perimeter() < 0.99 * TOO_BIG * least_perimeter { room } else { 0.0 }
     }

@@ -14,10 +14,13 @@ use crate::shape::{Circle, Shape};
 /// in 80,000 of it.
 const FLAT_RADIUS: f32 = 1e4;
 
-/// Whether a shape of this extent, m, finds a circle of this radius, m, flat.
+/// Whether one of two shapes is a circle that the other finds flat. Of each: whether it is a circle, and its extent, m.
 #[inline(always)]
-pub(crate) fn is_flat(radius: f32, extent: f32) -> bool {
-    radius > FLAT_RADIUS * extent
+pub(crate) fn is_flat([a, b]: [(bool, f32); 2]) -> bool {
+    let is_flat_for = |(is_circle, radius): (bool, f32), (_, extent): (bool, f32)| {
+        is_circle && radius > FLAT_RADIUS * extent
+    };
+    is_flat_for(a, b) || is_flat_for(b, a)
 }
 
 /// a is the large circle, b the other shape.

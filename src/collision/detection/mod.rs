@@ -54,8 +54,8 @@ use crate::shape::Shape;
 /// ```
 pub fn detect(shape_a: &Shape, pose_a: Pose, shape_b: &Shape, pose_b: Pose) -> Option<Manifold> {
     let offset = Offset::between(pose_a.center, pose_b.center);
-    let is_flat_for = |shape: &Shape, other: &Shape| matches!(shape, Shape::Circle(circle) if is_flat(circle.radius(), other.extent()));
-    let is_flat = is_flat_for(shape_a, shape_b) || is_flat_for(shape_b, shape_a);
+    let is_flat =
+        is_flat([shape_a, shape_b].map(|shape| (matches!(shape, Shape::Circle(_)), shape.extent())));
     let detect = if is_flat { detect_flat } else { detect_from };
     detect(shape_a, pose_a.rotation, shape_b, pose_b.rotation, offset, 0.0)
 }
