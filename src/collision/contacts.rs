@@ -145,11 +145,16 @@ impl Contact {
 
     /// Whether the bodies turn about one corner: it alone was pressed, and what other point there is has lifted off.
     pub(crate) fn pivots(&self) -> bool {
-        let is_loaded = |point: &&ManifoldPoint| point.normal_impulse > 0.0;
-        let points = self.manifold.points();
         let lifted = LIFTED_SHARE * self.thickness;
-        points.iter().filter(is_loaded).count() == 1
-            && points.iter().all(|point| point.normal_impulse > 0.0 || point.separation > lifted)
+        match self.manifold.points() {
+            [one] => one.normal_impulse > 0.0,
+            [one, other] => match (one.normal_impulse > 0.0, other.normal_impulse > 0.0) {
+                (true, false) => other.separation > lifted,
+                (false, true) => one.separation > lifted,
+                _ => false,
+            },
+            _ => false,
+        }
     }
 
     /// The other body of the contact.
@@ -167,16 +172,15 @@ impl Contact {
 pub(crate) type SharedContacts<'a> = SharedSlots<'a, Contact>;
 
 impl SharedContacts<'_> {
-    /// Asks for what the contacts further on in a list are read for, which no other thread changes; `ahead` names the
-    /// one so many places ahead.
+    /// Asks for what the contacts further on in a `list` than `place` are read for, which no other thread changes.
     #[inline(always)]
-    pub(crate) fn prefetch_ahead(&self, bodies: &Bodies, ahead: impl Fn(usize) -> Option<u32>) {
-        if let Some(index) = ahead(AHEAD) {
+    pub(crate) fn prefetch_ahead(&self, bodies: &Bodies, list: &[u32], place: usize) {
+        if let Some(&index) = list.get(place + AHEAD) {
             for slot in self.change(index, |contact| contact.slots) {
                 prefetch(&bodies.motions, slot as usize);
             }
         }
-        if let Some(index) = ahead(2 * AHEAD) {
+        if let Some(&index) = list.get(place + 2 * AHEAD) {
             self.prefetch(index);
         }
     }

@@ -67,19 +67,32 @@ pub(crate) fn refresh(contact: &mut Contact, bodies: &Bodies, settings: Refresh)
     contact.has_bounced = false;
     contact.approach_speed = 0.0;
     let upkeep = pair.upkeep(contact, settings.recycling);
-    contact.is_kept = matches!(upkeep, Upkeep::Recycle);
+    contact.is_kept = matches!(upkeep, Upkeep::Recycle(_));
     match upkeep {
-        Upkeep::Recycle => pair.recycle(contact),
+        Upkeep::Recycle(since) => recycle(contact, since),
         Upkeep::LeaveAsFollowed => contact.followed_steps += 1,
         Upkeep::FindAnew(course) => pair.find_anew(contact, course),
     }
     contact.follows = !contact.is_kept && (pair.has_circle() || contact.pivots()) && !pair.is_flat();
 }
 
+/// Keeps the normal, and the anchors on their bodies, which they turn with: what topples does so about where it
+/// stands now. Each separation follows the motion since they were found:
+/// s = s₀ + n·(Δoffset + (1 - R_b⁻¹) r_b - (1 - R_a⁻¹) r_a).
+fn recycle(contact: &mut Contact, Since { moved, turned }: Since) {
+    let [back_a, back_b] = turned.map(Rot::inverse).map(|turned| LaneRot { c: turned.c, s: turned.s });
+    let (normal, separations) = (contact.manifold.normal, contact.frozen.separations);
+    for (point, then) in contact.manifold.points_mut().iter_mut().zip(separations) {
+        let tip_a: Vec2 = back_a.displacement(point.anchor_a.into()).into();
+        let tip_b: Vec2 = back_b.displacement(point.anchor_b.into()).into();
+        point.separation = then + normal.dot(moved - tip_b + tip_a);
+    }
+}
+
 /// How a manifold is brought up to date.
 enum Upkeep {
     /// Normal and anchors are kept.
-    Recycle,
+    Recycle(Since),
     /// It has been followed to where it is.
     LeaveAsFollowed,
     FindAnew(Course),
@@ -111,6 +124,15 @@ struct Course {
     motion: Vec2,
     /// Farthest that the outlines can come closer by turning, m.
     turning: f32,
+}
+
+/// How two bodies have moved since their manifold was found.
+#[derive(Clone, Copy)]
+struct Since {
+    /// Translation of b against a, m.
+    moved: Vec2,
+    /// Rotations of a and b. The outline of a circle does not turn with it.
+    turned: [Rot; 2],
 }
 
 impl<'a> Pair<'a> {
@@ -175,12 +197,6 @@ impl<'a> Pair<'a> {
         is_flat([self.motion_a, self.motion_b].map(|motion| (motion.is_round, motion.extent)))
     }
 
-    /// How far the centres have moved against each other since the manifold was found, m.
-    #[inline(always)]
-    fn moved_since(&self, then: &Frozen) -> Vec2 {
-        (self.offset.near - then.offset.near) + (self.offset.rest - then.offset.rest)
-    }
-
     /// How far the bodies may move against each other before their manifold is found anew, m.
     fn recycle_distance(&self) -> f32 {
         let extent = self.motion_a.extent.min(self.motion_b.extent);
@@ -191,69 +207,59 @@ impl<'a> Pair<'a> {
         }
     }
 
-    /// Rotations of a and b since the manifold was found. The outline of a circle does not turn with it.
-    fn turned_since(&self, then: &Frozen) -> [Rot; 2] {
-        let since = |motion: &Motion, then: Rot| {
+    /// How the bodies have moved against each other since their manifold was found.
+    #[inline(always)]
+    fn since(&self, then: &Frozen) -> Since {
+        let turned = |motion: &Motion, then: Rot| {
             if motion.is_round { Rot::IDENTITY } else { motion.pose.rotation * then.inverse() }
         };
-        [since(self.motion_a, then.rotation_a), since(self.motion_b, then.rotation_b)]
+        Since {
+            moved: (self.offset.near - then.offset.near) + (self.offset.rest - then.offset.rest),
+            turned: [turned(self.motion_a, then.rotation_a), turned(self.motion_b, then.rotation_b)],
+        }
     }
 
-    /// How the manifold is to be brought up to date.
+    /// How the manifold is to be brought up to date. What carries load keeps it while the bodies are nearly where they were,
+    /// but not that of a single corner, over which a body topples: its arm is what decides whether and when.
     #[inline(always)]
     fn upkeep(&self, contact: &Contact, recycling: bool) -> Upkeep {
-        if recycling && self.stays_under_load(contact) {
-            return Upkeep::Recycle;
+        if !recycling || contact.manifold.points().is_empty() {
+            return Upkeep::FindAnew(self.course());
+        }
+        let since = self.since(&contact.frozen);
+        let is_loaded = contact.is_loaded();
+        let pivots = is_loaded && contact.pivots() && !self.has_circle();
+        if is_loaded && !pivots && self.stays(&since) {
+            return Upkeep::Recycle(since);
         }
         let course = self.course();
-        let has_points = !contact.manifold.points().is_empty();
-        let rests = recycling && has_points && self.rests(course, &contact.frozen);
         let was_followed = contact.follows && contact.followed_steps < LONGEST_FOLLOWED;
-        if rests && !contact.is_loaded() {
-            Upkeep::Recycle
-        } else if rests && was_followed && !self.has_circle() && contact.pivots() {
+        let may_rest = !is_loaded || (was_followed && pivots);
+        if !may_rest || !self.rests(course, &since) {
+            Upkeep::FindAnew(course)
+        } else if is_loaded {
             Upkeep::LeaveAsFollowed
         } else {
-            Upkeep::FindAnew(course)
+            Upkeep::Recycle(since)
         }
     }
 
-    /// Whether the manifold carries load, and the bodies are nearly where they were. Not that of a single corner, over
-    /// which a body topples: its arm is what decides whether and when.
-    fn stays_under_load(&self, contact: &Contact) -> bool {
+    /// Whether the bodies are nearly where they were.
+    fn stays(&self, since: &Since) -> bool {
         let distance = self.recycle_distance();
-        let pivots = contact.pivots() && !self.has_circle();
-        contact.is_loaded()
-            && !pivots
-            && self.moved_since(&contact.frozen).length_squared() < distance * distance
-            && self.turned_since(&contact.frozen).iter().all(|turned| turned.c > RECYCLE_COSINE)
+        since.moved.length_squared() < distance * distance
+            && since.turned.iter().all(|turned| turned.c > RECYCLE_COSINE)
     }
 
     /// Whether the bodies are slow, and have hardly moved against each other since then.
-    fn rests(&self, Course { motion, turning }: Course, then: &Frozen) -> bool {
+    fn rests(&self, Course { motion, turning }: Course, since: &Since) -> bool {
         let near = self.near();
         if (motion.length() + turning) * REST_TIME >= near * self.dt {
             return false;
         }
-        let [turned_a, turned_b] = self.turned_since(then);
+        let [turned_a, turned_b] = since.turned;
         let swung = turned_a.s.abs() * self.motion_a.extent + turned_b.s.abs() * self.motion_b.extent;
-        turned_a.c > 0.0 && turned_b.c > 0.0 && self.moved_since(then).length() + swung < REST_SHARE * near
-    }
-
-    /// Keeps the normal, and the anchors on their bodies, which they turn with: what topples does so about where it
-    /// stands now. Each separation follows the motion since they were found:
-    /// s = s₀ + n·(Δoffset + (1 - R_b⁻¹) r_b - (1 - R_a⁻¹) r_a).
-    fn recycle(&self, contact: &mut Contact) {
-        let frozen = &contact.frozen;
-        let turned = self.turned_since(frozen).map(Rot::inverse);
-        let [back_a, back_b] = turned.map(|turned| LaneRot { c: turned.c, s: turned.s });
-        let moved = self.moved_since(frozen);
-        let normal = contact.manifold.normal;
-        for (point, then) in contact.manifold.points_mut().iter_mut().zip(frozen.separations) {
-            let tip_a: Vec2 = back_a.displacement(point.anchor_a.into()).into();
-            let tip_b: Vec2 = back_b.displacement(point.anchor_b.into()).into();
-            point.separation = then + normal.dot(moved - tip_b + tip_a);
-        }
+        turned_a.c > 0.0 && turned_b.c > 0.0 && since.moved.length() + swung < REST_SHARE * near
     }
 
     /// Finds the manifold; impulses stay with their feature.

@@ -88,16 +88,44 @@ impl ConstraintGraph {
         &mut self.colours[effort as usize * SECTION..][..SECTION]
     }
 
-    /// Calls `look` with the contacts of an effort that are more than bodies at rest on each other, in the order in
+    /// Calls `look` with the contacts of an effort that may bounce, follow the surface, or be handed over, in the order in
     /// which they are solved.
-    pub(crate) fn for_each_lively(&self, effort: Effort, mut look: impl FnMut(u32)) {
+    pub(crate) fn for_each_lively(
+        &self,
+        effort: Effort,
+        (contacts, bodies): (&Contacts, &Bodies),
+        mut look: impl FnMut(u32),
+    ) {
         let (colours, overflow) = self.section(effort).split_at(COLOURS);
         for colour in overflow.iter().chain(colours) {
-            for (number, block) in colour.blocks.iter().enumerate() {
+            let lively = |number: usize, look: &mut dyn FnMut(u32)| {
                 let indices = part(&colour.contacts, number);
-                block.lively().for_each(|place| look(indices[place]));
+                let marks = colour.blocks.get(number).map(ContactBlock::lively).unwrap_or_default();
+                marks.for_each(|place| look(indices[place]));
+            };
+            for number in 0..colour.blocks.len() {
+                lively(number + 2, &mut |index| contacts.prefetch(index));
+                lively(number + 1, &mut |index| contacts.prefetch_bodies(index, bodies));
+                lively(number, &mut look);
             }
         }
+    }
+
+    /// Blocks of an effort, by colour and number in it, with contacts that may begin to bear load.
+    pub(crate) fn blocks_with_newcomers(&self, effort: Effort) -> impl Iterator<Item = (u32, usize)> {
+        let first = effort as usize * SECTION;
+        let (colours, overflow) = (first..first + OVERFLOW, first + OVERFLOW);
+        core::iter::once(overflow).chain(colours).flat_map(|colour| {
+            let blocks = self.colours[colour].blocks.iter().enumerate();
+            blocks.filter(|(_, block)| block.has_newcomers()).map(move |(number, _)| (colour as u32, number))
+        })
+    }
+
+    /// Calls `visit` with the places of the contacts of a block, colour and number in it, that the last sweep has found
+    /// to begin to bear load.
+    pub(crate) fn newly_loaded(&self, (colour, number): (u32, usize), mut visit: impl FnMut((u32, u32))) {
+        let marks = self.colours[colour as usize].blocks[number].newly_loaded();
+        marks.for_each(|place| visit((colour, (number * COLUMN + place) as u32)));
     }
 
     /// Indices of all contacts of an effort, in the order in which they are solved: the overflow, then the colours.
@@ -223,13 +251,6 @@ impl ConstraintGraph {
     pub(crate) fn constraint(&self, place: (u32, u32)) -> ContactConstraint<f32> {
         let (block, place) = self.block(place);
         block.load_one(place)
-    }
-
-    /// Whether the contact at a place of the graph presses its bodies apart, and had no impulses to start this substep
-    /// from.
-    pub(crate) fn is_newly_loaded(&self, place: (u32, u32)) -> bool {
-        let (block, place) = self.block(place);
-        block.is_newly_loaded(place)
     }
 
     /// The rows of the bodies of the contact at a place of the graph.

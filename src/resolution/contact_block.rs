@@ -1,12 +1,15 @@
 //! How contacts are stored while a step is solved: eight to a block, column by column, so that lanes of any width
 //! load and store them without turning rows into columns.
 
+mod end;
+mod marks;
+
 use crate::body::{Bodies, Motion, NONE};
 use crate::collision::{Contact, Contacts, ManifoldPoint};
-use crate::compute::{BodyState, COLUMN, Column, GROUND_ROW, Lane, LaneVec2, RowPairs, Rows, Shared};
-use crate::resolution::constraint::{
-    ConstraintPoint, ContactConstraint, PointFriction, Special, StepResidual, THERE,
-};
+use crate::compute::{BodyState, COLUMN, Column, GROUND_ROW, Lane, RowPairs, Rows, Shared};
+use crate::resolution::constraint::{ConstraintPoint, ContactConstraint, PointFriction, Special, THERE};
+pub(crate) use crate::resolution::contact_block::end::{BlockEnd, ContactEnds};
+pub(crate) use crate::resolution::contact_block::marks::Marks;
 
 /// Eight contacts. Those of one colour share no movable body; a block that is not full ends with contacts of the
 /// ground with itself, without points.
@@ -20,8 +23,13 @@ pub(crate) struct ContactBlock {
     /// Whether any of the contacts has something special.
     is_special: bool,
     fit: Fit,
-    /// Contacts that are more than bodies at rest on each other.
+    /// Contacts that may bounce, follow the surface, or be handed over.
     lively: Marks,
+    /// Contacts of two points and with friction that bear no load as the step begins.
+    newcomers: Marks,
+    /// Contacts that bear load since the last sweep, and had no impulses to start this substep from; only in blocks with
+    /// newcomers.
+    newly_loaded: Marks,
     /// What the caller calls those of them that follow the surface; `NONE` where there are none.
     pub(crate) followers: u32,
     columns: ContactConstraint<Column>,
@@ -50,47 +58,6 @@ impl Fit {
     const ALL: Self = Self { is_single: true, is_smooth: true, is_still: true };
 }
 
-/// One of the points of eight contacts at the end of the step.
-#[derive(Clone, Copy, Debug, Default)]
-pub(crate) struct PointEnds {
-    separation: Column,
-    approach_speed: Column,
-    /// From the centres, turned with the bodies.
-    anchor_a: LaneVec2<Column>,
-    anchor_b: LaneVec2<Column>,
-}
-
-/// Some of the eight contacts of a block.
-#[derive(Clone, Copy, Debug, Default)]
-pub(crate) struct Marks(u8);
-
-impl Marks {
-    /// Marks the contact at `place`, below [`COLUMN`], that is not marked yet, or not.
-    #[inline(always)]
-    pub(crate) fn set(&mut self, place: usize, is_marked: bool) {
-        self.0 |= u8::from(is_marked) << place;
-    }
-
-    /// Calls `visit` with the places of the marked contacts, in order.
-    #[inline(always)]
-    pub(crate) fn for_each(mut self, mut visit: impl FnMut(usize)) {
-        while self.0 != 0 {
-            visit(self.0.trailing_zeros() as usize);
-            self.0 &= self.0 - 1;
-        }
-    }
-}
-
-/// What a step did to the contacts of a block.
-#[derive(Clone, Copy, Debug, Default)]
-pub(crate) struct BlockEnd {
-    /// Contacts under lasting load.
-    pub(crate) lasting: Marks,
-    /// Contacts that may have begun or ceased to touch.
-    pub(crate) changing: Marks,
-    pub(crate) residual: StepResidual,
-}
-
 impl ContactBlock {
     /// Takes over some contacts, as many as there are places or less, as the step begins. Their impulses are
     /// multiplied by `scale`, the length of a substep now over that of the substep they were found in. Effective
@@ -104,6 +71,7 @@ impl ContactBlock {
         self.is_special = false;
         self.fit = Fit::ALL;
         self.lively = Marks::default();
+        self.newcomers = Marks::default();
         self.followers = NONE;
         self.columns.special.awaits_impact = Default::default();
         for (place, &index) in indices.iter().enumerate() {
@@ -111,6 +79,7 @@ impl ContactBlock {
         }
     }
 
+    #[inline(always)]
     fn put(&mut self, place: usize, contact: &Contact, bodies: &Bodies, scale: f32) {
         let [a, b] = contact.slots.map(|slot| &bodies.motions[slot as usize]);
         self.rows.set(place, [a.row, b.row]);
@@ -122,7 +91,7 @@ impl ContactBlock {
         let special = &mut columns.special;
         special.turns_a.set(place, if a.is_round { 0.0 } else { 1.0 });
         special.turns_b.set(place, if b.is_round { 0.0 } else { 1.0 });
-        self.is_special |= a.is_round || b.is_round;
+        self.is_special |= a.is_round | b.is_round;
         columns.friction.set(place, contact.friction);
         columns.normal.store(place, contact.manifold.normal.into());
         // A spin of 0 stays 0, and not -0, where nothing can change it.
@@ -130,28 +99,33 @@ impl ContactBlock {
             motion.inverse_inertia == 0.0
                 && bodies.states[motion.row as usize].angular_velocity.to_bits() == 0
         };
-        self.fit.is_still &= is_still(a) && is_still(b);
-        self.fit.is_single &= contact.manifold.points().len() < 2;
-        self.fit.is_smooth &= contact.friction == 0.0;
-        let mut is_loaded = false;
-        let mut points = contact.manifold.points().iter();
-        for (to, friction) in columns.points.iter_mut().zip(&mut columns.frictions) {
-            let (point, k) = points.next().map_or((ManifoldPoint::default(), 0.0), |point| (*point, THERE));
-            is_loaded |= point.normal_impulse > 0.0;
-            to.anchor_a.store(place, point.anchor_a.into());
-            to.anchor_b.store(place, point.anchor_b.into());
-            to.separation.set(place, point.separation);
-            to.normal_k.set(place, k);
-            to.normal_impulse.set(place, scale * point.normal_impulse);
-            friction.impulse.set(place, scale * point.tangent_impulse);
-            // The warm start of a block whose contacts have one point each finds that of the first only.
-            friction.normal_share.set(place, 0.0);
-            // What friction did before it ceased is still to be taken back.
-            self.fit.is_smooth &= point.tangent_impulse == 0.0;
-        }
-        let rests = contact.is_kept && is_loaded;
-        let is_plain = rests && contact.restitution == 0.0 && !a.is_round && !b.is_round;
-        self.lively.set(place, !is_plain);
+        self.fit.is_still = self.fit.is_still && is_still(a) && is_still(b);
+        let points = contact.manifold.points();
+        let rubs = [0, 1].map(|index| self.put_point(index, place, points.get(index), scale));
+        self.fit.is_single &= points.len() < 2;
+        // What friction did before it ceased is still to be taken back.
+        self.fit.is_smooth &= contact.friction == 0.0 && rubs == [false; 2];
+        let begins = !contact.is_loaded() && points.len() == 2 && contact.friction > 0.0;
+        let rolls = (a.is_round | b.is_round) && (a.inverse_mass > 0.0) != (b.inverse_mass > 0.0);
+        self.newcomers.set(place, begins);
+        self.lively.set(place, contact.restitution > 0.0 || contact.follows || rolls);
+    }
+
+    /// Takes over a point, or that there is none; returns whether friction has acted at it.
+    #[inline(always)]
+    fn put_point(&mut self, index: usize, place: usize, point: Option<&ManifoldPoint>, scale: f32) -> bool {
+        let none = ManifoldPoint::default();
+        let (k, point) = point.map_or((0.0, &none), |point| (THERE, point));
+        let (to, friction) = (&mut self.columns.points[index], &mut self.columns.frictions[index]);
+        to.anchor_a.store(place, point.anchor_a.into());
+        to.anchor_b.store(place, point.anchor_b.into());
+        to.separation.set(place, point.separation);
+        to.normal_k.set(place, k);
+        to.normal_impulse.set(place, scale * point.normal_impulse);
+        friction.impulse.set(place, scale * point.tangent_impulse);
+        // The warm start of a block whose contacts have one point each finds that of the first only.
+        friction.normal_share.set(place, 0.0);
+        point.tangent_impulse != 0.0
     }
 
     /// Finds the effective masses.
@@ -179,71 +153,36 @@ impl ContactBlock {
         }
     }
 
-    /// Finds where the points are at the end of the step.
-    #[inline(always)]
-    pub(crate) fn end<L: Lane>(&self, place: usize, states: &[BodyState], ends: &mut [PointEnds; 2]) {
-        let constraint = self.load::<L>(place);
-        let [a, b] = self.gather(states, place);
-        for (point, end) in constraint.points.iter().zip(ends) {
-            constraint.separation(point, &a, &b).store(&mut end.separation, place);
-            let approach = -constraint.normal.dot(point.relative_velocity(&a, &b));
-            approach.store(&mut end.approach_speed, place);
-            let [tip_a, tip_b] = constraint.turned(point, &a, &b);
-            end.anchor_a.store(place, point.anchor_a + tip_a);
-            end.anchor_b.store(place, point.anchor_b + tip_b);
-        }
-    }
-
-    /// Writes impulses and separations back into a contact; adds what is left wrong to `residual`. Returns the
-    /// greatest k λ of its points, m/s.
-    pub(crate) fn finish(
-        &self,
-        place: usize,
-        ends: &[PointEnds; 2],
-        contact: &mut Contact,
-        residual: &mut StepResidual,
-    ) -> f32 {
-        let mut load: f32 = 0.0;
-        if contact.follows {
-            contact.manifold.normal = self.columns.normal.load::<f32>(place).into();
-        }
-        for (index, stored) in contact.manifold.points_mut().iter_mut().enumerate() {
-            let (point, end) = (&self.columns.points[index], &ends[index]);
-            let separation = end.separation.get(place);
-            stored.separation = separation;
-            // What follows is there already.
-            let [anchor_a, anchor_b] =
-                if contact.follows { [point.anchor_a, point.anchor_b] } else { [end.anchor_a, end.anchor_b] };
-            stored.anchor_a = anchor_a.load::<f32>(place).into();
-            stored.anchor_b = anchor_b.load::<f32>(place).into();
-            stored.normal_impulse = point.normal_impulse.get(place);
-            stored.tangent_impulse = self.columns.frictions[index].impulse.get(place);
-            residual.penetration = residual.penetration.max(-separation);
-            load = load.max(point.normal_k.get(place) * stored.normal_impulse);
-            if separation <= 0.0 && self.columns.special.awaits_impact[index].get(place) == 0.0 {
-                residual.approach_speed = residual.approach_speed.max(end.approach_speed.get(place));
-            }
-        }
-        load
-    }
-
     /// What none of the contacts needs.
     #[inline(always)]
     pub(crate) fn fit(&self) -> Fit {
         self.fit
     }
 
-    /// The contacts that may bounce, follow the surface, begin to bear load or be handed over: all but those of bodies
-    /// that rest on each other, without restitution and without a circle.
+    /// The contacts that may bounce, follow the surface, or be handed over.
     pub(crate) fn lively(&self) -> Marks {
         self.lively
     }
 
-    /// Whether a contact presses its bodies apart, and had no impulses to start this substep from.
-    pub(crate) fn is_newly_loaded(&self, place: usize) -> bool {
-        let ContactConstraint { points, frictions, .. } = &self.columns;
-        points.iter().any(|point| point.normal_impulse.get(place) > 0.0)
-            && frictions.iter().all(|friction| friction.normal_share.get(place) == 0.0)
+    /// Whether there are contacts that may begin to bear load.
+    pub(crate) fn has_newcomers(&self) -> bool {
+        self.newcomers.any()
+    }
+
+    /// Those of them that the last sweep has found to bear load, and that had no impulses to start this substep from.
+    pub(crate) fn newly_loaded(&self) -> Marks {
+        self.newly_loaded.and(self.newcomers)
+    }
+
+    /// Takes note of which contacts that is so, from `place` on, a multiple of the lane's width.
+    #[inline(always)]
+    pub(crate) fn note_newly_loaded<L: Lane>(&mut self, place: usize, constraint: &ContactConstraint<L>) {
+        let zero = L::splat(0.0);
+        let greatest = |[first, second]: [L; 2]| first.max(second).greater(zero);
+        let is_pressed = greatest(constraint.points.map(|point| point.normal_impulse));
+        let had_share = greatest(constraint.frictions.map(|friction| friction.normal_share));
+        let bits = L::bits(is_pressed) & !L::bits(had_share);
+        self.newly_loaded.write::<L>(place, bits);
     }
 
     /// The contacts from `place` on, a multiple of the lane's width.

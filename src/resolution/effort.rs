@@ -140,6 +140,24 @@ impl EffortTables<'_> {
         self.contacts.get(index).map_or([NONE; 2], |contact| contact.slots)
     }
 
+    /// What joins an island that is left alone is left alone with it.
+    fn leave_alone(&mut self, slots: [u32; 2], tick: u64) {
+        if slots.into_iter().any(|slot| slot == NONE || !self.moves(slot)) {
+            return;
+        }
+        let [a, b] = slots.map(|slot| {
+            let record = &self.bodies.records[slot];
+            (record.effort == Effort::Plain).then_some(record.quiet_until)
+        });
+        if let (Some(a), Some(b)) = (a, b) {
+            let (earlier, later) = if a < b { (slots[0], b) } else { (slots[1], a) };
+            let record = &mut self.bodies.records[earlier];
+            if later > tick && record.quiet_until <= tick {
+                record.quiet_until = later;
+            }
+        }
+    }
+
     /// Velocity that a unit of impulse through both centres gives the bodies of a contact, 1/kg.
     fn inverse_mass(&self, contact: &Contact) -> f32 {
         contact.slots.iter().map(|&slot| self.bodies.motions[slot as usize].inverse_mass).sum()
@@ -196,7 +214,9 @@ impl Efforts {
         }
         let lasting = if tick % LOOK_STEPS == 0 { &loads.lasting[..] } else { &[] };
         for &index in lasting {
-            for slot in tables.slots(index) {
+            let slots = tables.slots(index);
+            tables.leave_alone(slots, tick);
+            for slot in slots {
                 self.decide_island(slot, (tick, allowance), &mut tables);
             }
         }
@@ -277,7 +297,14 @@ impl Efforts {
         let can_go_on = allowance.adapts && (has != Effort::Direct || may_be_direct);
         let falls = wanted < has && can_go_on;
         let effort = if falls && calm < CALM_STEPS { has } else { wanted };
-        self.give(effort, if falls { calm.saturating_add(1) } else { 0 }, tables);
+        let calm_steps = if falls { calm.saturating_add(1) } else { 0 };
+        if effort == has && effort == Effort::Plain {
+            for &slot in &self.island {
+                tables.bodies.records[slot].calm_steps = calm_steps;
+            }
+        } else {
+            self.give(effort, calm_steps, tables);
+        }
         if effort == Effort::Plain {
             let pause = if may_be_direct { RETRY_STEPS } else { QUIET_STEPS };
             let until = if is_quiet { quiet_until } else { tick + pause };

@@ -176,6 +176,9 @@ impl SweepOver<'_> {
             }
         }
         block.store_normal_impulses::<L, POINTS>(place, &constraint);
+        if POINTS == 2 && block.has_newcomers() {
+            block.note_newly_loaded(place, &constraint);
+        }
         if kind.friction {
             for index in 0..POINTS {
                 solve_friction(&mut constraint, index, &mut a, &mut b);

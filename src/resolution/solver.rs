@@ -94,10 +94,10 @@ pub(crate) struct Solver {
     pub(crate) impacts: Impacts,
     followers: Followers,
     handovers: Handovers,
-    /// Places in the constraint graph of contacts of two points, and with friction, that bear no load yet as the step
-    /// begins.
-    newcomers: Vec<(u32, u32)>,
-    /// Scratch: those of them that begin to in this substep.
+    /// Blocks of the constraint graph, by colour and number in it, with contacts of two points and with friction that
+    /// bear no load yet as the step begins.
+    newcomers: Vec<(u32, usize)>,
+    /// Scratch: places of those of them that begin to in this substep.
     loaded_newcomers: Vec<(u32, u32)>,
     direct: DirectSolver,
 }
@@ -355,7 +355,7 @@ impl Solver {
         self.followers.clear();
         self.handovers.clear();
         self.newcomers.clear();
-        tables.graph.for_each_lively(effort, |index| {
+        tables.graph.for_each_lively(effort, (contacts, bodies), |index| {
             let contact = &contacts[index];
             if contact.restitution > 0.0 {
                 let accelerations =
@@ -367,12 +367,11 @@ impl Solver {
             if effort == Effort::Direct {
                 return;
             }
-            let rubs = contact.friction > 0.0;
-            if rubs && !contact.is_loaded() && contact.manifold.points().len() == 2 {
-                self.newcomers.extend(contact.graph_place);
-            }
             self.handovers.consider(index, contact, bodies);
         });
+        if effort != Effort::Direct {
+            self.newcomers.extend(tables.graph.blocks_with_newcomers(effort));
+        }
         self.followers.mark(tables.graph);
         self.handovers.group();
     }
@@ -417,7 +416,9 @@ impl Solver {
         states: &mut [BodyState],
     ) {
         self.loaded_newcomers.clear();
-        self.loaded_newcomers.extend(self.newcomers.iter().filter(|&&place| graph.is_newly_loaded(place)));
+        for &block in &self.newcomers {
+            graph.newly_loaded(block, |place| self.loaded_newcomers.push(place));
+        }
         let sweep = scheme.sweep_over(states, kind);
         for _ in 0..NEWCOMER_SWEEPS {
             for &place in &self.loaded_newcomers {

@@ -94,7 +94,7 @@ impl World {
         let (awake, contacts) = self.contacts.awake_shared();
         crew.run((awake, &mut is_close_now[..]), REFRESH_COST, |(awake, is_close_now)| {
             for (place, (&index, is_close_now)) in awake.iter().zip(is_close_now).enumerate() {
-                contacts.prefetch_ahead(bodies, |by| awake.get(place + by).copied());
+                contacts.prefetch_ahead(bodies, awake, place);
                 contacts.change(index, |contact| {
                     refresh(contact, bodies, how);
                     // Bodies with points are close, whatever their boxes say.

@@ -7,7 +7,7 @@ use crate::collision::{Contacts, SharedContacts};
 use crate::compute::{self, BodyState, COLUMN, Crew, Job, Lane, Width};
 use crate::resolution::constraint::StepResidual;
 use crate::resolution::constraint_graph::{COLOURS, Colour, ConstraintGraph};
-use crate::resolution::contact_block::{BlockEnd, ContactBlock, PointEnds};
+use crate::resolution::contact_block::{BlockEnd, ContactBlock, ContactEnds};
 use crate::resolution::kernel::Kernel;
 use crate::resolution::load::{LoadMeasure, Loads};
 
@@ -188,21 +188,22 @@ struct Finish<'a> {
 impl Job for Finish<'_> {
     #[inline(always)]
     fn run<L: Lane>(self) {
-        let mut points = [PointEnds::default(); 2];
+        let mut ends = ContactEnds::default();
         for (number, (block, end)) in (self.first..).zip(self.blocks.iter().zip(self.ends)) {
             for &index in part(self.of_colour, number + 1) {
                 self.contacts.prefetch(index);
             }
             let indices = part(self.of_colour, number);
             for place in (0..indices.len()).step_by(L::WIDTH) {
-                block.end::<L>(place, self.states, &mut points);
+                block.end::<L>(place, self.states, &mut ends);
             }
-            *end = BlockEnd::default();
+            *end = BlockEnd { residual: ends.residual(indices.len()), ..BlockEnd::default() };
             for (place, &index) in indices.iter().enumerate() {
                 self.contacts.change(index, |contact| {
-                    let speed = block.finish(place, &points, contact, &mut end.residual);
-                    end.lasting.set(place, self.measure.is_lasting(contact, speed));
-                    end.changing.set(place, contact.has_touched() != contact.is_touching);
+                    block.finish(place, &ends, contact);
+                    end.lasting.set(place, self.measure.is_lasting(contact, ends.load.get(place)));
+                    let touches = contact.has_bounced || ends.touching.get(place);
+                    end.changing.set(place, touches != contact.is_touching);
                 });
             }
         }

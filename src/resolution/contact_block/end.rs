@@ -1,0 +1,116 @@
+//! The end of the step: what it did to the contacts of a block, written back into them.
+
+use crate::collision::Contact;
+use crate::compute::{BodyState, Column, Lane, LaneVec2};
+use crate::resolution::constraint::StepResidual;
+use crate::resolution::contact_block::{ContactBlock, Marks};
+
+/// What a step did to the contacts of a block.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct BlockEnd {
+    /// Contacts under lasting load.
+    pub(crate) lasting: Marks,
+    /// Contacts that may have begun or ceased to touch.
+    pub(crate) changing: Marks,
+    pub(crate) residual: StepResidual,
+}
+
+/// One of the points of eight contacts at the end of the step.
+#[derive(Clone, Copy, Debug, Default)]
+struct PointEnds {
+    separation: Column,
+    /// From the centres, turned with the bodies.
+    anchor_a: LaneVec2<Column>,
+    anchor_b: LaneVec2<Column>,
+}
+
+/// Eight contacts at the end of the step.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct ContactEnds {
+    points: [PointEnds; 2],
+    /// Greatest k λ of the points, m/s.
+    pub(crate) load: Column,
+    /// Deepest overlap, m, and largest speed with which a touching point still approaches, m/s.
+    penetration: Column,
+    approach_speed: Column,
+    /// Those with a point that touches or bears load.
+    pub(crate) touching: Marks,
+}
+
+impl ContactEnds {
+    /// What is left wrong of the first `count` contacts.
+    #[inline(always)]
+    pub(crate) fn residual(&self, count: usize) -> StepResidual {
+        (0..count).fold(StepResidual::default(), |residual, place| {
+            let (penetration, approach_speed) = (self.penetration.get(place), self.approach_speed.get(place));
+            residual.max(StepResidual { penetration, approach_speed })
+        })
+    }
+}
+
+impl ContactBlock {
+    /// Finds where the contacts from `place` on, a multiple of the lane's width, are at the end of the step.
+    #[inline(always)]
+    pub(crate) fn end<L: Lane>(&self, place: usize, states: &[BodyState], ends: &mut ContactEnds) {
+        if self.fit.is_single {
+            self.end_of::<L, 1>(place, states, ends);
+        } else {
+            self.end_of::<L, 2>(place, states, ends);
+        }
+    }
+
+    #[inline(always)]
+    fn end_of<L: Lane, const POINTS: usize>(
+        &self,
+        place: usize,
+        states: &[BodyState],
+        ends: &mut ContactEnds,
+    ) {
+        let zero = L::splat(0.0);
+        let constraint = self.load::<L>(place);
+        let [a, b] = self.gather(states, place);
+        let (mut load, mut penetration, mut approach_speed, mut touching) = (zero, zero, zero, 0);
+        for (index, end) in ends.points.iter_mut().enumerate().take(POINTS) {
+            let point = &constraint.points[index];
+            let is_there = point.normal_k.greater(zero);
+            let separation = constraint.separation(point, &a, &b);
+            separation.store(&mut end.separation, place);
+            let [tip_a, tip_b] = constraint.turned(point, &a, &b);
+            end.anchor_a.store(place, point.anchor_a + tip_a);
+            end.anchor_b.store(place, point.anchor_b + tip_b);
+            load = load.max(point.normal_k * point.normal_impulse);
+            penetration = penetration.max(L::select(is_there, -separation, zero));
+            let is_near = !L::bits(separation.greater(zero));
+            touching |= L::bits(is_there) & (is_near | L::bits(point.normal_impulse.greater(zero)));
+            // What awaits its impact is not to be stopped yet.
+            let is_apart = (separation + constraint.special.awaits_impact[index]).greater(zero);
+            let approach = -constraint.normal.dot(point.relative_velocity(&a, &b));
+            let left = L::select(is_there, L::select(is_apart, zero, approach), zero);
+            approach_speed = approach_speed.max(left);
+        }
+        load.store(&mut ends.load, place);
+        penetration.store(&mut ends.penetration, place);
+        approach_speed.store(&mut ends.approach_speed, place);
+        ends.touching.write::<L>(place, touching);
+    }
+
+    /// Writes impulses and separations back into a contact.
+    #[inline(always)]
+    pub(crate) fn finish(&self, place: usize, ends: &ContactEnds, contact: &mut Contact) {
+        let follows = contact.follows;
+        if follows {
+            contact.manifold.normal = self.columns.normal.load::<f32>(place).into();
+        }
+        for (index, stored) in contact.manifold.points_mut().iter_mut().enumerate() {
+            let (point, end) = (&self.columns.points[index], &ends.points[index]);
+            // What follows is there already.
+            let [anchor_a, anchor_b] =
+                if follows { [&point.anchor_a, &point.anchor_b] } else { [&end.anchor_a, &end.anchor_b] };
+            stored.anchor_a = anchor_a.load::<f32>(place).into();
+            stored.anchor_b = anchor_b.load::<f32>(place).into();
+            stored.separation = end.separation.get(place);
+            stored.normal_impulse = point.normal_impulse.get(place);
+            stored.tangent_impulse = self.columns.frictions[index].impulse.get(place);
+        }
+    }
+}

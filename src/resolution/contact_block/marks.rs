@@ -1,0 +1,47 @@
+//! Which contacts of a block something is true of.
+
+use crate::compute::Lane;
+
+/// Some of the eight contacts of a block.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Marks(u8);
+
+impl Marks {
+    /// Marks the contact at `place`, below [`COLUMN`], that is not marked yet, or not.
+    #[inline(always)]
+    pub(crate) fn set(&mut self, place: usize, is_marked: bool) {
+        self.0 |= u8::from(is_marked) << place;
+    }
+
+    /// Marks as many contacts as a lane holds from `place` on, or not, as the bits of a mask say.
+    #[inline(always)]
+    pub(super) fn write<L: Lane>(&mut self, place: usize, bits: u32) {
+        let of_lane = (1_u32 << L::WIDTH) - 1;
+        self.0 = (u32::from(self.0) & !(of_lane << place) | (bits & of_lane) << place) as u8;
+    }
+
+    /// Whether the contact at `place` is marked.
+    #[inline(always)]
+    pub(crate) fn get(self, place: usize) -> bool {
+        self.0 & 1 << place != 0
+    }
+
+    /// Those that `other` marks too.
+    pub(super) fn and(self, other: Self) -> Self {
+        Self(self.0 & other.0)
+    }
+
+    /// Whether any is marked.
+    pub(super) fn any(self) -> bool {
+        self.0 != 0
+    }
+
+    /// Calls `visit` with the places of the marked contacts, in order.
+    #[inline(always)]
+    pub(crate) fn for_each(mut self, mut visit: impl FnMut(usize)) {
+        while self.0 != 0 {
+            visit(self.0.trailing_zeros() as usize);
+            self.0 &= self.0 - 1;
+        }
+    }
+}
