@@ -6,7 +6,7 @@
 
 use crate::body::{Bodies, NONE};
 use crate::collision::{Manifold, ManifoldPoint, Offset};
-use crate::compute::prefetch;
+use crate::compute::{all_lines, prefetch};
 use crate::math::Rot;
 use crate::store::{SharedSlots, Slots};
 
@@ -23,7 +23,7 @@ pub(crate) struct Frozen {
 }
 
 /// How many contacts ahead memory is asked for: so many take about as long as memory does.
-const AHEAD: usize = 4;
+pub(crate) const AHEAD: usize = 6;
 
 /// A point has lifted off from this gap on, as a share of the width of the thinner body: more than a stack trembles.
 const LIFTED_SHARE: f32 = 0.005;
@@ -176,12 +176,17 @@ impl SharedContacts<'_> {
     #[inline(always)]
     pub(crate) fn prefetch_ahead(&self, bodies: &Bodies, list: &[u32], place: usize) {
         if let Some(&index) = list.get(place + AHEAD) {
-            for slot in self.change(index, |contact| contact.slots) {
+            let (slots, is_apart) =
+                self.change(index, |contact| (contact.slots, contact.manifold.points().is_empty()));
+            for slot in slots {
                 prefetch(&bodies.motions, slot as usize);
             }
+            if !is_apart {
+                self.prefetch(index, 1..all_lines::<Contact>().end);
+            }
         }
-        if let Some(&index) = list.get(place + 2 * AHEAD) {
-            self.prefetch(index);
+        if let Some(&index) = list.get(place + 3 * AHEAD) {
+            self.prefetch(index, 0..1);
         }
     }
 }
@@ -250,6 +255,31 @@ impl Contacts {
             }
         }
         key.index()
+    }
+
+    /// Asks for what it takes to begin contacts further on in a list of `pairs` than `place`.
+    #[inline(always)]
+    pub(crate) fn prefetch_beginning(&self, bodies: &Bodies, pairs: &[(u32, u32)], place: usize) {
+        if let Some(&(a, b)) = pairs.get(place + AHEAD) {
+            self.all.prefetch_free(AHEAD);
+            for slot in [a, b] {
+                // None has the greatest index.
+                self.all.prefetch(bodies.records[slot].first_contact);
+            }
+        }
+        if let Some(&(a, b)) = pairs.get(place + 2 * AHEAD) {
+            bodies.records.prefetch(a);
+            bodies.records.prefetch(b);
+        }
+    }
+
+    /// Asks for what it takes to end this contact, which is close: its neighbours.
+    #[inline(always)]
+    pub(crate) fn prefetch_neighbours(&self, index: u32) {
+        for Link { previous, next } in self[index].links {
+            self.all.prefetch(previous);
+            self.all.prefetch(next);
+        }
     }
 
     /// Ends the contact: takes it out of both bodies' lists and out of the awake list.

@@ -7,7 +7,7 @@ mod detection;
 mod manifold;
 mod refresh;
 
-pub(crate) use contacts::{Contact, Contacts, Frozen, Kind, SharedContacts};
+pub(crate) use contacts::{AHEAD, Contact, Contacts, Frozen, Kind, SharedContacts};
 pub use detection::detect;
 pub(crate) use detection::{Offset, detect_flat, detect_from, detect_within, is_flat, sweep};
 pub(crate) use manifold::Corner;

@@ -58,22 +58,33 @@ pub(crate) struct Refresh {
 pub(crate) fn refresh(contact: &mut Contact, bodies: &Bodies, settings: Refresh) {
     let pair = Pair::new(contact, bodies, settings.dt);
     if pair.is_out_of_reach() {
-        // Most of these have been apart before: what is only read need not go back to memory.
-        if !contact.is_apart() {
-            contact.part();
-        }
-        return;
+        return part(contact);
     }
-    contact.has_bounced = false;
-    contact.approach_speed = 0.0;
     let upkeep = pair.upkeep(contact, settings.recycling);
-    contact.is_kept = matches!(upkeep, Upkeep::Recycle(_));
+    let is_kept = matches!(upkeep, Upkeep::Recycle(_));
+    let mut approach_speed = 0.0;
     match upkeep {
         Upkeep::Recycle(since) => recycle(contact, since),
         Upkeep::LeaveAsFollowed => contact.followed_steps += 1,
-        Upkeep::FindAnew(course) => pair.find_anew(contact, course),
+        Upkeep::FindAnew(course) => {
+            let manifold = pair.find_manifold(course);
+            if manifold.points().is_empty() {
+                return part(contact);
+            }
+            approach_speed = -manifold.normal.dot(course.motion) / settings.dt;
+            pair.take_over(manifold, contact);
+        }
     }
-    contact.follows = !contact.is_kept && (pair.has_circle() || contact.pivots()) && !pair.is_flat();
+    (contact.is_kept, contact.has_bounced, contact.approach_speed) = (is_kept, false, approach_speed);
+    contact.follows = !is_kept && (pair.has_circle() || contact.pivots()) && !pair.is_flat();
+}
+
+/// Leaves the contact without points. Most of these have been apart before: what is only read need not go back to
+/// memory.
+fn part(contact: &mut Contact) {
+    if !contact.is_apart() {
+        contact.part();
+    }
 }
 
 /// Keeps the normal, and the anchors on their bodies, which they turn with: what topples does so about where it
@@ -262,10 +273,9 @@ impl<'a> Pair<'a> {
         turned_a.c > 0.0 && turned_b.c > 0.0 && since.moved.length() + swung < REST_SHARE * near
     }
 
-    /// Finds the manifold; impulses stay with their feature.
-    fn find_anew(&self, contact: &mut Contact, course: Course) {
+    /// Takes over a manifold that was found anew; impulses stay with their feature.
+    fn take_over(&self, mut manifold: Manifold, contact: &mut Contact) {
         contact.followed_steps = 0;
-        let mut manifold = self.find_manifold(course);
         for point in manifold.points_mut() {
             let same = |old: &&ManifoldPoint| old.feature == point.feature;
             if let Some(old) = contact.manifold.points().iter().find(same) {
@@ -279,10 +289,10 @@ impl<'a> Pair<'a> {
         }
         let [rotation_a, rotation_b] = [self.rotation_a, self.rotation_b];
         contact.frozen = Frozen { offset: self.offset, rotation_a, rotation_b, separations };
-        contact.approach_speed = -manifold.normal.dot(course.motion) / self.dt;
         contact.manifold = manifold;
     }
 
+    /// The manifold of bodies on this course; without points where they do not meet within the step.
     fn find_manifold(&self, course: Course) -> Manifold {
         let Course { motion, turning } = course;
         let near = self.near();

@@ -1,6 +1,7 @@
 //! A slice that the parts of divided work write to, each to other places.
 
 use core::marker::PhantomData;
+use core::ops::Range;
 use core::ptr::NonNull;
 
 use crate::compute::BodyState;
@@ -66,11 +67,11 @@ impl<'a, T> Shared<'a, T> {
         change(unsafe { &mut *self.first.as_ptr().add(index) })
     }
 
-    /// Asks for an element to be brought close, if there is one.
+    /// Asks for some cache lines of an element to be brought close, if there is one.
     #[inline(always)]
-    pub(crate) fn prefetch(&self, index: usize) {
+    pub(crate) fn prefetch(&self, index: usize, lines: Range<usize>) {
         if index < self.len {
-            crate::compute::prefetch::prefetch_at(self.first.as_ptr().wrapping_add(index));
+            crate::compute::prefetch::prefetch_at(self.first.as_ptr().wrapping_add(index), lines);
         }
     }
 }

@@ -140,22 +140,13 @@ impl EffortTables<'_> {
         self.contacts.get(index).map_or([NONE; 2], |contact| contact.slots)
     }
 
-    /// What joins an island that is left alone is left alone with it.
-    fn leave_alone(&mut self, slots: [u32; 2], tick: u64) {
-        if slots.into_iter().any(|slot| slot == NONE || !self.moves(slot)) {
-            return;
-        }
-        let [a, b] = slots.map(|slot| {
-            let record = &self.bodies.records[slot];
-            (record.effort == Effort::Plain).then_some(record.quiet_until)
-        });
-        if let (Some(a), Some(b)) = (a, b) {
-            let (earlier, later) = if a < b { (slots[0], b) } else { (slots[1], a) };
-            let record = &mut self.bodies.records[earlier];
-            if later > tick && record.quiet_until <= tick {
-                record.quiet_until = later;
-            }
-        }
+    /// Until when the island of the body in `slot` is left alone, if a neighbour knows: what joins it is left alone with it.
+    fn neighbours_quiet_until(&self, slot: u32, tick: u64) -> Option<u64> {
+        let records = self.neighbours(slot).filter(|&(_, other)| self.moves(other));
+        let mut records = records.map(|(_, other)| &self.bodies.records[other]);
+        records
+            .find(|record| record.effort == Effort::Plain && record.quiet_until > tick)
+            .map(|record| record.quiet_until)
     }
 
     /// Velocity that a unit of impulse through both centres gives the bodies of a contact, 1/kg.
@@ -214,9 +205,7 @@ impl Efforts {
         }
         let lasting = if tick % LOOK_STEPS == 0 { &loads.lasting[..] } else { &[] };
         for &index in lasting {
-            let slots = tables.slots(index);
-            tables.leave_alone(slots, tick);
-            for slot in slots {
+            for slot in tables.slots(index) {
                 self.decide_island(slot, (tick, allowance), &mut tables);
             }
         }
@@ -279,8 +268,14 @@ impl Efforts {
             return;
         }
         let record = &tables.bodies.records[slot];
-        if record.effort == Effort::Plain && record.quiet_until > tick {
-            return;
+        if record.effort == Effort::Plain {
+            if record.quiet_until > tick {
+                return;
+            }
+            if let Some(quiet_until) = tables.neighbours_quiet_until(slot, tick) {
+                tables.bodies.records[slot].quiet_until = quiet_until;
+                return;
+            }
         }
         let mut load = Load::default();
         self.island.clear();

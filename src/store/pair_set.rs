@@ -53,11 +53,14 @@ impl PairSet {
 
     /// Takes the pair out; returns whether it was there.
     pub(crate) fn remove(&mut self, a: u32, b: u32) -> bool {
-        if !self.contains(a, b) {
+        if self.table.is_empty() {
             return false;
         }
         let mask = self.table.len() - 1;
         let mut hole = self.find(key_of(a, b));
+        if self.table[hole] == EMPTY {
+            return false;
+        }
         // Close the gap: move back each following key whose search would otherwise stop at the hole.
         let mut next = (hole + 1) & mask;
         while self.table[next] != EMPTY {

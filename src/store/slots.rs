@@ -1,7 +1,7 @@
 //! Values at fixed places, named by keys that notice when the value has gone.
 
 use core::num::NonZeroU32;
-use core::ops::{Index, IndexMut};
+use core::ops::{Index, IndexMut, Range};
 
 use crate::compute::{Shared, prefetch};
 
@@ -53,6 +53,14 @@ impl<T> Slots<T> {
     #[inline(always)]
     pub(crate) fn prefetch(&self, index: u32) {
         prefetch(&self.values, index as usize);
+    }
+
+    /// Asks for the place that will be filled after so many others to be brought close.
+    #[inline(always)]
+    pub(crate) fn prefetch_free(&self, after: usize) {
+        if let Some(place) = self.free.len().checked_sub(after + 1) {
+            self.prefetch(self.free[place]);
+        }
     }
 
     /// How many values there are.
@@ -130,10 +138,10 @@ impl<T> Slots<T> {
 }
 
 impl<T> SharedSlots<'_, T> {
-    /// Asks for the value at a place to be brought close.
+    /// Asks for some cache lines of the value at a place to be brought close.
     #[inline(always)]
-    pub(crate) fn prefetch(&self, index: u32) {
-        self.values.prefetch(index as usize);
+    pub(crate) fn prefetch(&self, index: u32, lines: Range<usize>) {
+        self.values.prefetch(index as usize, lines);
     }
 
     /// Changes the value at a place, which no other thread looks at.

@@ -3,7 +3,7 @@
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use crate::body::{Bodies, BodyId, BodyType, Effort, Forcing, Motion, NONE};
-use crate::collision::{Refresh, refresh};
+use crate::collision::{AHEAD, Refresh, refresh};
 use crate::compute::{BodyState, Shared};
 use crate::math::{Rot, Vec2};
 use crate::resolution::{EffortTables, SolveTables, StepResidual, begins_at_rest, solve};
@@ -65,7 +65,9 @@ impl World {
         let bodies = &self.bodies;
         let mut pairs = std::mem::take(&mut self.new_pairs);
         self.broad_phase.find_pairs(|a, b| bodies.is_dynamic(a) || bodies.is_dynamic(b), &mut pairs);
-        for (a, b) in pairs.drain(..) {
+        for place in 0..pairs.len() {
+            self.contacts.prefetch_beginning(&self.bodies, &pairs, place);
+            let (a, b) = pairs[place];
             let (friction, restitution) = self.mixed(a, b);
             let index = self.contacts.begin(&mut self.bodies, [a, b], friction, restitution);
             for (sleeper, other) in [(a, b), (b, a)] {
@@ -78,6 +80,7 @@ impl World {
                 self.contacts.set_awake(index);
             }
         }
+        pairs.clear();
         self.new_pairs = pairs;
     }
 
@@ -107,7 +110,9 @@ impl World {
         let mut changed = std::mem::take(&mut self.changed_contacts);
         let all = self.contacts.awake().iter().zip(&self.is_close_now);
         changed.extend(all.filter_map(|(&index, is_close)| is_close.map(|is_close| (index, is_close))));
-        for (index, is_close) in changed.drain(..) {
+        for place in 0..changed.len() {
+            self.prefetch_ending(&changed, place);
+            let (index, is_close) = changed[place];
             if !is_close {
                 self.end_contact(index);
                 continue;
@@ -126,7 +131,19 @@ impl World {
         }
         // Of bodies that were taken apart while they touched.
         self.events.ended.append(&mut self.events.ended_by_edit);
+        changed.clear();
         self.changed_contacts = changed;
+    }
+
+    /// Asks for what it takes to end contacts further on in a list than `place`: those whose bodies are not close.
+    fn prefetch_ending(&self, changed: &[(u32, bool)], place: usize) {
+        if let Some(&(index, false)) = changed.get(place + AHEAD) {
+            self.broad_phase.prefetch_pair(self.contacts[index].slots);
+            self.contacts.prefetch_neighbours(index);
+        }
+        if let Some(&(index, false)) = changed.get(place + 2 * AHEAD) {
+            self.contacts.prefetch(index);
+        }
     }
 
     /// Lets the solver solve a contact that has got points; wakes a sleeping body that something moving has

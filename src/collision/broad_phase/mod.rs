@@ -253,6 +253,12 @@ impl BroadPhase {
         self.pairs.remove(a, b);
     }
 
+    /// Asks for what it takes to forget a pair.
+    #[inline(always)]
+    pub(crate) fn prefetch_pair(&self, [a, b]: [u32; 2]) {
+        self.pairs.prefetch(a, b);
+    }
+
     /// Calls `visit` with each body whose fat box meets `aabb`, until it returns false.
     pub(crate) fn query(&self, aabb: Aabb, mut visit: impl FnMut(u32) -> bool) {
         if self.fixed.query(aabb, &mut visit) {

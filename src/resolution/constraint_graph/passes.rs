@@ -3,8 +3,8 @@
 //! The contacts of a colour move no body in common, so that several threads may each have some of its blocks.
 
 use crate::body::{Bodies, Effort};
-use crate::collision::{Contacts, SharedContacts};
-use crate::compute::{self, BodyState, COLUMN, Crew, Job, Lane, Width};
+use crate::collision::{Contact, Contacts, SharedContacts};
+use crate::compute::{self, BodyState, COLUMN, Crew, Job, Lane, Width, all_lines};
 use crate::resolution::constraint::StepResidual;
 use crate::resolution::constraint_graph::{COLOURS, Colour, ConstraintGraph};
 use crate::resolution::contact_block::{BlockEnd, ContactBlock, ContactEnds};
@@ -191,7 +191,7 @@ impl Job for Finish<'_> {
         let mut ends = ContactEnds::default();
         for (number, (block, end)) in (self.first..).zip(self.blocks.iter().zip(self.ends)) {
             for &index in part(self.of_colour, number + 1) {
-                self.contacts.prefetch(index);
+                self.contacts.prefetch(index, all_lines::<Contact>());
             }
             let indices = part(self.of_colour, number);
             for place in (0..indices.len()).step_by(L::WIDTH) {
