@@ -5,6 +5,11 @@ use core::ops::Range;
 /// How long a cache line is.
 const LINE: usize = 64;
 
+/// The cache lines of a value.
+pub(crate) const fn all_lines<T>() -> Range<usize> {
+    0..size_of::<T>().div_ceil(LINE)
+}
+
 /// Asks for the value at `index` to be brought close, all of its cache lines; does nothing where there is no such
 /// value, or no way to ask.
 #[inline(always)]
@@ -12,11 +17,6 @@ pub(crate) fn prefetch<T>(values: &[T], index: usize) {
     if let Some(value) = values.get(index) {
         prefetch_at(value, all_lines::<T>());
     }
-}
-
-/// The cache lines of a value.
-pub(crate) const fn all_lines<T>() -> Range<usize> {
-    0..size_of::<T>().div_ceil(LINE)
 }
 
 /// The same for some of the lines of the value at an address.

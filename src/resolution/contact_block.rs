@@ -72,6 +72,7 @@ impl ContactBlock {
         self.fit = Fit::ALL;
         self.lively = Marks::default();
         self.newcomers = Marks::default();
+        self.newly_loaded = Marks::default();
         self.followers = NONE;
         self.columns.special.awaits_impact = Default::default();
         for (place, &index) in indices.iter().enumerate() {

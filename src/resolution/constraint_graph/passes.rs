@@ -203,6 +203,7 @@ impl Job for Finish<'_> {
                     block.finish(place, &ends, contact);
                     end.lasting.set(place, self.measure.is_lasting(contact, ends.load.get(place)));
                     let touches = contact.has_bounced || ends.touching.get(place);
+                    debug_assert_eq!(touches, contact.has_touched());
                     end.changing.set(place, touches != contact.is_touching);
                 });
             }
