@@ -89,36 +89,33 @@ impl ConstraintGraph {
     }
 
     /// Calls `look` with the contacts of an effort that may bounce, follow the surface, or be handed over, in the order in
-    /// which they are solved.
+    /// which they are solved. Adds the blocks, by colour and number in it, with contacts that may begin to bear load to
+    /// `newcomers`.
     pub(crate) fn for_each_lively(
         &self,
         effort: Effort,
         (contacts, bodies): (&Contacts, &Bodies),
+        newcomers: &mut Vec<(u32, usize)>,
         mut look: impl FnMut(u32),
     ) {
+        let first = (effort as usize * SECTION) as u32;
         let (colours, overflow) = self.section(effort).split_at(COLOURS);
-        for colour in overflow.iter().chain(colours) {
+        let overflow = overflow.iter().zip(first + OVERFLOW as u32..);
+        for (colour, colour_number) in overflow.chain(colours.iter().zip(first..)) {
             let lively = |number: usize, look: &mut dyn FnMut(u32)| {
                 let indices = part(&colour.contacts, number);
                 let marks = colour.blocks.get(number).map(ContactBlock::lively).unwrap_or_default();
                 marks.for_each(|place| look(indices[place]));
             };
-            for number in 0..colour.blocks.len() {
+            for (number, block) in colour.blocks.iter().enumerate() {
                 lively(number + 2, &mut |index| contacts.prefetch(index));
                 lively(number + 1, &mut |index| contacts.prefetch_bodies(index, bodies));
                 lively(number, &mut look);
+                if block.has_newcomers() {
+                    newcomers.push((colour_number, number));
+                }
             }
         }
-    }
-
-    /// Blocks of an effort, by colour and number in it, with contacts that may begin to bear load.
-    pub(crate) fn blocks_with_newcomers(&self, effort: Effort) -> impl Iterator<Item = (u32, usize)> {
-        let first = effort as usize * SECTION;
-        let (colours, overflow) = (first..first + OVERFLOW, first + OVERFLOW);
-        core::iter::once(overflow).chain(colours).flat_map(|colour| {
-            let blocks = self.colours[colour].blocks.iter().enumerate();
-            blocks.filter(|(_, block)| block.has_newcomers()).map(move |(number, _)| (colour as u32, number))
-        })
     }
 
     /// Calls `visit` with the places of the contacts of a block, colour and number in it, that the last sweep has found

@@ -355,7 +355,7 @@ impl Solver {
         self.followers.clear();
         self.handovers.clear();
         self.newcomers.clear();
-        tables.graph.for_each_lively(effort, (contacts, bodies), |index| {
+        tables.graph.for_each_lively(effort, (contacts, bodies), &mut self.newcomers, |index| {
             let contact = &contacts[index];
             if contact.restitution > 0.0 {
                 let accelerations =
@@ -369,9 +369,6 @@ impl Solver {
             }
             self.handovers.consider(index, contact, bodies);
         });
-        if effort != Effort::Direct {
-            self.newcomers.extend(tables.graph.blocks_with_newcomers(effort));
-        }
         self.followers.mark(tables.graph);
         self.handovers.group();
     }
