@@ -122,20 +122,21 @@ impl Contact {
         }
     }
 
-    /// Whether the bodies are as far apart as [`part`](Self::part) leaves them.
+    /// Takes note that the bodies do not meet within the step. Most of these have not before: what is only read need not go
+    /// back to memory.
     #[inline(always)]
-    pub(crate) fn is_apart(&self) -> bool {
-        self.manifold.points().is_empty() && !self.is_kept && !self.has_bounced && self.approach_speed == 0.0
-    }
-
-    /// Takes note that the bodies are out of reach of each other.
-    #[cold]
     pub(crate) fn part(&mut self) {
-        self.manifold = Manifold::default();
-        self.is_kept = false;
-        self.follows = false;
-        self.has_bounced = false;
-        self.approach_speed = 0.0;
+        let is_apart = self.manifold.points().is_empty()
+            && !self.is_kept
+            && !self.has_bounced
+            && self.approach_speed == 0.0;
+        if !is_apart {
+            self.manifold = Manifold::default();
+            self.is_kept = false;
+            self.follows = false;
+            self.has_bounced = false;
+            self.approach_speed = 0.0;
+        }
     }
 
     /// Whether the last step pressed the bodies together.

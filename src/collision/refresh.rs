@@ -58,7 +58,7 @@ pub(crate) struct Refresh {
 pub(crate) fn refresh(contact: &mut Contact, bodies: &Bodies, settings: Refresh) {
     let pair = Pair::new(contact, bodies, settings.dt);
     if pair.is_out_of_reach() {
-        return part(contact);
+        return contact.part();
     }
     let upkeep = pair.upkeep(contact, settings.recycling);
     let is_kept = matches!(upkeep, Upkeep::Recycle(_));
@@ -69,7 +69,7 @@ pub(crate) fn refresh(contact: &mut Contact, bodies: &Bodies, settings: Refresh)
         Upkeep::FindAnew(course) => {
             let manifold = pair.find_manifold(course);
             if manifold.points().is_empty() {
-                return part(contact);
+                return contact.part();
             }
             approach_speed = -manifold.normal.dot(course.motion) / settings.dt;
             pair.take_over(manifold, contact);
@@ -77,14 +77,6 @@ pub(crate) fn refresh(contact: &mut Contact, bodies: &Bodies, settings: Refresh)
     }
     (contact.is_kept, contact.has_bounced, contact.approach_speed) = (is_kept, false, approach_speed);
     contact.follows = !is_kept && (pair.has_circle() || contact.pivots()) && !pair.is_flat();
-}
-
-/// Leaves the contact without points. Most of these have been apart before: what is only read need not go back to
-/// memory.
-fn part(contact: &mut Contact) {
-    if !contact.is_apart() {
-        contact.part();
-    }
 }
 
 /// Keeps the normal, and the anchors on their bodies, which they turn with: what topples does so about where it

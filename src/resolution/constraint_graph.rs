@@ -108,6 +108,7 @@ impl ConstraintGraph {
                 marks.for_each(|place| look(indices[place]));
             };
             for (number, block) in colour.blocks.iter().enumerate() {
+                // Two blocks take about as long as memory does.
                 lively(number + 2, &mut |index| contacts.prefetch(index));
                 lively(number + 1, &mut |index| contacts.prefetch_bodies(index, bodies));
                 lively(number, &mut look);

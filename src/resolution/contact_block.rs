@@ -10,6 +10,7 @@ use crate::compute::{BodyState, COLUMN, Column, GROUND_ROW, Lane, RowPairs, Rows
 use crate::resolution::constraint::{ConstraintPoint, ContactConstraint, PointFriction, Special, THERE};
 pub(crate) use crate::resolution::contact_block::end::{BlockEnd, ContactEnds};
 pub(crate) use crate::resolution::contact_block::marks::Marks;
+use crate::resolution::handover::circle_on_ground;
 
 /// Eight contacts. Those of one colour share no movable body; a block that is not full ends with contacts of the
 /// ground with itself, without points.
@@ -107,9 +108,9 @@ impl ContactBlock {
         // What friction did before it ceased is still to be taken back.
         self.fit.is_smooth &= contact.friction == 0.0 && rubs == [false; 2];
         let begins = !contact.is_loaded() && points.len() == 2 && contact.friction > 0.0;
-        let rolls = (a.is_round | b.is_round) && (a.inverse_mass > 0.0) != (b.inverse_mass > 0.0);
         self.newcomers.set(place, begins);
-        self.lively.set(place, contact.restitution > 0.0 || contact.follows || rolls);
+        let is_on_ground = circle_on_ground([a, b]).is_some();
+        self.lively.set(place, contact.restitution > 0.0 || contact.follows || is_on_ground);
     }
 
     /// Takes over a point, or that there is none; returns whether friction has acted at it.

@@ -140,15 +140,6 @@ impl EffortTables<'_> {
         self.contacts.get(index).map_or([NONE; 2], |contact| contact.slots)
     }
 
-    /// Until when the island of the body in `slot` is left alone, if a neighbour knows: what joins it is left alone with it.
-    fn neighbours_quiet_until(&self, slot: u32, tick: u64) -> Option<u64> {
-        let records = self.neighbours(slot).filter(|&(_, other)| self.moves(other));
-        let mut records = records.map(|(_, other)| &self.bodies.records[other]);
-        records
-            .find(|record| record.effort == Effort::Plain && record.quiet_until > tick)
-            .map(|record| record.quiet_until)
-    }
-
     /// Velocity that a unit of impulse through both centres gives the bodies of a contact, 1/kg.
     fn inverse_mass(&self, contact: &Contact) -> f32 {
         contact.slots.iter().map(|&slot| self.bodies.motions[slot as usize].inverse_mass).sum()
@@ -268,14 +259,8 @@ impl Efforts {
             return;
         }
         let record = &tables.bodies.records[slot];
-        if record.effort == Effort::Plain {
-            if record.quiet_until > tick {
-                return;
-            }
-            if let Some(quiet_until) = tables.neighbours_quiet_until(slot, tick) {
-                tables.bodies.records[slot].quiet_until = quiet_until;
-                return;
-            }
+        if record.effort == Effort::Plain && record.quiet_until > tick {
+            return;
         }
         let mut load = Load::default();
         self.island.clear();
@@ -292,14 +277,7 @@ impl Efforts {
         let can_go_on = allowance.adapts && (has != Effort::Direct || may_be_direct);
         let falls = wanted < has && can_go_on;
         let effort = if falls && calm < CALM_STEPS { has } else { wanted };
-        let calm_steps = if falls { calm.saturating_add(1) } else { 0 };
-        if effort == has && effort == Effort::Plain {
-            for &slot in &self.island {
-                tables.bodies.records[slot].calm_steps = calm_steps;
-            }
-        } else {
-            self.give(effort, calm_steps, tables);
-        }
+        self.give(effort, if falls { calm.saturating_add(1) } else { 0 }, tables);
         if effort == Effort::Plain {
             let pause = if may_be_direct { RETRY_STEPS } else { QUIET_STEPS };
             let until = if is_quiet { quiet_until } else { tick + pause };
@@ -341,9 +319,14 @@ impl Efforts {
 
     /// Gives the island an effort.
     fn give(&mut self, effort: Effort, calm_steps: u8, tables: &mut EffortTables<'_>) {
+        let mut stays_plain = effort == Effort::Plain;
         for &slot in &self.island {
+            stays_plain &= tables.bodies.records[slot].effort == Effort::Plain;
             tables.bodies.set_effort(slot, effort);
             tables.bodies.records[slot].calm_steps = calm_steps;
+        }
+        if stays_plain {
+            return;
         }
         for &slot in &self.island {
             for (index, other) in tables.neighbours(slot) {

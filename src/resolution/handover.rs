@@ -11,7 +11,7 @@
 //!
 //! Runs once per substep, on circles with two contacts with the ground or more.
 
-use crate::body::Bodies;
+use crate::body::{Bodies, Motion};
 use crate::collision::{Contact, Contacts};
 use crate::compute::BodyState;
 use crate::resolution::constraint::{ContactConstraint, OUT_OF_REACH};
@@ -57,6 +57,16 @@ pub(crate) struct HandoverScene<'a> {
     pub(crate) h: f32,
 }
 
+/// Which of two bodies is a circle that moves on the other, which does not, if one is.
+#[inline(always)]
+pub(crate) fn circle_on_ground([a, b]: [&Motion; 2]) -> Option<usize> {
+    match [a, b].map(|motion| motion.inverse_mass > 0.0) {
+        [true, false] => a.is_round.then_some(0),
+        [false, true] => b.is_round.then_some(1),
+        _ => None,
+    }
+}
+
 impl Handovers {
     pub(crate) fn clear(&mut self) {
         self.pieces.clear();
@@ -70,12 +80,7 @@ impl Handovers {
     /// Takes up a contact of a circle with the ground.
     pub(crate) fn consider(&mut self, index: u32, contact: &Contact, bodies: &Bodies) {
         let Some(graph_place) = contact.graph_place else { return };
-        let moves = contact.slots.map(|slot| bodies.is_dynamic(slot));
-        if moves[0] == moves[1] {
-            return;
-        }
-        let circle = usize::from(moves[1]);
-        if bodies.motions[contact.slots[circle] as usize].is_round {
+        if let Some(circle) = circle_on_ground(contact.slots.map(|slot| &bodies.motions[slot as usize])) {
             let rows = contact.slots.map(|slot| bodies.motions[slot as usize].row);
             self.pieces.push(Piece {
                 rows,

@@ -80,12 +80,12 @@ impl ContactBlock {
             end.anchor_b.store(place, point.anchor_b + tip_b);
             load = load.max(point.normal_k * point.normal_impulse);
             penetration = penetration.max(L::select(is_there, -separation, zero));
-            let is_near = !L::bits(separation.greater(zero));
-            touching |= L::bits(is_there) & (is_near | L::bits(point.normal_impulse.greater(zero)));
+            let (is_apart, is_pressed) = (separation.greater(zero), point.normal_impulse.greater(zero));
+            touching |= L::bits(is_there) & (!L::bits(is_apart) | L::bits(is_pressed));
             // What awaits its impact is not to be stopped yet.
-            let is_apart = (separation + constraint.special.awaits_impact[index]).greater(zero);
+            let may_approach = (separation + constraint.special.awaits_impact[index]).greater(zero);
             let approach = -constraint.normal.dot(point.relative_velocity(&a, &b));
-            let left = L::select(is_there, L::select(is_apart, zero, approach), zero);
+            let left = L::select(is_there, L::select(may_approach, zero, approach), zero);
             approach_speed = approach_speed.max(left);
         }
         load.store(&mut ends.load, place);
