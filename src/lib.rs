@@ -44,7 +44,7 @@
 //! |---|---|---|
 //! | 0 | [`math`] | vectors, places, rotations, poses, boxes, our own sine and cosine |
 //! | 0 | `store` | generational ids, slots, bit set, pair set |
-//! | 0 | `compute` | numbers in lanes (scalar, SSE2, AVX2, NEON), the width chosen at run time, the hot rows of bodies, threads |
+//! | 0 | `compute` | numbers in lanes (scalar, SSE2, NEON, AVX2, AVX-512), the width chosen at run time, the hot rows of bodies, threads |
 //! | 1 | [`shape`] | circle, boxes, convex polygon; mass, rays, points |
 //! | 2 | [`body`] | description, material, and how many bodies are kept |
 //! | 3 | [`collision`] | broad phase, detection, manifolds, contacts |

@@ -40,7 +40,8 @@ struct Crowd {
 
 /// Nothing of what is optional, but that bodies rub and turn.
 fn crowd() -> Crowd {
-    let mixed = |index: usize| if index % 2 == 0 { Shape::circle(0.1) } else { Shape::obb(0.18, 0.18) };
+    let mixed =
+        |index: usize| if index.is_multiple_of(2) { Shape::circle(0.1) } else { Shape::obb(0.18, 0.18) };
     Crowd {
         settings: Settings {
             sleep: false,
@@ -356,5 +357,6 @@ pub(crate) const LANES: &[(&str, Build)] = &[
     ("one", || in_lanes(Lanes::One)),
     ("four", || in_lanes(Lanes::Four)),
     ("eight", || in_lanes(Lanes::Eight)),
+    ("sixteen", || in_lanes(Lanes::Sixteen)),
     ("found at run time", || in_lanes(Lanes::Auto)),
 ];

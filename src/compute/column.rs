@@ -6,14 +6,14 @@
 use crate::compute::Rows;
 
 /// How many numbers a column holds: as many as the widest lane.
-pub(crate) const COLUMN: usize = 8;
+pub(crate) const COLUMN: usize = 16;
 
-/// Eight numbers side by side, aligned for one load of the widest lane.
-#[repr(C, align(32))]
+/// Sixteen numbers side by side, aligned for one load of the widest lane.
+#[repr(C, align(64))]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct Column([f32; COLUMN]);
 
-const _: () = assert!(size_of::<Column>() == 32);
+const _: () = assert!(size_of::<Column>() == 64);
 
 impl Column {
     /// The same number in every place.
@@ -44,20 +44,20 @@ impl Column {
     /// The same, for changing them.
     #[inline(always)]
     pub(super) fn part_mut<const N: usize>(&mut self, place: usize) -> &mut [f32; N] {
-        const { assert!(COLUMN % N == 0) };
-        debug_assert!(place % N == 0 && place < COLUMN);
+        const { assert!(COLUMN.is_multiple_of(N)) };
+        debug_assert!(place.is_multiple_of(N) && place < COLUMN);
         let start = place % COLUMN / N * N;
         self.0[start..start + N].first_chunk_mut().expect("N numbers")
     }
 }
 
-/// Which rows of [`BodyState`](crate::compute::BodyState) eight pairs of bodies have.
+/// Which rows of [`BodyState`](crate::compute::BodyState) sixteen pairs of bodies have.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct RowPairs {
     a: [u32; COLUMN],
     b: [u32; COLUMN],
-    /// No row is greater: what a lane that reads eight rows at once has to compare.
+    /// No row is greater: what a lane that reads many rows at once has to compare.
     greatest: u32,
 }
 
@@ -93,8 +93,8 @@ impl RowPairs {
 /// The `N` numbers from `place` on, a multiple of `N`, which divides [`COLUMN`].
 #[inline(always)]
 fn part_of<const N: usize, T>(all: &[T; COLUMN], place: usize) -> &[T; N] {
-    const { assert!(COLUMN % N == 0) };
-    debug_assert!(place % N == 0 && place < COLUMN);
+    const { assert!(COLUMN.is_multiple_of(N)) };
+    debug_assert!(place.is_multiple_of(N) && place < COLUMN);
     // Cut so that the compiler sees it to be in range.
     let start = place % COLUMN / N * N;
     all[start..start + N].first_chunk().expect("N numbers")

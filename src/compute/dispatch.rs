@@ -3,6 +3,8 @@
 use crate::compute::Lane;
 #[cfg(target_arch = "x86_64")]
 use crate::compute::avx2::F32x8;
+#[cfg(target_arch = "x86_64")]
+use crate::compute::avx512::{F32x16, has_avx512};
 use crate::compute::four::F32x4;
 
 /// How many contacts are computed with at a time.
@@ -20,6 +22,8 @@ pub enum Lanes {
     Four,
     /// Eight: AVX2 on x86-64.
     Eight,
+    /// Sixteen: AVX-512 on x86-64, where the processor does not lower its clock for it.
+    Sixteen,
 }
 
 /// A width that the processor has.
@@ -33,6 +37,9 @@ enum Kind {
     /// Made only where AVX2 was found.
     #[cfg(target_arch = "x86_64")]
     Eight,
+    /// Made only where AVX-512 was found.
+    #[cfg(target_arch = "x86_64")]
+    Sixteen,
 }
 
 impl Width {
@@ -46,14 +53,16 @@ impl Lanes {
         Width(match self {
             Self::One => Kind::One,
             #[cfg(target_arch = "x86_64")]
-            Self::Auto | Self::Eight if is_x86_feature_detected!("avx2") => Kind::Eight,
-            Self::Auto | Self::Four | Self::Eight => Kind::Four,
+            Self::Auto | Self::Sixteen if has_avx512() => Kind::Sixteen,
+            #[cfg(target_arch = "x86_64")]
+            Self::Auto | Self::Sixteen | Self::Eight if is_x86_feature_detected!("avx2") => Kind::Eight,
+            Self::Auto | Self::Sixteen | Self::Eight | Self::Four => Kind::Four,
         })
     }
 }
 
 /// Work that can be done at any width. `run` is to be `#[inline(always)]`, and so is all that it computes lanes
-/// with: only code within the one function that is compiled for AVX2 becomes AVX2.
+/// with: only code within the one function that is compiled for AVX2, or AVX-512, becomes that.
 pub(crate) trait Job {
     fn run<L: Lane>(self);
 }
@@ -70,6 +79,12 @@ pub(crate) fn run(width: Width, job: impl Job) {
             // SAFETY: `Kind::Eight` is made only where AVX2 was found, and checked above in debug.
             unsafe { run_avx2(job) }
         }
+        #[cfg(target_arch = "x86_64")]
+        Kind::Sixteen => {
+            debug_assert!(has_avx512());
+            // SAFETY: `Kind::Sixteen` is made only where AVX-512 was found, and checked above in debug.
+            unsafe { run_avx512(job) }
+        }
     }
 }
 
@@ -79,4 +94,12 @@ pub(crate) fn run(width: Width, job: impl Job) {
 #[target_feature(enable = "avx2")]
 unsafe fn run_avx2(job: impl Job) {
     job.run::<F32x8>();
+}
+
+/// # Safety
+/// The processor has AVX-512.
+#[cfg(target_arch = "x86_64")]
+#[target_feature(enable = "avx512f,avx512dq,avx512vl")]
+unsafe fn run_avx512(job: impl Job) {
+    job.run::<F32x16>();
 }

@@ -2,8 +2,8 @@
 //!
 //! [`Lane`] is what the kernel computes with. `f32` is the lane of width 1: the reference that every wider
 //! lane must agree with bit for bit, which it can because no operation here is fused or estimated. Four numbers
-//! are computed with by SSE2 or NEON, eight by AVX2. Numbers are stored in [`Column`]s of eight, whatever the
-//! width.
+//! are computed with by SSE2 or NEON, eight by AVX2, sixteen by AVX-512. Numbers are stored in [`Column`]s of
+//! sixteen, whatever the width.
 //!
 //! [`run`] is where a width is chosen: a [`Job`] is compiled once per width, all of it inlined into one function
 //! that may use the instructions of that width.
@@ -13,6 +13,8 @@
 
 #[cfg(target_arch = "x86_64")]
 mod avx2;
+#[cfg(target_arch = "x86_64")]
+mod avx512;
 mod column;
 mod crew;
 mod dispatch;

@@ -1,8 +1,5 @@
 //! Four numbers in a NEON register, which every AArch64 processor has.
 
-// Since Rust 1.87 these functions are safe where the instructions are part of the target; 1.85 is the oldest that
-// builds this crate.
-#![allow(unused_unsafe)]
 #![allow(clippy::wildcard_imports)]
 
 use core::arch::aarch64::*;

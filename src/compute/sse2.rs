@@ -1,8 +1,5 @@
 //! Four numbers in an SSE register, which every x86-64 processor has.
 
-// Since Rust 1.87 these functions are safe where the instructions are part of the target; 1.85 is the oldest that
-// builds this crate.
-#![allow(unused_unsafe)]
 #![allow(clippy::wildcard_imports)]
 
 use core::arch::x86_64::*;

@@ -4,7 +4,7 @@ use crate::compute::{Lane, LaneRot, LaneVec2};
 
 /// Velocity of a body and how far it has moved since the step began.
 ///
-/// 32 bytes, so that a row is half a cache line and eight rows transpose into eight AVX registers. Poses are
+/// 32 bytes, so that a row is half a cache line, and rows transpose into as many registers as a row has numbers. Poses are
 /// not here: the solver works on the small deltas, in `f32`, and the step adds them to the `f64` centre once.
 #[repr(C, align(32))]
 #[derive(Clone, Copy, Debug)]

@@ -214,7 +214,7 @@ impl Team {
     pub(super) fn run(&self, parts: usize, work: &(dyn Fn(usize) + Sync)) {
         let threads = self.threads();
         let (each, own) = (parts / threads, self.own);
-        if each > 1 && parts % threads == 0 {
+        if each > 1 && parts.is_multiple_of(threads) {
             self.board.run(parts, &|part| work(part % threads * each + part / threads), own);
         } else {
             self.board.run(parts, work, own);

@@ -30,7 +30,7 @@ const SPECIAL: [f32; 16] = [
 
 /// Does the work at every width there is on this processor; a width that it has not is done at a smaller one.
 fn at_every_width(job: impl Job + Copy) {
-    for lanes in [Lanes::One, Lanes::Four, Lanes::Eight, Lanes::Auto] {
+    for lanes in [Lanes::One, Lanes::Four, Lanes::Eight, Lanes::Sixteen, Lanes::Auto] {
         run(lanes.width(), job);
     }
     job.run::<portable::F32x4>();
@@ -79,7 +79,7 @@ impl Job for Operations {
     #[inline(always)]
     fn run<L: Lane>(self) {
         for shift in 0..SPECIAL.len() {
-            for start in [0, COLUMN] {
+            for start in (0..SPECIAL.len()).step_by(COLUMN) {
                 let a = column(core::array::from_fn(|place| SPECIAL[start + place]));
                 let b =
                     column(core::array::from_fn(|place| SPECIAL[(start + place + shift) % SPECIAL.len()]));
@@ -153,7 +153,7 @@ fn sine_and_cosine_are_the_same_bits_in_lanes_as_alone() {
 
 /// States whose numbers all differ.
 fn states() -> Vec<BodyState> {
-    (0..20_u8)
+    (0..40_u8)
         .map(f32::from)
         .map(|row| BodyState {
             velocity: LaneVec2 { x: row + 0.1, y: row + 0.2 },
@@ -194,7 +194,10 @@ impl Job for Gather {
     #[inline(always)]
     fn run<L: Lane>(self) {
         let states = states();
-        let rows = rows([[3, 2], [0, 18], [19, 0], [7, 4], [7, 5], [1, 0], [12, 11], [0, 10]]);
+        let first_eight = [[3, 2], [0, 18], [19, 0], [7, 4], [7, 5], [1, 0], [12, 11], [0, 10]];
+        let rows = rows(core::array::from_fn(|place| {
+            first_eight[place % 8].map(|row| row + 2 * (place / 8) as u32)
+        }));
         for first in (0..COLUMN).step_by(L::WIDTH) {
             let all = L::gather(&states[..], &rows, first);
             let half = L::gather_velocities(&states[..], &rows, first);
@@ -252,22 +255,24 @@ fn rows_are_loaded_and_stored_as_they_are() {
     at_every_width(Rows);
 }
 
-/// Scatters velocities with every pattern of bodies that move, the others being the ground or twice the same, and
-/// compares with what `f32` does.
+/// Scatters velocities with every pattern of eight bodies that move, beside eight others of which none, some, or all do;
+/// those that do not being the ground or the same more than once. Compares with what `f32` does.
 #[derive(Clone, Copy)]
 struct Scatter;
 
 impl Job for Scatter {
     #[inline(always)]
     fn run<L: Lane>(self) {
-        let distinct = [[3, 6], [5, 9], [19, 11], [7, 10], [8, 15], [1, 13], [12, 14], [2, 16]];
-        for pattern in 0..256_u32 {
+        // 7 and 32 have no common divisor.
+        let distinct = |place: usize, body: usize| 5 + (7 * (2 * place + body) % 32) as u32;
+        for pattern in
+            (0..256_u32).flat_map(|eight| [0, (89 * eight) & 0xFF, 0xFF].map(|other| other << 8 | eight))
+        {
             // Those of b move in another pattern.
-            let moves =
-                |place: usize| [pattern & 1 << place != 0, pattern.wrapping_mul(37) & 1 << (7 - place) != 0];
-            let kinematic = |place: usize| if place % 2 == 0 { GROUND_ROW } else { 4 };
+            let moves = |place: usize| [pattern & 1 << place != 0, (pattern * 37) & (1 << (15 - place)) != 0];
+            let kinematic = |place: usize| if place.is_multiple_of(2) { GROUND_ROW } else { 4 };
             let row = |place: usize, body: usize| {
-                if moves(place)[body] { distinct[place][body] } else { kinematic(place) }
+                if moves(place)[body] { distinct(place, body) } else { kinematic(place) }
             };
             let rows = rows(core::array::from_fn(|place| [row(place, 0), row(place, 1)]));
             let flag =
@@ -320,7 +325,7 @@ struct Refuse;
 impl Job for Refuse {
     #[inline(always)]
     fn run<L: Lane>(self) {
-        for row in [20, 21, u32::MAX, 1 << 31] {
+        for row in [40, 41, u32::MAX, 1 << 31] {
             for (place, pair) in (0..COLUMN).flat_map(|place| [(place, [row, 1]), (place, [1, row])]) {
                 let mut rows = RowPairs::default();
                 rows.set(place, pair);
@@ -361,8 +366,9 @@ fn a_width_is_never_more_than_was_asked_for() {
     assert_eq!(width_of(Width::ONE), 1);
     assert_eq!(width_of(Lanes::One.width()), 1);
     assert_eq!(width_of(Lanes::Four.width()), 4);
-    assert!(width_of(Lanes::Eight.width()) >= 4);
-    assert_eq!(width_of(Lanes::Eight.width()), width_of(Lanes::Auto.width()));
+    assert!([4, 8].contains(&width_of(Lanes::Eight.width())));
+    assert!(width_of(Lanes::Sixteen.width()) >= width_of(Lanes::Eight.width()));
+    assert_eq!(width_of(Lanes::Sixteen.width()), width_of(Lanes::Auto.width()));
 }
 
 /// Every item is in one part, whatever the number of threads; parts that use the same element are found out.

@@ -78,9 +78,12 @@ impl Job for Find<'_> {
         let Watched { thresholds, names } = self.watched;
         for ((block, thresholds), names) in self.graph.blocks(self.effort).zip(thresholds).zip(names) {
             for first in (0..COLUMN).step_by(L::WIDTH) {
+                let threshold = L::load(thresholds, first);
+                if L::bits(L::splat(f32::INFINITY).greater(threshold)) == 0 {
+                    continue;
+                }
                 let constraint = block.load::<L>(first);
                 let pair = block.gather_velocities(self.states, first);
-                let threshold = L::load(thresholds, first);
                 let (_, first_point) = approach(&constraint, 0, threshold, &pair);
                 let mut bits = L::bits(first_point);
                 if !block.fit().is_single {

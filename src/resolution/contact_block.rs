@@ -1,4 +1,4 @@
-//! How contacts are stored while a step is solved: eight to a block, column by column, so that lanes of any width
+//! How contacts are stored while a step is solved: sixteen to a block, column by column, so that lanes of any width
 //! load and store them without turning rows into columns.
 
 mod end;
@@ -12,7 +12,7 @@ pub(crate) use crate::resolution::contact_block::end::{BlockEnd, ContactEnds};
 pub(crate) use crate::resolution::contact_block::marks::Marks;
 use crate::resolution::handover::circle_on_ground;
 
-/// Eight contacts. Those of one colour share no movable body; a block that is not full ends with contacts of the
+/// Sixteen contacts. Those of one colour share no movable body; a block that is not full ends with contacts of the
 /// ground with itself, without points.
 ///
 /// What every pass reads comes first, in whole cache lines; then what the sweep before the bodies move does not read;
@@ -38,9 +38,9 @@ pub(crate) struct ContactBlock {
 
 const _: () = {
     let columns = core::mem::offset_of!(ContactBlock, columns);
-    // Twelve cache lines, then sixteen.
-    assert!(columns + core::mem::offset_of!(ContactConstraint<Column>, friction) == 12 * 64);
-    assert!(columns + core::mem::offset_of!(ContactConstraint<Column>, special) <= 16 * 64);
+    // Twenty-four cache lines, then thirty-two.
+    assert!(columns + core::mem::offset_of!(ContactConstraint<Column>, friction) == 24 * 64);
+    assert!(columns + core::mem::offset_of!(ContactConstraint<Column>, special) <= 32 * 64);
 };
 
 /// What none of the contacts of a block needs, so that kernels may leave it out without a bit of difference.
@@ -64,10 +64,6 @@ impl ContactBlock {
     /// multiplied by `scale`, the length of a substep now over that of the substep they were found in. Effective
     /// masses are still to be found.
     pub(crate) fn fill(&mut self, indices: &[u32], contacts: &Contacts, bodies: &Bodies, scale: f32) {
-        // What is left over is overwritten, but for places beyond the last contact and the greatest row.
-        if indices.len() < COLUMN {
-            *self = Self::default();
-        }
         self.rows = RowPairs::default();
         self.is_special = false;
         self.fit = Fit::ALL;
@@ -78,6 +74,23 @@ impl ContactBlock {
         self.columns.special.awaits_impact = Default::default();
         for (place, &index) in indices.iter().enumerate() {
             self.put(place, &contacts[index], bodies, scale);
+        }
+        for place in indices.len()..COLUMN {
+            self.leave_empty(place);
+        }
+    }
+
+    /// What is left over from another contact bears nothing and moves nothing.
+    #[inline(always)]
+    fn leave_empty(&mut self, place: usize) {
+        let columns = &mut self.columns;
+        for inverse in [&mut columns.inverse_mass_a, &mut columns.inverse_mass_b] {
+            inverse.set(place, 0.0);
+        }
+        for (point, friction) in columns.points.iter_mut().zip(&mut columns.frictions) {
+            point.normal_k.set(place, 0.0);
+            point.normal_impulse.set(place, 0.0);
+            friction.impulse.set(place, 0.0);
         }
     }
 

@@ -194,7 +194,7 @@ impl Efforts {
                 }
             }
         }
-        let lasting = if tick % LOOK_STEPS == 0 { &loads.lasting[..] } else { &[] };
+        let lasting = if tick.is_multiple_of(LOOK_STEPS) { &loads.lasting[..] } else { &[] };
         for &index in lasting {
             for slot in tables.slots(index) {
                 self.decide_island(slot, (tick, allowance), &mut tables);

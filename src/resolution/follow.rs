@@ -122,6 +122,9 @@ impl Kernel for Follow<'_> {
     #[inline(always)]
     fn run<L: Lane>(&self, block: &mut ContactBlock, place: usize) {
         let Some(followers) = self.columns.get(block.followers as usize) else { return };
+        if !followers.has_any::<L>(place) {
+            return;
+        }
         if block.fit().is_single {
             self.follow::<L, 1>(followers, block, place);
         } else {

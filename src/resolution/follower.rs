@@ -9,7 +9,7 @@
 //! gap          s' = n'·d' - r            r: the radii of the circles
 //! ```
 //!
-//! This is what detection finds as long as a tip stays on its face, at a fraction of its cost. Eight contacts at a time
+//! This is what detection finds as long as a tip stays on its face, at a fraction of its cost. Many contacts at a time
 //! are computed with, those of a [`ContactBlock`](crate::resolution::contact_block::ContactBlock).
 
 use crate::body::{Bodies, Motion};
@@ -222,6 +222,12 @@ impl Follower<Column> {
             to.stays_with_b.set(place, pair.stays_with_b);
             to.radius.set(place, pair.radius);
         }
+    }
+
+    /// Whether any contact follows among those from `place` on, a multiple of the lane's width.
+    #[inline(always)]
+    pub(crate) fn has_any<L: Lane>(&self, place: usize) -> bool {
+        L::bits(L::load(&self.reach_squared, place).greater(L::splat(0.0))) != 0
     }
 
     /// The contacts from `place` on, a multiple of the lane's width.

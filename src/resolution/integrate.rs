@@ -129,10 +129,10 @@ impl Advance {
     pub(crate) const NONE: Self = Self { drift: None, kick: None, shares: false };
 }
 
-/// What it costs to move eight bodies on, to find what acts on them, and to find how a place accelerates them, ns.
-const COST: usize = 20;
-const FILL_COST: usize = 60;
-const ACCELERATE_COST: usize = 100;
+/// What it costs to move sixteen bodies on, to find what acts on them, and to find how a place accelerates them, ns.
+const COST: usize = 30;
+const FILL_COST: usize = 120;
+const ACCELERATE_COST: usize = 200;
 
 /// Moves the bodies in `rows` on, without damping: their states, what acts on them, and the velocities that a share of
 /// the warm start gives, all by row.
@@ -153,6 +153,9 @@ pub(crate) fn integrate(
     let pass = Integrate { rows, states, columns, shares, advance, limits };
     crew.run(pass, COST, |part| compute::run(width, part));
 }
+
+/// So many rows are moved on one by one where they do not fill a lane; more in a copy that does.
+const FEW: usize = 7;
 
 /// A pass over some rows; the first of all stands in the first place of its column.
 struct Integrate<'a> {
@@ -209,20 +212,50 @@ impl Integrate<'_> {
     }
 }
 
+impl Integrate<'_> {
+    /// The same for some rows of those that a lane holds: in a copy, whose other rows are no body's.
+    #[inline(always)]
+    fn together_in_copy<L: Lane>(&mut self, rows: Range<usize>) {
+        let number = rows.start / COLUMN;
+        let places = rows.start - number * COLUMN..rows.end - number * COLUMN;
+        let (mut states, mut shares) = ([BodyState::REST; COLUMN], [BodyState::REST; COLUMN]);
+        states[places.clone()].copy_from_slice(&self.states[rows.clone()]);
+        if self.advance.shares {
+            shares[places.clone()].copy_from_slice(&self.shares[rows.clone()]);
+        }
+        let mut columns = [self.columns[number]];
+        let (states_here, columns_here) = (&mut states[..], &mut columns[..]);
+        let (advance, limits) = (self.advance, self.limits);
+        let first = places.start / L::WIDTH * L::WIDTH;
+        let mut copy = Integrate {
+            rows: places.clone(),
+            states: states_here,
+            columns: columns_here,
+            shares: &shares,
+            advance,
+            limits,
+        };
+        copy.together::<L>(first);
+        self.states[rows].copy_from_slice(&states[places.clone()]);
+        for place in places {
+            self.columns[number].carry.store(place, columns[0].carry.load::<f32>(place));
+        }
+    }
+}
+
 impl Job for Integrate<'_> {
     #[inline(always)]
     fn run<L: Lane>(mut self) {
-        let Range { start, end } = self.rows;
-        let first_whole = start.next_multiple_of(L::WIDTH).min(end);
-        let after_whole = (end / L::WIDTH * L::WIDTH).max(first_whole);
-        for row in start..first_whole {
-            self.together::<f32>(row);
-        }
-        for first in (first_whole..after_whole).step_by(L::WIDTH) {
-            self.together::<L>(first);
-        }
-        for row in after_whole..end {
-            self.together::<f32>(row);
+        let Range { mut start, end } = self.rows;
+        while start < end {
+            let first = start / L::WIDTH * L::WIDTH;
+            let rows = start..end.min(first + L::WIDTH);
+            start = rows.end;
+            match rows.len() {
+                count if count == L::WIDTH => self.together::<L>(first),
+                0..=FEW => rows.for_each(|row| self.together::<f32>(row)),
+                _ => self.together_in_copy::<L>(rows),
+            }
         }
     }
 }

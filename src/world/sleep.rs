@@ -22,7 +22,7 @@ const LOOKS_PER_SECOND: f32 = 8.0;
 
 /// Whether islands at rest are looked for in this tick of a world.
 pub(crate) fn is_due(tick: u64, tick_rate: f32) -> bool {
-    tick % (tick_rate / LOOKS_PER_SECOND).max(1.0) as u64 == 0
+    tick.is_multiple_of((tick_rate / LOOKS_PER_SECOND).max(1.0) as u64)
 }
 
 /// Sleeping islands, each the slots of its bodies.

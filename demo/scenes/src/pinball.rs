@@ -146,7 +146,7 @@ fn swing(world: &mut World, id: BodyId, part: usize, is_raised: bool) {
 
 /// Shoots a ball in at the top, to a side that changes from ball to ball and with the time.
 fn shoot(world: &mut World, id: BodyId, place: usize) {
-    let side = if (world.ticks() as usize + place) % 2 == 0 { -1.0 } else { 1.0 };
+    let side = if (world.ticks() as usize + place).is_multiple_of(2) { -1.0 } else { 1.0 };
     let entry = Vec2::new(side * 2.5, 7.0 - 0.1 * place as f32);
     let reach = Vec2::new(BALL, BALL);
     if !world.bodies_in(entry - reach, entry + reach).is_empty() {

@@ -86,14 +86,14 @@ fn gap_of_hulls(a: &Hull, rotation_a: Rot, b: &Hull, rotation_b: Rot, offset: Ve
         Gap { distance: face_a.separation, normal: a.normals[face_a.index] }
     };
     let noise = noise_of(center);
-    if widest.distance > noise {
-        if let Some(Closest { normal, .. }) = Closest::find(a, b, rotation, center, noise) {
-            let reach_a = reach(a, normal);
-            let reach_b = reach(b, rotation.unrotate(-normal));
-            let across = Gap { distance: normal.dot(center) - reach_a - reach_b, normal };
-            if across.distance > widest.distance {
-                widest = across;
-            }
+    if widest.distance > noise
+        && let Some(Closest { normal, .. }) = Closest::find(a, b, rotation, center, noise)
+    {
+        let reach_a = reach(a, normal);
+        let reach_b = reach(b, rotation.unrotate(-normal));
+        let across = Gap { distance: normal.dot(center) - reach_a - reach_b, normal };
+        if across.distance > widest.distance {
+            widest = across;
         }
     }
     Gap { normal: rotation_a.rotate(widest.normal), ..widest }

@@ -11,10 +11,10 @@ use crate::resolution::contact_block::{BlockEnd, ContactBlock, ContactEnds};
 use crate::resolution::kernel::Kernel;
 use crate::resolution::load::{LoadMeasure, Loads};
 
-/// What it costs to make eight constraints, to sweep over them once, and to write them back, ns.
-const PREPARE_COST: usize = 150;
-const SWEEP_COST: usize = 25;
-const FINISH_COST: usize = 100;
+/// What it costs to make sixteen constraints, to sweep over them once, and to write them back, ns.
+const PREPARE_COST: usize = 300;
+const SWEEP_COST: usize = 40;
+const FINISH_COST: usize = 200;
 
 impl ConstraintGraph {
     /// Makes the constraints of a step from the contacts; stored impulses are multiplied by `scale`.

@@ -15,7 +15,7 @@ pub(crate) struct BlockEnd {
     pub(crate) residual: StepResidual,
 }
 
-/// One of the points of eight contacts at the end of the step.
+/// One of the points of sixteen contacts at the end of the step.
 #[derive(Clone, Copy, Debug, Default)]
 struct PointEnds {
     separation: Column,
@@ -24,7 +24,7 @@ struct PointEnds {
     anchor_b: LaneVec2<Column>,
 }
 
-/// Eight contacts at the end of the step.
+/// Sixteen contacts at the end of the step.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct ContactEnds {
     points: [PointEnds; 2],

@@ -2,22 +2,22 @@
 
 use crate::compute::Lane;
 
-/// Some of the eight contacts of a block.
+/// Some of the sixteen contacts of a block.
 #[derive(Clone, Copy, Debug, Default)]
-pub(crate) struct Marks(u8);
+pub(crate) struct Marks(u16);
 
 impl Marks {
     /// Marks the contact at `place`, below [`COLUMN`], that is not marked yet, or not.
     #[inline(always)]
     pub(crate) fn set(&mut self, place: usize, is_marked: bool) {
-        self.0 |= u8::from(is_marked) << place;
+        self.0 |= u16::from(is_marked) << place;
     }
 
     /// Marks as many contacts as a lane holds from `place` on, or not, as the bits of a mask say.
     #[inline(always)]
     pub(super) fn write<L: Lane>(&mut self, place: usize, bits: u32) {
         let of_lane = (1_u32 << L::WIDTH) - 1;
-        self.0 = (u32::from(self.0) & !(of_lane << place) | (bits & of_lane) << place) as u8;
+        self.0 = (u32::from(self.0) & !(of_lane << place) | (bits & of_lane) << place) as u16;
     }
 
     /// Whether the contact at `place` is marked.

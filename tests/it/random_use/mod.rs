@@ -98,14 +98,16 @@ fn try_threads(player: fn() -> Player, operations: &[Operation]) -> Result<(), T
 }
 
 fn try_widths(player: fn() -> Player, operations: &[Operation]) -> Result<(), TestCaseError> {
-    let mut players = [Lanes::One, Lanes::Four, Lanes::Eight].map(|lanes| player().with_lanes(lanes));
+    let widths = [Lanes::One, Lanes::Four, Lanes::Eight, Lanes::Sixteen];
+    let mut players = widths.map(|lanes| player().with_lanes(lanes));
     for operation in operations {
         for player in &mut players {
             player.play(operation);
         }
-        let [one, four, eight] = players.each_ref().map(Player::bits);
-        prop_assert_eq!(four, one, "four at a time, after {:?}", operation);
-        prop_assert_eq!(eight, one, "eight at a time, after {:?}", operation);
+        let [one, others @ ..] = players.each_ref().map(Player::bits);
+        for (lanes, other) in widths[1..].iter().zip(others) {
+            prop_assert_eq!(other, one, "{:?} at a time, after {:?}", lanes, operation);
+        }
     }
     Ok(())
 }

@@ -40,7 +40,7 @@ impl Tree {
     fn validate_inner(&self, place: u32) -> Result<(), String> {
         let node = self.node(place);
         let (a, b) = (self.node(node.link), self.node(node.link + 1));
-        if node.link % 2 != 0 || a.parent != place || b.parent != place {
+        if !node.link.is_multiple_of(2) || a.parent != place || b.parent != place {
             return Err(format!("the children of {place} at {} do not point back", node.link));
         }
         if node.aabb != a.aabb.union(b.aabb) {
