@@ -16,6 +16,8 @@ mod avx2;
 #[cfg(target_arch = "x86_64")]
 mod avx512;
 mod column;
+#[cfg(feature = "report")]
+mod counted;
 mod crew;
 mod dispatch;
 mod lane;
@@ -46,6 +48,8 @@ use portable as four;
 use sse2 as four;
 
 pub(crate) use column::{COLUMN, Column, RowPairs};
+#[cfg(feature = "report")]
+pub(crate) use counted::{Count, Counted, count};
 pub(crate) use crew::{Crew, Divide, MOST_THREADS};
 pub use dispatch::Lanes;
 pub(crate) use dispatch::{Job, Width, run};

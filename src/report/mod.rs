@@ -83,6 +83,7 @@ mod sweep;
 mod text;
 mod track;
 mod watch;
+mod work;
 
 pub use chart::{Axis, Chart, Mark, Point, Series};
 pub use error::StudyError;
@@ -93,3 +94,4 @@ pub use quantity::Unit;
 pub use result::{Reference, Report, Row, RunTime};
 pub use study::{Progress, Study};
 pub use track::Exact;
+pub use work::Work;

@@ -3,6 +3,8 @@
 //! This is where a step spends its time: per substep each contact is warm started once and swept twice.
 
 use crate::compute::{BodyState, Lane, LaneVec2, Shared};
+#[cfg(feature = "report")]
+use crate::compute::{Count, Counted, count};
 use crate::resolution::block::solve_pair;
 use crate::resolution::constraint::ContactConstraint;
 use crate::resolution::contact_block::{ContactBlock, Fit};
@@ -286,4 +288,19 @@ fn solve_friction<L: Lane>(
     let after = (before - friction.mass * slip).min(limit).max(-limit);
     friction.impulse = after;
     constraint.apply(&constraint.points[index], tangent * (after - before), a, b);
+}
+
+/// What a substep does for one contact of two points with friction: a warm start and two sweeps.
+#[cfg(feature = "report")]
+pub(crate) fn work_of_a_substep() -> Count {
+    let (mut block, mut rows) = (ContactBlock::default(), [BodyState::REST]);
+    let is_fitted = true;
+    count(|| {
+        let start = WarmStart { shares: Shared::new(&mut rows), part: 0.5, is_fitted };
+        start.run::<Counted>(&mut block, 0);
+        let states = Shared::new(&mut rows);
+        let main = SweepOver { states, kind: Sweep::MAIN, per_substep: 1.0, is_fitted };
+        main.run::<Counted>(&mut block, 0);
+        SweepOver { kind: Sweep::RELAX, ..main }.run::<Counted>(&mut block, 0);
+    })
 }

@@ -29,5 +29,7 @@ pub(crate) use constraint_graph::ConstraintGraph;
 pub(crate) use effort::{Allowance, EffortTables, Efforts};
 pub(crate) use integrate::SpeedLimits;
 pub(crate) use islands::Islands;
+#[cfg(feature = "report")]
+pub(crate) use kernel::work_of_a_substep;
 pub(crate) use load::{Loads, begins_at_rest};
 pub(crate) use solver::{Acceleration, Scheme, SolveTables, Solver, solve};

@@ -1,5 +1,6 @@
 //! The command `speed`: how long a step takes, beside the overlap and the energy that the engines end with.
 
+mod floor;
 mod measure;
 mod page;
 mod picture;

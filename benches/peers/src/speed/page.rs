@@ -4,8 +4,9 @@ use std::fmt::Write as _;
 use std::path::Path;
 use std::{fs, io};
 
-use rustycs::report::Unit;
+use rustycs::report::{Unit, Work};
 
+use super::floor::{Floor, Peaks, floor};
 use super::picture;
 use super::rows::Row;
 use super::scenes::{Course, CourseKind};
@@ -100,6 +101,7 @@ fn page(builds: &[(&str, Vec<Entry<'_>>)], first: &[Entry<'_>], rows: &[Row]) ->
     }
     growth(first, &mut text);
     stages(first, &mut text);
+    floors(first, &mut text);
     text += "![Overlap against time by scene](speed/overlap.svg)\n\n## The scenes\n\n";
     for entry in first {
         let Course { name, statement, warm_up, ticks, .. } = entry.course;
@@ -278,6 +280,48 @@ fn stages(entries: &[Entry<'_>], text: &mut String) {
         let row = entry.rows[0];
         let per_point = Unit::Of("s".into()).figure(row.step_time[0] / row.end.points.max(1) as f64);
         _ = writeln!(text, "| `{}` | {} | {per_point} |", entry.course.name, words(entry, 1).join(" | "));
+    }
+    text.push('\n');
+}
+
+/// How far the time of a step is from what its sweeps alone need on this machine.
+fn floors(entries: &[Entry<'_>], text: &mut String) {
+    let (peaks, Work { operations, bytes }) = (Peaks::find(), Work::of_a_contact());
+    _ = writeln!(
+        text,
+        "## How far from the floor\n\nA substep does {operations} operations for a contact of two points and moves {bytes} \
+         bytes, counted by running its warm start and its two sweeps on numbers that count. This machine does up to {:.0} \
+         operations a nanosecond on one thread, and moves up to {:.0} bytes a nanosecond where they fit into 256 kB, {:.0} \
+         where they need 4 MB, {:.0} where they need 64 MB, as tried while this page was written. The floor is what the \
+         sweeps of a step need at that rate for the contact points at the end: of arithmetic and memory the slower. \
+         It has no broad phase, no narrow phase and no bodies in it, and it waits for nothing; so it is far where contacts \
+         are few. A sweep has to wait: what the second point is pushed with hangs on the first, friction on both, and the \
+         next contact of a body on this one. What else there is in `solve`, and most of `contacts`, is done for one contact \
+         or body at a time: what was found of it is taken into lanes and out again.\n\n\
+         | scene | floor | set by | solve / floor | step / floor |\n|---|---:|---|---:|---:|",
+        peaks.operations * 1e-9,
+        peaks.bandwidth(2e5) * 1e-9,
+        peaks.bandwidth(4e6) * 1e-9,
+        peaks.bandwidth(6e7) * 1e-9,
+    );
+    // Where all sleep there is nothing to solve.
+    for entry in entries.iter().filter(|entry| !entry.rows[0].stages.contains("solve 0 ")) {
+        let row = entry.rows[0];
+        let Floor { time, is_memory } = floor(row, &peaks);
+        let limit = if is_memory { "memory" } else { "arithmetic" };
+        let share = |stage: &str| {
+            let mut words = row.stages.split(' ').skip_while(|word| *word != stage);
+            words.nth(1).and_then(|share| share.parse::<f64>().ok()).unwrap_or_default() / 100.0
+        };
+        let step = row.step_time[0] / time;
+        _ = writeln!(
+            text,
+            "| `{}` | {} | {limit} | {} | {} |",
+            entry.course.name,
+            Unit::Of("s".into()).figure(time),
+            factor(step * share("solve")),
+            factor(step),
+        );
     }
     text.push('\n');
 }
