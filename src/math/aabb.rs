@@ -49,7 +49,12 @@ impl Aabb {
     #[inline(always)]
     #[must_use]
     pub fn union(self, other: Self) -> Self {
-        Self { min: self.min.min(other.min), max: self.max.max(other.max) }
+        let lower = |a: f32, b: f32| if a < b { a } else { b };
+        let higher = |a: f32, b: f32| if a > b { a } else { b };
+        Self {
+            min: Vec2::new(lower(self.min.x, other.min.x), lower(self.min.y, other.min.y)),
+            max: Vec2::new(higher(self.max.x, other.max.x), higher(self.max.y, other.max.y)),
+        }
     }
 
     /// The box grown by `margin`, m, on every side.
@@ -69,10 +74,11 @@ impl Aabb {
     /// Whether the two share a point, borders included.
     #[inline(always)]
     pub fn overlaps(self, other: Self) -> bool {
-        self.min.x <= other.max.x
-            && other.min.x <= self.max.x
-            && self.min.y <= other.max.y
-            && other.min.y <= self.max.y
+        // All four, whatever the first one says: no processor can foresee it.
+        (self.min.x <= other.max.x)
+            & (other.min.x <= self.max.x)
+            & (self.min.y <= other.max.y)
+            & (other.min.y <= self.max.y)
     }
 
     /// Whether a place lies within this box, borders included.
