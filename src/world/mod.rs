@@ -88,6 +88,8 @@ pub struct World {
     is_close_now: Vec<Option<bool>>,
     /// Scratch of the step, by row but for the ground: bodies that have left their box.
     leaves_box: Vec<bool>,
+    /// Scratch of the step: their slots.
+    leaving: Vec<u32>,
     /// Scratch of the step: index, and whether the bodies are still close.
     changed_contacts: Vec<(u32, bool)>,
 }
@@ -141,6 +143,7 @@ impl World {
             new_pairs: Vec::new(),
             is_close_now: Vec::new(),
             leaves_box: Vec::new(),
+            leaving: Vec::new(),
             changed_contacts: Vec::new(),
         })
     }

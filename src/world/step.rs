@@ -202,7 +202,7 @@ impl World {
     fn finalize(&mut self) {
         let dt = self.settings.tick_seconds() as f32;
         let may_sleep = self.settings.sleep;
-        let Self { bodies, broad_phase, crew, leaves_box, .. } = self;
+        let Self { bodies, broad_phase, crew, leaves_box, leaving, .. } = self;
         leaves_box.resize(bodies.awake_count(), false);
         let Bodies { states, slot_of_row, motions, forcings, shapes, .. } = bodies;
         let (motions, forcings) = (Shared::new(motions), Shared::new(forcings));
@@ -231,9 +231,13 @@ impl World {
             }
         });
         self.resting = resting.into_inner();
-        let rows = bodies.states.iter().zip(&bodies.slot_of_row).skip(1);
-        for ((state, &slot), _) in rows.zip(leaves_box).filter(|(_, leaves_box)| **leaves_box) {
-            broad_phase.give_box(slot, bodies.aabb(slot), Vec2::from(state.velocity) * dt);
+        let slots = bodies.slot_of_row.iter().skip(1).zip(leaves_box);
+        leaving.clear();
+        leaving.extend(slots.filter(|(_, leaves_box)| **leaves_box).map(|(&slot, _)| slot));
+        for (place, &slot) in leaving.iter().enumerate() {
+            broad_phase.prefetch_giving(leaving, place);
+            let ahead = Vec2::from(bodies.state(slot).velocity) * dt;
+            broad_phase.give_box(slot, bodies.aabb(slot), ahead);
         }
     }
 

@@ -22,6 +22,7 @@ mod tree;
 
 pub(crate) use tree::Tree;
 
+use crate::compute::prefetch;
 use crate::math::{Aabb, Point, Vec2};
 use crate::store::PairSet;
 
@@ -43,6 +44,9 @@ const STEPS_AHEAD: f32 = 4.0;
 /// come to rest. The motion has to halve at least before this happens, so it happens only a few times while a
 /// body slows down.
 const TOO_BIG: f32 = 2.0;
+
+/// How many bodies ahead memory is asked for: so many take about as long to get a box as memory does.
+const AHEAD: usize = 3;
 
 /// So many pairs that were met are looked up together: their places in memory have been asked for before and come
 /// meanwhile.
@@ -162,6 +166,25 @@ impl BroadPhase {
         // By then each of four sides may be shorter by twice the room, and the margins, a part of them, by a little.
         let least_perimeter = fattened(tight, Vec2::ZERO).perimeter() - 9.0 * room;
         if fat.perimeter() < 0.99 * TOO_BIG * least_perimeter { room } else { 0.0 }
+    }
+
+    /// Asks for what it takes to give other boxes to bodies further on in a list than `place`: what is kept of a body
+    /// tells its leaf, and that its place in the tree.
+    #[inline(always)]
+    pub(crate) fn prefetch_giving(&self, list: &[u32], place: usize) {
+        let leaf_of = |body: u32| match self.proxies[body as usize].home {
+            Home::Movable(leaf) => Some(leaf),
+            Home::Absent | Home::Fixed(_) => None,
+        };
+        if let Some(leaf) = list.get(place + AHEAD).and_then(|&body| leaf_of(body)) {
+            self.movable.prefetch(leaf);
+        }
+        if let Some(leaf) = list.get(place + 2 * AHEAD).and_then(|&body| leaf_of(body)) {
+            self.movable.prefetch_place(leaf);
+        }
+        if let Some(&body) = list.get(place + 3 * AHEAD) {
+            prefetch(&self.proxies, body as usize);
+        }
     }
 
     /// Gives a body another fat box.

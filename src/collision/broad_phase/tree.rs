@@ -36,6 +36,7 @@ mod tests;
 mod validate;
 mod walk;
 
+use crate::compute::prefetch;
 use crate::math::{Aabb, Vec2};
 
 /// Largest difference of height between two siblings.
@@ -116,6 +117,18 @@ impl Tree {
     #[inline]
     pub(crate) fn aabb(&self, leaf: u32) -> Aabb {
         self.node(self.leaf_places[leaf as usize]).aabb
+    }
+
+    /// Asks for the leaf, whose place is close.
+    #[inline(always)]
+    pub(crate) fn prefetch(&self, leaf: u32) {
+        prefetch(&self.nodes, self.leaf_places[leaf as usize] as usize);
+    }
+
+    /// Asks for the place of a leaf.
+    #[inline(always)]
+    pub(crate) fn prefetch_place(&self, leaf: u32) {
+        prefetch(&self.leaf_places, leaf as usize);
     }
 
     #[inline]
