@@ -74,11 +74,10 @@ impl Aabb {
     /// Whether the two share a point, borders included.
     #[inline(always)]
     pub fn overlaps(self, other: Self) -> bool {
-        // All four, whatever the first one says: no processor can foresee it.
-        (self.min.x <= other.max.x)
-            & (other.min.x <= self.max.x)
-            & (self.min.y <= other.max.y)
-            & (other.min.y <= self.max.y)
+        self.min.x <= other.max.x
+            && other.min.x <= self.max.x
+            && self.min.y <= other.max.y
+            && other.min.y <= self.max.y
     }
 
     /// Whether a place lies within this box, borders included.
