@@ -48,6 +48,25 @@ impl Width {
 }
 
 impl Lanes {
+    /// How many contacts it is on this processor: 1, 4, 8 or 16.
+    ///
+    /// ```
+    /// use rustycs::Lanes;
+    ///
+    /// assert_eq!(Lanes::One.count(), 1);
+    /// assert!(Lanes::Auto.count() >= Lanes::Four.count());
+    /// ```
+    pub fn count(self) -> usize {
+        match self.width().0 {
+            Kind::One => 1,
+            Kind::Four => F32x4::WIDTH,
+            #[cfg(target_arch = "x86_64")]
+            Kind::Eight => F32x8::WIDTH,
+            #[cfg(target_arch = "x86_64")]
+            Kind::Sixteen => F32x16::WIDTH,
+        }
+    }
+
     /// The width that stands for it on this processor.
     pub(crate) fn width(self) -> Width {
         Width(match self {

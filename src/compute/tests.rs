@@ -369,6 +369,9 @@ fn a_width_is_never_more_than_was_asked_for() {
     assert!([4, 8].contains(&width_of(Lanes::Eight.width())));
     assert!(width_of(Lanes::Sixteen.width()) >= width_of(Lanes::Eight.width()));
     assert_eq!(width_of(Lanes::Sixteen.width()), width_of(Lanes::Auto.width()));
+    for lanes in [Lanes::One, Lanes::Four, Lanes::Eight, Lanes::Sixteen, Lanes::Auto] {
+        assert_eq!(lanes.count(), width_of(lanes.width()));
+    }
 }
 
 /// Every item is in one part, whatever the number of threads; parts that use the same element are found out.

@@ -4,6 +4,7 @@ use std::fmt::Write as _;
 use std::path::Path;
 use std::{fs, io};
 
+use rustycs::Lanes;
 use rustycs::report::{Unit, Work};
 
 use super::floor::{Floor, Peaks, floor};
@@ -118,6 +119,11 @@ fn what_was_run(rows: &[Row], text: &mut String) {
         }
     }
     circumstances(versions, text);
+    _ = writeln!(
+        text,
+        "- rustycs asks the processor what lanes it has, and solves {} contacts at a time here.",
+        Lanes::Auto.count()
+    );
     let when = goes(rows.iter().map(|row| row.begun.as_str()));
     _ = writeln!(
         text,
@@ -295,8 +301,8 @@ fn floors(entries: &[Entry<'_>], text: &mut String) {
          where they need 4 MB, {:.0} where they need 64 MB, as tried while this page was written. The floor is what the \
          sweeps of a step need at that rate for the contact points at the end: of arithmetic and memory the slower. \
          It has no broad phase, no narrow phase and no bodies in it, and it waits for nothing; so it is far where contacts \
-         are few. A sweep has to wait: what the second point is pushed with hangs on the first, friction on both, and the \
-         next contact of a body on this one. What else there is in `solve`, and most of `contacts`, is done for one contact \
+         are few. A sweep has to wait: friction hangs on what presses, that of the second point on that of the first, and \
+         the next contact of a body on this one. What else there is in `solve`, and most of `contacts`, is done for one contact \
          or body at a time: what was found of it is taken into lanes and out again.\n\n\
          | scene | floor | set by | solve / floor | step / floor |\n|---|---:|---|---:|---:|",
         peaks.operations * 1e-9,
@@ -309,17 +315,16 @@ fn floors(entries: &[Entry<'_>], text: &mut String) {
         let row = entry.rows[0];
         let Floor { time, is_memory } = floor(row, &peaks);
         let limit = if is_memory { "memory" } else { "arithmetic" };
-        let share = |stage: &str| {
-            let mut words = row.stages.split(' ').skip_while(|word| *word != stage);
-            words.nth(1).and_then(|share| share.parse::<f64>().ok()).unwrap_or_default() / 100.0
-        };
+        let mut words = row.stages.split(' ').skip_while(|word| *word != "solve");
+        let solve =
+            words.nth(1).and_then(|per_cent| per_cent.parse::<f64>().ok()).unwrap_or_default() / 100.0;
         let step = row.step_time[0] / time;
         _ = writeln!(
             text,
             "| `{}` | {} | {limit} | {} | {} |",
             entry.course.name,
             Unit::Of("s".into()).figure(time),
-            factor(step * share("solve")),
+            factor(step * solve),
             factor(step),
         );
     }
