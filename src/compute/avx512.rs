@@ -11,7 +11,7 @@
 use core::arch::x86_64::*;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
-use crate::compute::{BodyState, Column, Lane, LaneRot, LaneVec2, RowPairs, Rows, Shared, each_alone};
+use crate::compute::{BodyState, Column, Lane, RowPairs, Rows, Shared, each_alone};
 use crate::math::trig;
 
 #[derive(Clone, Copy, Debug)]
@@ -168,16 +168,7 @@ unsafe fn gather_half<const OFFSET: usize>(states: &(impl Rows + ?Sized), rows: 
 #[inline(always)]
 unsafe fn gather(states: &(impl Rows + ?Sized), rows: &[u32; 16]) -> BodyState<F32x16> {
     // SAFETY: the rows are there, says the caller; `load_quarter` checks it in debug.
-    let (velocities, deltas) = unsafe { (gather_half::<0>(states, rows), gather_half::<4>(states, rows)) };
-    let [x, y, angular_velocity, padding] = velocities;
-    let [delta_x, delta_y, c, s] = deltas;
-    BodyState {
-        velocity: LaneVec2 { x, y },
-        angular_velocity,
-        padding,
-        delta_position: LaneVec2 { x: delta_x, y: delta_y },
-        delta_rotation: LaneRot { c, s },
-    }
+    unsafe { BodyState::of_numbers(gather_half::<0>(states, rows), gather_half::<4>(states, rows)) }
 }
 
 /// # Safety
@@ -185,8 +176,7 @@ unsafe fn gather(states: &(impl Rows + ?Sized), rows: &[u32; 16]) -> BodyState<F
 #[inline(always)]
 unsafe fn gather_velocities(states: &(impl Rows + ?Sized), rows: &[u32; 16]) -> BodyState<F32x16> {
     // SAFETY: the rows are there, says the caller; `load_quarter` checks it in debug.
-    let [x, y, angular_velocity, padding] = unsafe { gather_half::<0>(states, rows) };
-    BodyState { velocity: LaneVec2 { x, y }, angular_velocity, padding, ..BodyState::at_rest() }
+    BodyState::of_velocities(unsafe { gather_half::<0>(states, rows) })
 }
 
 /// Writes the velocities of the bodies that move to their rows.

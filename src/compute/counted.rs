@@ -1,9 +1,9 @@
 //! Numbers that count what is done with them.
 
-use core::cell::Cell;
+use core::cell::RefCell;
 use core::ops::{Add, AddAssign, Div, Mul, Neg, Sub};
 
-use crate::compute::{BodyState, Column, Lane, LaneRot, LaneVec2, RowPairs, Rows, Shared};
+use crate::compute::{BodyState, Column, Lane, RowPairs, Rows, Shared};
 
 /// What was done for one number of a lane.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -21,31 +21,56 @@ impl AddAssign for Count {
     }
 }
 
+/// What has been done so far, and which of the numbers that were loaded have been used.
+#[derive(Debug, Default)]
+struct Tally {
+    count: Count,
+    used: Vec<bool>,
+}
+
 thread_local! {
-    static COUNT: Cell<Count> = const { Cell::new(Count { operations: 0, bytes: 0 }) };
+    static TALLY: RefCell<Tally> = RefCell::default();
 }
 
 /// What `work` does with [`Counted`] numbers.
 pub(crate) fn count(work: impl FnOnce()) -> Count {
-    COUNT.set(Count::default());
+    TALLY.take();
     work();
-    COUNT.get()
+    TALLY.take().count
 }
 
 fn note(operations: u32, bytes: usize) {
-    let mut count = COUNT.get();
-    count += Count { operations, bytes: bytes as u32 };
-    COUNT.set(count);
+    TALLY.with_borrow_mut(|tally| tally.count += Count { operations, bytes: bytes as u32 });
 }
 
-/// A lane of one number.
+/// A lane of one number. What is loaded counts once, when it is first used: no compiler loads what is not.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Counted(f32);
+pub(crate) struct Counted {
+    value: f32,
+    /// Which of the loaded numbers it is, if it is as it was loaded.
+    load: Option<usize>,
+}
 
 impl Counted {
+    fn new(value: f32) -> Self {
+        Self { value, load: None }
+    }
+
     fn operation(result: f32) -> Self {
         note(1, 0);
-        Self(result)
+        Self::new(result)
+    }
+
+    /// Its value, to do something with.
+    fn used(self) -> f32 {
+        if let Some(load) = self.load {
+            TALLY.with_borrow_mut(|Tally { count, used }| {
+                if !std::mem::replace(&mut used[load], true) {
+                    count.bytes += size_of::<f32>() as u32;
+                }
+            });
+        }
+        self.value
     }
 }
 
@@ -54,7 +79,7 @@ macro_rules! operator {
         impl $trait for Counted {
             type Output = Self;
             fn $name(self, other: Self) -> Self {
-                Self::operation(self.0.$name(other.0))
+                Self::operation(self.used().$name(other.used()))
             }
         }
     };
@@ -68,53 +93,44 @@ operator!(Div, div);
 impl Neg for Counted {
     type Output = Self;
     fn neg(self) -> Self {
-        Self::operation(-self.0)
+        Self::operation(-self.used())
     }
 }
 
 /// Half a row is as much as is read or written at least.
 const HALF_ROW: usize = size_of::<BodyState>() / 2;
 
-fn counted(state: &BodyState) -> BodyState<Counted> {
-    let [velocity, moved] = [state.velocity, state.delta_position]
-        .map(|LaneVec2 { x, y }| LaneVec2 { x: Counted(x), y: Counted(y) });
-    BodyState {
-        velocity,
-        angular_velocity: Counted(state.angular_velocity),
-        padding: Counted(state.padding),
-        delta_position: moved,
-        delta_rotation: LaneRot { c: Counted(state.delta_rotation.c), s: Counted(state.delta_rotation.s) },
-    }
-}
-
 impl Lane for Counted {
     const WIDTH: usize = 1;
     type Mask = bool;
 
     fn splat(value: f32) -> Self {
-        Self(value)
+        Self::new(value)
     }
 
     fn load(column: &Column, place: usize) -> Self {
-        note(0, size_of::<f32>());
-        Self(column.get(place))
+        let load = TALLY.with_borrow_mut(|Tally { used, .. }| {
+            used.push(false);
+            used.len() - 1
+        });
+        Self { value: column.get(place), load: Some(load) }
     }
 
     fn store(self, column: &mut Column, place: usize) {
         note(0, size_of::<f32>());
-        column.set(place, self.0);
+        column.set(place, self.used());
     }
 
     fn min(self, other: Self) -> Self {
-        Self::operation(Lane::min(self.0, other.0))
+        Self::operation(Lane::min(self.used(), other.used()))
     }
 
     fn max(self, other: Self) -> Self {
-        Self::operation(Lane::max(self.0, other.0))
+        Self::operation(Lane::max(self.used(), other.used()))
     }
 
     fn sqrt(self) -> Self {
-        Self::operation(self.0.sqrt())
+        Self::operation(self.used().sqrt())
     }
 
     fn sin_cos(self) -> (Self, Self) {
@@ -123,7 +139,7 @@ impl Lane for Counted {
 
     fn greater(self, other: Self) -> bool {
         note(1, 0);
-        self.0 > other.0
+        self.used() > other.used()
     }
 
     fn both(a: bool, b: bool) -> bool {
@@ -132,7 +148,8 @@ impl Lane for Counted {
     }
 
     fn select(mask: bool, yes: Self, no: Self) -> Self {
-        Self::operation(if mask { yes.0 } else { no.0 })
+        let (yes, no) = (yes.used(), no.used());
+        Self::operation(if mask { yes } else { no })
     }
 
     fn bits(mask: bool) -> u32 {
@@ -147,18 +164,14 @@ impl Lane for Counted {
         unreachable!("sweeps scatter rows")
     }
 
-    fn gather(states: &(impl Rows + ?Sized), rows: &RowPairs, place: usize) -> [BodyState<Self>; 2] {
+    fn gather(_: &(impl Rows + ?Sized), _: &RowPairs, _: usize) -> [BodyState<Self>; 2] {
         note(0, 4 * HALF_ROW);
-        rows.get(place).map(|row| counted(&states.row(row)))
+        [BodyState::at_rest(); 2]
     }
 
-    fn gather_velocities(
-        states: &(impl Rows + ?Sized),
-        rows: &RowPairs,
-        place: usize,
-    ) -> [BodyState<Self>; 2] {
+    fn gather_velocities(_: &(impl Rows + ?Sized), _: &RowPairs, _: usize) -> [BodyState<Self>; 2] {
         note(0, 2 * HALF_ROW);
-        rows.get(place).map(|row| counted(&states.row(row)))
+        [BodyState::at_rest(); 2]
     }
 
     fn scatter_velocities(
@@ -180,11 +193,12 @@ mod tests {
     fn operations_and_bytes_are_counted_and_each_count_is_of_its_own() {
         let mut column = Column::default();
         let found = count(|| {
+            let _unused = Counted::load(&column, 2);
             let x = Counted::load(&column, 3);
             let y = x * x + Counted::splat(2.0);
             Counted::select(y.greater(x), y, -x).store(&mut column, 3);
         });
-        // Product, sum, comparison, negation, choice; a number read and one written.
+        // Product, sum, comparison, negation, choice; a number read, however often it is used, and one written.
         assert_eq!(found, Count { operations: 5, bytes: 8 });
         assert_eq!(count(|| ()), Count::default());
     }

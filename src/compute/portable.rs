@@ -46,19 +46,19 @@ impl Neg for F32x4 {
 fn gather(states: &(impl Rows + ?Sized), rows: &[u32; 4]) -> BodyState<F32x4> {
     let states = rows.map(|row| states.row(row));
     let lane = |number: fn(&BodyState) -> f32| F32x4(states.each_ref().map(number));
-    BodyState {
-        velocity: LaneVec2 { x: lane(|state| state.velocity.x), y: lane(|state| state.velocity.y) },
-        angular_velocity: lane(|state| state.angular_velocity),
-        padding: F32x4::splat(0.0),
-        delta_position: LaneVec2 {
-            x: lane(|state| state.delta_position.x),
-            y: lane(|state| state.delta_position.y),
-        },
-        delta_rotation: LaneRot {
-            c: lane(|state| state.delta_rotation.c),
-            s: lane(|state| state.delta_rotation.s),
-        },
-    }
+    let velocities = [
+        lane(|state| state.velocity.x),
+        lane(|state| state.velocity.y),
+        lane(|state| state.angular_velocity),
+        F32x4::splat(0.0),
+    ];
+    let deltas = [
+        lane(|state| state.delta_position.x),
+        lane(|state| state.delta_position.y),
+        lane(|state| state.delta_rotation.c),
+        lane(|state| state.delta_rotation.s),
+    ];
+    BodyState::of_numbers(velocities, deltas)
 }
 
 impl Lane for F32x4 {
@@ -148,10 +148,8 @@ impl Lane for F32x4 {
         rows: &RowPairs,
         place: usize,
     ) -> [BodyState<Self>; 2] {
-        Self::gather(states, rows, place).map(|BodyState { velocity, angular_velocity, .. }| BodyState {
-            velocity,
-            angular_velocity,
-            ..BodyState::at_rest()
+        Self::gather(states, rows, place).map(|BodyState { velocity, angular_velocity, padding, .. }| {
+            BodyState::of_velocities([velocity.x, velocity.y, angular_velocity, padding])
         })
     }
 

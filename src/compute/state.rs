@@ -45,6 +45,24 @@ impl BodyState {
 }
 
 impl<L: Lane> BodyState<L> {
+    /// As many bodies, from the first four numbers of their rows and the second four.
+    #[inline(always)]
+    pub(super) fn of_numbers([x, y, angular_velocity, padding]: [L; 4], [dx, dy, c, s]: [L; 4]) -> Self {
+        Self {
+            velocity: LaneVec2 { x, y },
+            angular_velocity,
+            padding,
+            delta_position: LaneVec2 { x: dx, y: dy },
+            delta_rotation: LaneRot { c, s },
+        }
+    }
+
+    /// As many bodies with these velocities, the first four numbers of their rows, that have not moved.
+    #[inline(always)]
+    pub(super) fn of_velocities([x, y, angular_velocity, padding]: [L; 4]) -> Self {
+        Self { velocity: LaneVec2 { x, y }, angular_velocity, padding, ..Self::at_rest() }
+    }
+
     /// As many bodies at rest.
     #[inline(always)]
     pub(crate) fn at_rest() -> Self {

@@ -304,3 +304,24 @@ pub(crate) fn work_of_a_substep() -> Count {
         SweepOver { kind: Sweep::RELAX, ..main }.run::<Counted>(&mut block, 0);
     })
 }
+
+#[cfg(all(test, feature = "report"))]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_warm_start_does_what_its_equations_say() {
+        let (mut block, mut shares) = (ContactBlock::default(), [BodyState::REST]);
+        let start = WarmStart { shares: Shared::new(&mut shares), part: 0.5, is_fitted: true };
+        let found = count(|| start.run::<Counted>(&mut block, 0));
+        // Per body: an impulse times 1/m, added to v (2 + 2); r × impulse (3), times 1/I, added to w.
+        let apply = 2 * (2 + 2 + 3 + 1 + 1);
+        // Per point: both impulses times the part, times their directions (2 + 2), summed (2), applied. The direction of the
+        // tangent is a negation; whether each body moves is a comparison.
+        assert_eq!(found.operations, 2 * (2 + 4 + 2 + apply) + 1 + 2);
+        // Numbers: of each body 1/m, 1/I, and 1/m once more; the normal; per point two anchors and two impulses. Written: per
+        // point two impulses and the share. Half rows of two bodies, to and fro.
+        let numbers = 2 * 3 + 2 + 2 * (4 + 2) + 2 * 3;
+        assert_eq!(found.bytes, 4 * numbers + 4 * 16);
+    }
+}
