@@ -32,6 +32,10 @@ const RECYCLE_DISTANCE: f32 = 0.05;
 /// it, comes to rest only because they hold still.
 const ROUND_RECYCLE_DISTANCE: f32 = 0.01;
 
+/// And while what a normal that has not turned with its face cannot see of the separations is at most this share of the
+/// width of the thinner body, no unit: less than what a contact under load may sag before its island gets more effort.
+const STALE_SHARE: f32 = 0.01;
+
 /// Cosine of the angle that either body may turn before the manifold is found anew: 11 degrees.
 const RECYCLE_COSINE: f32 = 0.98;
 
@@ -172,7 +176,12 @@ impl<'a> Pair<'a> {
     /// Points this far apart are kept between bodies at rest, m.
     fn near(&self) -> f32 {
         // A tenth of the width of the thinner of the two.
-        SPECULATIVE_MARGIN.min(0.1 * self.motion_a.thickness.min(self.motion_b.thickness))
+        SPECULATIVE_MARGIN.min(0.1 * self.thickness())
+    }
+
+    /// Width of the thinner of the two, m.
+    fn thickness(&self) -> f32 {
+        self.motion_a.thickness.min(self.motion_b.thickness)
     }
 
     /// Whether the circles around the two shapes stay apart: half of the pairs of a pile, at a tenth of the
@@ -252,6 +261,21 @@ impl<'a> Pair<'a> {
         let distance = self.recycle_distance();
         since.moved.length_squared() < distance * distance
             && since.turned.iter().all(|turned| turned.c > RECYCLE_COSINE)
+            && !self.is_stale(since)
+    }
+
+    /// Whether the kept normal misses too much: a face that has turned by an angle θ rises by l sin θ under a contact that
+    /// has slid on by l.
+    fn is_stale(&self, since: &Since) -> bool {
+        let slid = since.moved.length() + self.swung(since);
+        let slope = since.turned.iter().fold(0.0, |slope: f32, turned| slope.max(turned.s.abs()));
+        slid * slope >= STALE_SHARE * self.thickness()
+    }
+
+    /// How far the outlines have come by turning, by the sines of the angles, m.
+    fn swung(&self, since: &Since) -> f32 {
+        let [turned_a, turned_b] = since.turned;
+        turned_a.s.abs() * self.motion_a.extent + turned_b.s.abs() * self.motion_b.extent
     }
 
     /// Whether the bodies are slow, and have hardly moved against each other since then.
@@ -261,8 +285,7 @@ impl<'a> Pair<'a> {
             return false;
         }
         let [turned_a, turned_b] = since.turned;
-        let swung = turned_a.s.abs() * self.motion_a.extent + turned_b.s.abs() * self.motion_b.extent;
-        turned_a.c > 0.0 && turned_b.c > 0.0 && since.moved.length() + swung < REST_SHARE * near
+        turned_a.c > 0.0 && turned_b.c > 0.0 && since.moved.length() + self.swung(since) < REST_SHARE * near
     }
 
     /// Takes over a manifold that was found anew; impulses stay with their feature.

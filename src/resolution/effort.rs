@@ -4,8 +4,9 @@
 //! for the leak, which is 14 % of k λ (see [`softness`](super::softness)). Where that is more than an eightieth
 //! of the thinner body, in a contact whose bodies hardly move against each other, for a few steps, the island is solved
 //! directly, if that is little work; where it is too much work, and many contacts would be crushed whole, the island
-//! gets 2, 4 or 8 times as many substeps. Both end when the load does. Only the state decides, never a clock: a clone
-//! works as hard as its original.
+//! gets 2, 4 or 8 times as many substeps. Where the direct solve has not solved a small island, that gets 8 times as many
+//! until the next try. All of this ends when the load does. Only the state decides, never a clock: a clone works as hard
+//! as its original.
 //!
 //! A heap of great weight that begins at rest is solved directly from its first step on: its loads have yet to build up,
 //! and it would fall meanwhile.
@@ -13,11 +14,14 @@
 //! Islands without such a contact are never looked at. The others are found by walking over their contacts; the
 //! bodies of islands with the same effort have neighbouring rows, and colours of the constraint graph of their own.
 
+mod history;
+
 use core::ops::Range;
 
 use crate::body::{Bodies, Effort, NONE};
 use crate::collision::{Contact, Contacts};
 use crate::resolution::constraint_graph::ConstraintGraph;
+use crate::resolution::effort::history::{History, RETRY_STEPS};
 use crate::resolution::load::{
     CALM_SHARE, DIRECT_SHARE, LASTING_STEPS, Load, Loads, USUAL_RATE, begins_at_rest,
 };
@@ -30,20 +34,19 @@ const LOOK_STEPS: u64 = 4;
 /// An island that is too large for its load is left alone for so many steps.
 const QUIET_STEPS: u64 = 120;
 
-/// One that needs no more effort, or that the direct solve could not solve, is left alone for so many: it may have come
-/// into another state by then.
-const RETRY_STEPS: u64 = 10;
-
-/// Each further time that it was not solved, it is left alone for twice as long, so many times: Newton's method comes to
-/// an end where bodies have come to another place, and a heap at rest is shaken where it does not.
-const MOST_UNSOLVED_TIMES: u8 = 6;
-
 /// More substeps are for an island of which more than this share of the contacts asks for them, no unit: a few light
 /// bodies in a heap of heavy ones are not worth the time of all.
 const ASKING_SHARE: f32 = 0.05;
 
 /// So many steps in a row must do with less effort before it is taken back.
 const CALM_STEPS: u8 = 30;
+
+/// An island that the direct solve has not solved gets more substeps where a contact would sag by more than this share of
+/// the width of the thinner body, no unit, ...
+const UNSOLVED_SHARE: f32 = 0.05;
+
+/// ... if it has no more bodies than this: those of many take more time than they are worth.
+const LARGEST_UNSOLVED_ISLAND: usize = 32;
 
 /// Islands of more bodies are not solved directly.
 const LARGEST_DIRECT_ISLAND: usize = 256;
@@ -76,11 +79,23 @@ impl Allowance {
     }
 }
 
+/// Whether an island may be solved directly.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Directness {
+    Possible,
+    /// Not now, as it was not solved so before.
+    Failed,
+    /// It is too much work, or nobody asks for it.
+    RuledOut,
+}
+
 /// What is enough for an island under this load that `has` an effort so far.
-fn wanted(load: Load, has: Effort, may_be_direct: bool) -> Effort {
+fn wanted(load: Load, has: Effort, directness: Directness) -> Effort {
     let direct_share = if has == Effort::Direct { CALM_SHARE * DIRECT_SHARE } else { DIRECT_SHARE };
-    if may_be_direct && load.largest > direct_share {
-        return Effort::Direct;
+    match directness {
+        Directness::Possible if load.largest > direct_share => return Effort::Direct,
+        Directness::Failed if load.largest > UNSOLVED_SHARE => return Effort::Eightfold,
+        _ => {}
     }
     let more = [Effort::Double, Effort::Fourfold, Effort::Eightfold];
     let asks = |(_, asking): &(Effort, f32)| *asking > ASKING_SHARE * load.contacts;
@@ -176,9 +191,7 @@ impl Efforts {
         for &slot in &loads.unsolved {
             // It may have been removed since.
             if tables.bodies.records.at(slot).is_some() {
-                let record = &mut tables.bodies.records[slot];
-                record.quiet_until = tick + (RETRY_STEPS << record.unsolved_times);
-                record.unsolved_times = (record.unsolved_times + 1).min(MOST_UNSOLVED_TIMES);
+                tables.bodies.records[slot].leave_alone(tick);
             }
         }
         let has_work = !(loads.lasting.is_empty() && loads.begun_at_rest.is_empty());
@@ -265,29 +278,47 @@ impl Efforts {
         let mut load = Load::default();
         self.island.clear();
         flood(slot, &mut self.seen, &mut self.island, tables, |contact| load.add(contact));
-        let has = self.island.iter().map(|&slot| tables.bodies.records[slot].effort).max();
-        let has = has.unwrap_or_default();
-        let record_of = |&slot: &u32| &tables.bodies.records[slot];
-        let calm = self.island.iter().map(|slot| record_of(slot).calm_steps).min().unwrap_or_default();
-        let quiet_until =
-            self.island.iter().map(|slot| record_of(slot).quiet_until).max().unwrap_or_default();
-        let is_quiet = quiet_until > tick;
-        let may_be_direct = allowance.direct && !is_quiet && self.is_little_work(tables);
-        let wanted = if allowance.adapts { wanted(load, has, may_be_direct) } else { Effort::Plain };
+        let history = History::of(&self.island, tables.bodies);
+        let (has, calm, is_quiet) =
+            (history.effort, history.calm_steps, history.is_quiet(tick, load.is_recent));
+        let directness = self.directness(history, is_quiet, allowance, tables);
+        let may_be_direct = directness == Directness::Possible;
+        let wanted = if allowance.adapts { wanted(load, has, directness) } else { Effort::Plain };
         let can_go_on = allowance.adapts && (has != Effort::Direct || may_be_direct);
         let falls = wanted < has && can_go_on;
         let effort = if falls && calm < CALM_STEPS { has } else { wanted };
         self.give(effort, if falls { calm.saturating_add(1) } else { 0 }, tables);
-        if effort == Effort::Plain {
-            let pause = if may_be_direct { RETRY_STEPS } else { QUIET_STEPS };
-            let until = if is_quiet { quiet_until } else { tick + pause };
-            for &slot in &self.island {
-                let record = &mut tables.bodies.records[slot];
+        let has_outgrown = has == Effort::Direct && !may_be_direct && !is_quiet;
+        let pause = if may_be_direct { RETRY_STEPS } else { QUIET_STEPS };
+        let until = if history.quiet_until > tick { history.quiet_until } else { tick + pause };
+        for &slot in &self.island {
+            let record = &mut tables.bodies.records[slot];
+            if has_outgrown {
+                record.leave_alone(tick);
+            } else if effort == Effort::Plain {
                 record.quiet_until = until;
                 if falls {
                     record.unsolved_times = 0;
                 }
             }
+        }
+    }
+
+    /// Whether the island may be solved directly.
+    fn directness(
+        &mut self,
+        history: History,
+        is_quiet: bool,
+        allowance: Allowance,
+        tables: &EffortTables<'_>,
+    ) -> Directness {
+        let was_unsolved = history.unsolved_times > 0 && self.island.len() <= LARGEST_UNSOLVED_ISLAND;
+        if !allowance.direct || (is_quiet && !was_unsolved) || !self.is_little_work(tables) {
+            Directness::RuledOut
+        } else if is_quiet {
+            Directness::Failed
+        } else {
+            Directness::Possible
         }
     }
 

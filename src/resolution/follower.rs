@@ -1,15 +1,17 @@
 //! A contact that follows the surface: where it is while its two bodies move within the step, in closed form.
 //!
-//! What touches is a tip, which is a corner or a circle, and what it touches is a face or another circle.
+//! What touches is a tip, which is a corner or a circle, and what it touches is a face or another circle. A circle may
+//! roll past the end of a face, over the corner there: then it is from the corner that it is apart.
 //!
 //! ```text
 //! from a to b  d' = d + Δx_b - Δx_a + (ΔR_b - 1) p_b - (ΔR_a - 1) p_a
 //!                                        p: a tip, the centre of a circle, a point of a face; from the body's centre
-//! normal       n' = ΔR n on a face, turned with the body that has it;  n' = d'/|d'| between circles
+//! past an end  d' is taken from there
+//! normal       n' = ΔR n on a face, turned with the body that has it;  n' = d'/|d'| past its end and between circles
 //! gap          s' = n'·d' - r            r: the radii of the circles
 //! ```
 //!
-//! This is what detection finds as long as a tip stays on its face, at a fraction of its cost. Many contacts at a time
+//! This is what detection finds as long as a tip has no other face to go to, at a fraction of its cost. Many contacts at a time
 //! are computed with, those of a [`ContactBlock`](crate::resolution::contact_block::ContactBlock).
 
 use crate::body::{Bodies, Motion};
@@ -45,6 +47,9 @@ pub(crate) struct Follower<C> {
     turns_with_b: C,
     /// 1 where two circles touch: the normal is the line of their centres.
     is_of_circles: C,
+    /// How far the face goes on to both sides of the first point on it, m: at most 0, and at least 0. Endless for a corner,
+    /// which does not go past an end without a new manifold.
+    ends: [C; 2],
     /// Sum of the radii of the circles, m.
     radii: C,
     /// Which part of the gap the contact point is away from what it stays with: half, or none on a circle that touches
@@ -57,15 +62,15 @@ pub(crate) struct Follower<C> {
 }
 
 impl Follower<f32> {
-    /// The contact, whose manifold is that of now, if it is one of two circles, of a circle on a face, or of a corner
-    /// under load on a face. A circle must stay over the face for a step of `dt` seconds.
+    /// The contact, whose manifold is that of now, if it is one of two circles, of a circle on a face or the corners at its
+    /// ends, or of a corner under load on a face. A circle must not get over the next face within a step of `dt` seconds.
     pub(crate) fn new(contact: &Contact, bodies: &Bodies, dt: f32) -> Option<Self> {
         let motions = contact.slots.map(|slot| &bodies.motions[slot as usize]);
         let offset = motions[1].pose.center - motions[0].pose.center;
         match motions.map(|motion| motion.is_round) {
             [true, true] => Some(Self::of_circles(contact, motions, offset)),
             [false, false] => Self::of_corner(contact, motions),
-            round => Self::of_circle_on_face(contact, bodies, usize::from(round[1]), offset, dt),
+            round => Self::of_circle_on_hull(contact, bodies, usize::from(round[1]), offset, dt),
         }
     }
 
@@ -84,7 +89,7 @@ impl Follower<f32> {
     }
 
     /// `circle` is 0 where a is the circle, 1 where b is.
-    fn of_circle_on_face(
+    fn of_circle_on_hull(
         contact: &Contact,
         bodies: &Bodies,
         circle: usize,
@@ -99,26 +104,43 @@ impl Follower<f32> {
         let to_circle = if circle == 1 { offset } else { -offset };
         let center = rotation.unrotate(to_circle);
         let (gap, face) = hull.nearest_face(center);
-        let along = hull.normals[face].perp();
-        let room = [hull.vertices[face], hull.vertices[hull.next(face)]].map(|end| along.dot(end - center));
+        let corners = [hull.vertices[face], hull.vertices[hull.next(face)]];
+        // To an end of the face, along a face that meets there.
+        let along = |other: usize, end: usize| hull.normals[other].perp().dot(corners[end] - center);
+        let ends = [along(face, 0), along(face, 1)];
         let [round, flat] = [circle_slot, face_slot].map(|slot| bodies.state(slot));
         let speed = Vec2::from(round.velocity - flat.velocity).length()
             + flat.angular_velocity.abs() * to_circle.length();
         let way = speed * dt;
-        // Written so that NaN has no room.
-        if !(gap > 0.0 && room[0] < -way && room[1] > way) {
+        let stays_off_last = ends[0] < -way || along(hull.previous(face), 0) < -way;
+        let stays_off_next = ends[1] > way || along(hull.next(face), 1) > way;
+        // Written so that NaN is nowhere.
+        if !(gap > 0.0 && stays_off_last && stays_off_next) {
             return None;
         }
         let outward = rotation.rotate(hull.normals[face]);
+        let past = if ends[0] > 0.0 {
+            Some(0)
+        } else if ends[1] < 0.0 {
+            Some(1)
+        } else {
+            None
+        };
+        // From the nearest point of the face.
+        let (apart, ends) = match past {
+            None => (outward * gap, ends),
+            Some(end) => (rotation.rotate(center - corners[end]), ends.map(|other| other - ends[end])),
+        };
         let mut parts = [LaneVec2::default(); 2];
-        parts[1 - circle] = (to_circle - outward * gap).into();
+        parts[1 - circle] = (to_circle - apart).into();
         let sign = if circle == 1 { 1.0 } else { -1.0 };
         let radius = bodies.motions[circle_slot as usize].extent;
         let stays_with_b = circle as f32;
-        let pair = TouchingPair { parts, apart: (outward * (sign * gap)).into(), stays_with_b, radius };
+        let pair = TouchingPair { parts, apart: (apart * sign).into(), stays_with_b, radius };
         Some(Self {
             normal: (outward * sign).into(),
             turns_with_b: 1.0 - stays_with_b,
+            ends,
             radii: radius,
             reach_squared: f32::INFINITY,
             pairs: [pair, TouchingPair::default()],
@@ -153,6 +175,7 @@ impl Follower<f32> {
         Some(Self {
             normal: normal.into(),
             turns_with_b: face as f32,
+            ends: [f32::NEG_INFINITY, f32::INFINITY],
             gap_part: 0.5,
             reach_squared: (SLACK * motions[face].extent).powi(2),
             pairs,
@@ -181,11 +204,16 @@ impl<L: Lane> Follower<L> {
             let [part_a, part_b] = pair.parts;
             let [swung_a, swung_b] =
                 [a.delta_rotation.displacement(part_a), b.delta_rotation.displacement(part_b)];
-            let apart = pair.apart + moved + swung_b - swung_a;
-            // Two circles have one point. Below the smallest normal number the direction has lost its digits.
+            let mut apart = pair.apart + moved + swung_b - swung_a;
+            // A circle has one point. Below the smallest normal number the direction has lost its digits.
             if index == 0 {
+                let (edge, [start, end]) = (geometry.normal.perp(), self.ends);
+                let along = edge.dot(apart);
+                let nearest = along.max(start).min(end);
+                let past = (along - nearest) * (along - nearest);
+                apart = apart - edge * L::select(past.greater(zero), nearest, zero);
                 let squared = apart.dot(apart);
-                let is_radial = L::both(self.is_of_circles.greater(zero), squared.greater(least));
+                let is_radial = L::both((self.is_of_circles + past).greater(zero), squared.greater(least));
                 let radial = apart * (L::splat(1.0) / squared.max(least).sqrt());
                 geometry.normal = LaneVec2::select(is_radial, radial, geometry.normal);
             }
@@ -211,6 +239,9 @@ impl Follower<Column> {
         self.normal.store(place, follower.normal);
         self.turns_with_b.set(place, follower.turns_with_b);
         self.is_of_circles.set(place, follower.is_of_circles);
+        for (to, &end) in self.ends.iter_mut().zip(&follower.ends) {
+            to.set(place, end);
+        }
         self.radii.set(place, follower.radii);
         self.gap_part.set(place, follower.gap_part);
         self.reach_squared.set(place, follower.reach_squared);
@@ -243,6 +274,7 @@ impl Follower<Column> {
             normal: self.normal.load(place),
             turns_with_b: L::load(&self.turns_with_b, place),
             is_of_circles: L::load(&self.is_of_circles, place),
+            ends: [L::load(&self.ends[0], place), L::load(&self.ends[1], place)],
             radii: L::load(&self.radii, place),
             gap_part: L::load(&self.gap_part, place),
             reach_squared: L::load(&self.reach_squared, place),
@@ -365,15 +397,40 @@ mod tests {
         }
     }
 
-    /// Near the end of a face detection has to be asked: over the corner the normal is another.
+    /// Before the end of a face by less than it moves, behind it by less and by more; at both ends, and a sharp corner.
     #[test]
-    fn a_circle_near_a_corner_is_not_followed() {
-        for (x, moves, is_followed) in [(1.9, true, false), (1.9, false, true), (2.05, false, false)] {
+    fn a_circle_is_followed_over_a_corner() {
+        let (circle, board) = (Shape::circle(0.8), Shape::obb(2.0, 0.5));
+        let triangle = Shape::polygon([[-1.0, -0.25], [1.0, -0.25], [0.0, 0.5]]).unwrap();
+        for tilt in [0.0, 0.25, -0.4] {
+            for place in [[0.98, 1.04], [1.01, 1.04], [1.4, 0.92], [-0.98, 1.04], [-1.01, 1.04], [-1.4, 0.92]]
+            {
+                check_in_both_orders([&board, &circle], [tilt, 0.7], tilted(tilt, place));
+            }
+            for place in [[0.99, -1.04], [1.01, -1.04], [1.5, -0.85], [1.75, -0.1]] {
+                check_in_both_orders([&triangle, &circle], [tilt, 0.7], tilted(tilt, place));
+            }
+        }
+    }
+
+    /// Where the next face may come to be the nearest, detection has to be asked.
+    #[test]
+    fn a_circle_that_may_get_over_the_next_face_is_not_followed() {
+        for (place, speed, is_followed) in [
+            ([1.9, 0.63], 20.0, true),
+            ([1.9, 0.63], 60.0, false),
+            ([2.37, 0.3], 20.0, true),
+            ([2.37, 0.3], 60.0, false),
+        ] {
             let shapes = [&Shape::obb(4.0, 0.5), &Shape::circle(0.4)];
-            let (mut bodies, contact) = touching(shapes, [0.0; 2], Vec2::new(x, 0.63));
+            let (mut bodies, contact) = touching(shapes, [0.0; 2], Vec2::from(place));
             let row = bodies.motions[contact.slots[1] as usize].row as usize;
-            bodies.states[row].velocity = Vec2::new(if moves { 20.0 } else { 0.0 }, 0.0).into();
-            assert_eq!(Follower::new(&contact, &bodies, 0.01).is_some(), is_followed, "at {x}");
+            bodies.states[row].velocity = Vec2::new(speed, 0.0).into();
+            assert_eq!(
+                Follower::new(&contact, &bodies, 0.01).is_some(),
+                is_followed,
+                "{place:?}, {speed} m/s"
+            );
         }
     }
 

@@ -87,6 +87,8 @@ impl LoadMeasure {
 pub(super) struct Load {
     /// Largest sag, as a share of the thickness.
     pub(super) largest: f32,
+    /// Whether one of those that sag too far has not done so for long.
+    pub(super) is_recent: bool,
     /// How many contacts there are, and how many sag by 1, 2 and 4 times `SWEEP_SHARE`.
     pub(super) contacts: f32,
     pub(super) asking: [f32; 3],
@@ -97,6 +99,7 @@ impl Load {
         self.contacts += 1.0;
         if contact.loaded_steps >= LASTING_STEPS {
             self.largest = self.largest.max(contact.sag);
+            self.is_recent |= contact.sag > DIRECT_SHARE && contact.loaded_steps < u8::MAX;
             for (asking, times) in self.asking.iter_mut().zip([1.0, 2.0, 4.0]) {
                 *asking += f32::from(u8::from(contact.sag > times * SWEEP_SHARE));
             }

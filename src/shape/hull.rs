@@ -85,6 +85,12 @@ impl Hull {
         if index + 1 < self.count as usize { index + 1 } else { 0 }
     }
 
+    /// The index before.
+    #[inline(always)]
+    pub(crate) fn previous(&self, index: usize) -> usize {
+        if index > 0 { index - 1 } else { self.count as usize - 1 }
+    }
+
     /// How far a point, m, is in front of the edge's line that it is furthest in front of, and which edge that is;
     /// minus infinity for a point that is NaN.
     #[inline(always)]

@@ -92,6 +92,7 @@ fn body(spec: &BodySpec) -> Body {
         .density(spec.density as f32)
         .friction(spec.friction as f32)
         .restitution(spec.restitution as f32)
+        .angular_damping(spec.angular_damping as f32)
 }
 
 #[derive(Debug)]

@@ -73,6 +73,8 @@ pub struct BodySpec {
     pub friction: f64,
     /// Coefficient of restitution. Pairs take the larger one.
     pub restitution: f64,
+    /// How fast spin is lost to the air, 1/s.
+    pub angular_damping: f64,
 }
 
 impl BodySpec {
@@ -89,6 +91,7 @@ impl BodySpec {
             density: 1.0,
             friction: 0.6,
             restitution: 0.0,
+            angular_damping: 0.0,
         }
     }
 }

@@ -190,6 +190,7 @@ impl Box2dWorld {
             definition.rotation = ffi::b2Rot { c: spec.angle.cos() as f32, s: spec.angle.sin() as f32 };
             definition.linearVelocity = vector(spec.velocity);
             definition.angularVelocity = spec.spin as f32;
+            definition.angularDamping = spec.angular_damping as f32;
             let body = ffi::b2CreateBody(self.world, &raw const definition);
 
             let mut surface = ffi::b2DefaultShapeDef();

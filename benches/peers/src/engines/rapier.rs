@@ -43,7 +43,10 @@ fn body(spec: &BodySpec) -> RigidBodyBuilder {
         Kind::Kinematic => RigidBodyBuilder::kinematic_velocity_based(),
         Kind::Dynamic => RigidBodyBuilder::dynamic(),
     };
-    body.pose(pose(spec)).linvel(vector(spec.velocity)).angvel(spec.spin as f32)
+    body.pose(pose(spec))
+        .linvel(vector(spec.velocity))
+        .angvel(spec.spin as f32)
+        .angular_damping(spec.angular_damping as f32)
 }
 
 fn pose(spec: &BodySpec) -> Pose {

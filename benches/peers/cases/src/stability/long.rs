@@ -14,48 +14,104 @@ use crate::stability::rest::Scale;
 use crate::stability::run::{Lab, Run, worse};
 
 pub(super) fn cases() -> Vec<Case> {
-    vec![pile(60).long(), pile(5), asleep(), planets(10_000).long(), planets(100)]
+    vec![
+        pile(60).long(),
+        pile(5),
+        piles(30, 2).long(),
+        piles(10, 1),
+        asleep(),
+        planets(10_000).long(),
+        planets(100),
+    ]
 }
 
-/// What the pile has to settle, s.
+/// What a pile has to settle, s.
 const SETTLED: f64 = 60.0;
 
-/// A hundred bodies above a pool.
-fn pool() -> Scene {
+/// A pile rests when nothing in it has been faster than this for half a second, m/s, ...
+const REST_SPEED: f64 = 1e-4;
+/// ... and moves again when something is faster than this.
+const MOVING_SPEED: f64 = 5e-3;
+
+/// A hundred bodies above a pool. They lose spin to the air, 1/s: a rigid disc rolls without loss, so that one with nothing
+/// beside it would roll on, and what lies on one rock, for ever.
+fn pool(seed: u64) -> Scene {
     let wall = |side: f64| BodySpec { position: [side * 4.5, 8.0], ..block(1.0, 16.0) };
-    let mut chance = Chance(6);
+    let mut chance = Chance(seed);
     let body = |index: u32| {
         let (column, row) = (f64::from(index % 7), f64::from(index / 7));
-        BodySpec { position: [1.1 * (column - 3.0), 0.6 + 1.1 * row], ..any(&mut chance, 0.5) }
+        let position = [1.1 * (column - 3.0), 0.6 + 1.1 * row];
+        BodySpec { position, angular_damping: 1.0, ..any(&mut chance, 0.5) }
     };
     on_earth([floor(), wall(-1.0), wall(1.0)].into_iter().chain((0..100).map(body)))
 }
 
 fn pile(minutes: u32) -> Case {
     let statement = format!(
-        "A hundred discs, boxes and polygons lie in a pool, and nothing sleeps. Statics: what is at rest stays. From the first \
-         minute to the end of the {minutes}th none moves by more than a thousandth of its size, 1 mm, and in the last second \
-         none is faster than 1 mm/s."
+        "A hundred discs, boxes and polygons lie in a pool, nothing sleeps, and what spins is slowed by the air at 1/s. Statics: \
+         what is at rest stays. From the first minute to the end of the {minutes}th none moves by more than a thousandth of \
+         its size, 1 mm, and in the last second none is faster than 1 mm/s."
     );
     let end = 60.0 * f64::from(minutes);
-    let case =
-        Case::new(format!("pile-{minutes}-minutes"), Group::Long, statement, pool(), move |lab, scene| {
-            let mut run = lab.run(scene);
-            run.until(SETTLED);
-            let before = run.states();
-            run.until(end - 1.0);
-            let fastest = run.largest(end, Run::fastest);
-            lab.picture(&run);
-            let creep = run.most(|body, now| {
-                let [x, y] = before[body].position;
-                (now.position[0] - x).hypot(now.position[1] - y)
-            });
-            vec![
-                Check::at_most("creep", creep, 1e-3, "m"),
-                Check::at_most("speed in the last second", fastest, Scale::of_height(1.0).speed(), "m/s"),
-            ]
+    let name = format!("pile-{minutes}-minutes");
+    let case = Case::new(name, Group::Long, statement, pool(6), move |lab, scene| {
+        let mut run = lab.run(scene);
+        run.until(SETTLED);
+        let before = run.states();
+        run.until(end - 1.0);
+        let fastest = run.largest(end, Run::fastest);
+        lab.picture(&run);
+        let creep = run.most(|body, now| {
+            let [x, y] = before[body].position;
+            (now.position[0] - x).hypot(now.position[1] - y)
         });
+        vec![
+            Check::at_most("creep", creep, 1e-3, "m"),
+            Check::at_most("speed in the last second", fastest, Scale::of_height(1.0).speed(), "m/s"),
+        ]
+    });
     case.lasting(end).seen()
+}
+
+/// So many piles, each for so many minutes from the moment in which the bodies are let go.
+fn piles(count: u64, minutes: u32) -> Case {
+    let statement = format!(
+        "{count} such piles, for {minutes} min each from when they are let go. What falls with losses comes to rest, and \
+         what is at rest stays: each pile comes to rest, which is half a second in which nothing is faster than 0.1 mm/s, and \
+         in none that has is anything faster than 5 mm/s again."
+    );
+    let end = 60.0 * f64::from(minutes);
+    let name = format!("{count}-piles");
+    let case = Case::new(name, Group::Long, statement, pool(0), move |lab, _| {
+        let (mut restless, mut moved_again) = (0, 0);
+        for seed in 0..count {
+            match run_to_rest(&mut lab.run(&pool(seed)), end) {
+                None => restless += 1,
+                Some(fastest) => moved_again += u32::from(!(fastest <= MOVING_SPEED)),
+            }
+        }
+        vec![
+            Check::at_most("piles that do not come to rest", f64::from(restless), 0.0, COUNT),
+            Check::at_most("piles at rest that move again", f64::from(moved_again), 0.0, COUNT),
+        ]
+    });
+    case.lasting(end)
+}
+
+/// The largest speed from when the pile has come to rest to the end, m/s; none if it does not.
+fn run_to_rest(run: &mut Run, end: f64) -> Option<f64> {
+    let mut rested_since = run.time();
+    while run.time() - rested_since < 0.5 {
+        run.tick();
+        // No number is no rest.
+        if !(run.fastest() <= REST_SPEED) {
+            rested_since = run.time();
+        }
+        if run.time() >= end {
+            return None;
+        }
+    }
+    Some(run.largest(end, Run::fastest))
 }
 
 fn asleep() -> Case {
@@ -63,7 +119,7 @@ fn asleep() -> Case {
                      moves by a bit.";
     let why = "when bodies sleep is a matter of taste";
     Case::ours("pile-asleep-for-an-hour", Group::Long, statement, why, |lab| {
-        let mut world = Rustycs::world(&pool(), &Settings::default());
+        let mut world = Rustycs::world(&pool(6), &Settings::default());
         let step = |lab: &mut Lab<'_>, world: &mut World| lab.step(|| world.step());
         for _ in 0..60 * 60 {
             step(lab, &mut world);

@@ -13,7 +13,7 @@ pub(super) fn cases() -> Vec<Case> {
 /// Overlap after settling, m.
 const OVERLAP: f64 = 0.01;
 /// How long each is run, s.
-const SECONDS: f64 = 3.0;
+const SECONDS: f64 = 10.0;
 
 fn worlds(count: u32) -> Case {
     let statement = format!(
