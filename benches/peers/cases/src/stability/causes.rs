@@ -27,9 +27,8 @@ pub(super) fn of(case: &str) -> &'static str {
              eight times as many substeps; and some are hit late, under little gravity."
         }
         "30-piles" => {
-            "In one, a light polygon between discs at the bottom swings without end: its normals swing with it, and what it loses \
-             to the air comes back from the load above. Another stands at the edge of sliding, and one body of it finds another \
-             place long after."
+            "In one, a polygon between loaded discs swings without end: its normals swing with it, and what it loses to the air \
+             comes back from the load above. In another, something slips once more after it has come to rest."
         }
         _ => "",
     }
