@@ -85,7 +85,7 @@ enum Directness {
     Possible,
     /// Not now, as it was not solved so before.
     Failed,
-    /// It is too much work, or nobody asks for it.
+    /// It is too much work, or left alone, or the scheme has no direct solve.
     RuledOut,
 }
 

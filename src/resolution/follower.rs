@@ -11,8 +11,8 @@
 //! gap          s' = n'·d' - r            r: the radii of the circles
 //! ```
 //!
-//! This is what detection finds as long as a tip has no other face to go to, at a fraction of its cost. Many contacts at a time
-//! are computed with, those of a [`ContactBlock`](crate::resolution::contact_block::ContactBlock).
+//! This is what detection finds as long as a tip has no other face to go to, at a fraction of its cost. Many contacts at a
+//! time are computed with, those of a [`ContactBlock`](crate::resolution::contact_block::ContactBlock).
 
 use crate::body::{Bodies, Motion};
 use crate::collision::{Contact, Corner, ManifoldPoint};

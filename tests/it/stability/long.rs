@@ -13,7 +13,7 @@ fn piles_come_to_rest_and_stay() {
 }
 
 #[test]
-#[ignore = "in one of them a light polygon between discs rocks on"]
+#[ignore = "one of them swings on, and in one something slips once more"]
 fn thirty_piles_come_to_rest_and_stay() {
     hold(&["30-piles"]);
 }
@@ -46,7 +46,7 @@ fn worlds_by_chance_stay_sound() {
 }
 
 #[test]
-#[ignore = "one or two of a hundred of them end with an overlap of centimetres"]
+#[ignore = "two or three of a thousand of them end with an overlap above 1 cm"]
 fn ten_thousand_worlds_by_chance_stay_sound() {
     hold(&["random-worlds-10000"]);
 }

@@ -22,13 +22,14 @@ pub(super) fn of(case: &str) -> &'static str {
              relax sweep takes out what the contacts can see at the end of the substep, not what has made them part."
         }
         "random-worlds-100" | "random-worlds-10000" => {
-            "Light bodies under ones up to a hundred times as heavy sag at rest: most in contacts of a single corner, whose load \
-             does not count as lasting and so asks for no more effort; some in islands that Newton's method does not solve, with \
-             eight times as many substeps; and some are hit late, under little gravity."
+            "Light bodies under ones up to a hundred times as heavy sag at rest: most by plain effort, some of them as a load on a \
+             single corner does not count as lasting and so asks for no more; others in islands that Newton's method does not \
+             solve, with eight times as many substeps. A few still move after 10 s, under little gravity."
         }
         "30-piles" => {
-            "In one, a polygon between loaded discs swings without end: its normals swing with it, and what it loses to the air \
-             comes back from the load above. In another, something slips once more after it has come to rest."
+            "In one, a polygon between loaded discs swings without end, in spite of the air. Where its energy comes from is not \
+             known; not from normals that are kept, as more piles swing without them. In another, something slips once more \
+             after it has come to rest."
         }
         _ => "",
     }
