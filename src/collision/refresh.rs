@@ -4,6 +4,12 @@
 //! Keeping it ("recycling", Box2D 3.2) saves the detection, but more: a normal and anchors that hold still
 //! while a stack trembles do not feed the trembling, which is what lets tall stacks stand.
 //!
+//! A contact with a circle is not kept: its normal turns as it rolls. A normal that is late is a force that is late, and
+//! feeds every swing: late by half a step, as one of the step's begin is, it lets the energy of a swing of angular
+//! frequency ω grow by ω² dt/2 per second. Where it moves slowly it holds still within the step too, but where the
+//! bodies will be halfway through it, as in the midpoint rule, whose swings do not grow; where it moves faster
+//! the solver follows it.
+//!
 //! A manifold is speculative: it has points that are still apart but may meet within the step, so that the
 //! solver stops the bodies at the surface, not behind it. For bodies that close in fast, normal and anchors
 //! are taken where they will first touch, not where they are now: from afar a passing body looks like a
@@ -27,14 +33,13 @@ const SPECULATIVE_MARGIN: f32 = 0.02;
 /// Small bodies take a quarter of the extent of the smaller of the two.
 const RECYCLE_DISTANCE: f32 = 0.05;
 
-/// The same for pairs with a circle, m, or a twentieth of the extent of the smaller of the two: its normal turns
-/// as it rolls over the other. A light polygon wedged between heavy circles, whose normals would swing with
-/// it, comes to rest only because they hold still.
-const ROUND_RECYCLE_DISTANCE: f32 = 0.01;
-
 /// And while what a normal that has not turned with its face cannot see of the separations is at most this share of the
 /// width of the thinner body, no unit: less than what a contact under load may sag before its island gets more effort.
 const STALE_SHARE: f32 = 0.01;
+
+/// A contact with a circle holds still within a step in which its bodies move against each other by less than this, m, or
+/// by less than a fortieth of the extent of the smaller of the two.
+const SLOW_DISTANCE: f32 = 0.005;
 
 /// Cosine of the angle that either body may turn before the manifold is found anew: 11 degrees.
 const RECYCLE_COSINE: f32 = 0.98;
@@ -65,10 +70,15 @@ pub(crate) fn refresh(contact: &mut Contact, bodies: &Bodies, settings: Refresh)
         return contact.part();
     }
     let upkeep = pair.upkeep(contact, settings.recycling);
-    let is_kept = matches!(upkeep, Upkeep::Recycle(_));
+    let is_kept = matches!(upkeep, Upkeep::Recycle(_) | Upkeep::FindHalfway(_));
     let mut approach_speed = 0.0;
     match upkeep {
         Upkeep::Recycle(since) => recycle(contact, since),
+        Upkeep::FindHalfway(course) => {
+            if let Some(manifold) = pair.find_halfway(course) {
+                move_to(manifold, contact);
+            }
+        }
         Upkeep::LeaveAsFollowed => contact.followed_steps += 1,
         Upkeep::FindAnew(course) => {
             let manifold = pair.find_manifold(course);
@@ -96,10 +106,20 @@ fn recycle(contact: &mut Contact, Since { moved, turned }: Since) {
     }
 }
 
+/// Moves the only point of a contact with a circle, and its normal, to where they are in `manifold`.
+fn move_to(manifold: Manifold, contact: &mut Contact) {
+    contact.manifold.normal = manifold.normal;
+    for (to, from) in contact.manifold.points_mut().iter_mut().zip(manifold.points()) {
+        (to.anchor_a, to.anchor_b, to.separation) = (from.anchor_a, from.anchor_b, from.separation);
+    }
+}
+
 /// How a manifold is brought up to date.
 enum Upkeep {
     /// Normal and anchors are kept.
     Recycle(Since),
+    /// It is found where the bodies will be halfway through the step.
+    FindHalfway(Course),
     /// It has been followed to where it is.
     LeaveAsFollowed,
     FindAnew(Course),
@@ -211,12 +231,18 @@ impl<'a> Pair<'a> {
 
     /// How far the bodies may move against each other before their manifold is found anew, m.
     fn recycle_distance(&self) -> f32 {
-        let extent = self.motion_a.extent.min(self.motion_b.extent);
-        if self.has_circle() {
-            ROUND_RECYCLE_DISTANCE.min(0.05 * extent)
-        } else {
-            RECYCLE_DISTANCE.min(0.25 * extent)
-        }
+        RECYCLE_DISTANCE.min(0.25 * self.extent())
+    }
+
+    /// Extent of the smaller of the two, m.
+    fn extent(&self) -> f32 {
+        self.motion_a.extent.min(self.motion_b.extent)
+    }
+
+    /// Whether the bodies move against each other so little within the step that a contact with a circle may hold still.
+    fn is_slow(&self, Course { motion, turning }: Course) -> bool {
+        let left = SLOW_DISTANCE.min(0.025 * self.extent()) - turning;
+        left > 0.0 && motion.length_squared() < left * left
     }
 
     /// How the bodies have moved against each other since their manifold was found.
@@ -238,9 +264,13 @@ impl<'a> Pair<'a> {
         if !recycling || contact.manifold.points().is_empty() {
             return Upkeep::FindAnew(self.course());
         }
-        let since = self.since(&contact.frozen);
         let is_loaded = contact.is_loaded();
-        let pivots = is_loaded && contact.pivots() && !self.has_circle();
+        if is_loaded && self.has_circle() {
+            let course = self.course();
+            return if self.is_slow(course) { Upkeep::FindHalfway(course) } else { Upkeep::FindAnew(course) };
+        }
+        let since = self.since(&contact.frozen);
+        let pivots = is_loaded && contact.pivots();
         if is_loaded && !pivots && self.stays(&since) {
             return Upkeep::Recycle(since);
         }
@@ -325,6 +355,25 @@ impl<'a> Pair<'a> {
             None if gap <= near + turning => manifold,
             None => Manifold::default(),
         }
+    }
+
+    /// The manifold of halfway through the step; separations are those of now along its normal.
+    fn find_halfway(&self, Course { motion, .. }: Course) -> Option<Manifold> {
+        let moved = motion * 0.5;
+        let [angle_a, angle_b] =
+            self.slots.map(|slot| 0.5 * self.dt * self.bodies.state(slot).angular_velocity);
+        // Slow bodies turn by less than 1/80: the next terms of cosine and sine are below the last digit of a gap.
+        let turned = |rotation: Rot, angle: f32| Rot { c: 1.0 - 0.5 * angle * angle, s: angle } * rotation;
+        let offset = Offset { near: self.offset.near + moved, ..self.offset };
+        let (rotation_a, rotation_b) = (turned(self.rotation_a, angle_a), turned(self.rotation_b, angle_b));
+        let mut manifold =
+            detect_from(self.shape_a, rotation_a, self.shape_b, rotation_b, offset, f32::INFINITY)?;
+        let normal = manifold.normal;
+        for point in manifold.points_mut() {
+            let swung = point.anchor_b.perp() * angle_b - point.anchor_a.perp() * angle_a;
+            point.separation -= normal.dot(moved + swung);
+        }
+        Some(manifold)
     }
 
     /// The manifold of the moment in which the bodies first touch, if they do within the step; separations

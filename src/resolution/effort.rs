@@ -5,8 +5,8 @@
 //! of the thinner body, in a contact whose bodies hardly move against each other, for a few steps, the island is solved
 //! directly, if that is little work; where it is too much work, and many contacts would be crushed whole, the island
 //! gets 2, 4 or 8 times as many substeps. Where the direct solve has not solved a small island, that gets 8 times as many
-//! until the next try. All of this ends when the load does. Only the state decides, never a clock: a clone works as hard
-//! as its original.
+//! until the next try; a larger one that lies still is not tried again. All of this ends when the load does. Only the
+//! state decides, never a clock: a clone works as hard as its original.
 //!
 //! A heap of great weight that begins at rest is solved directly from its first step on: its loads have yet to build up,
 //! and it would fall meanwhile.
@@ -20,6 +20,7 @@ use core::ops::Range;
 
 use crate::body::{Bodies, Effort, NONE};
 use crate::collision::{Contact, Contacts};
+use crate::math::Vec2;
 use crate::resolution::constraint_graph::ConstraintGraph;
 use crate::resolution::effort::history::{History, RETRY_STEPS};
 use crate::resolution::load::{
@@ -47,6 +48,9 @@ const UNSOLVED_SHARE: f32 = 0.05;
 
 /// ... if it has no more bodies than this: those of many take more time than they are worth.
 const LARGEST_UNSOLVED_ISLAND: usize = 32;
+
+/// A heap lies still where nothing is faster than this, m/s.
+const STILL_SPEED: f32 = 1e-3;
 
 /// Islands of more bodies are not solved directly.
 const LARGEST_DIRECT_ISLAND: usize = 256;
@@ -279,8 +283,9 @@ impl Efforts {
         self.island.clear();
         flood(slot, &mut self.seen, &mut self.island, tables, |contact| load.add(contact));
         let history = History::of(&self.island, tables.bodies);
-        let (has, calm, is_quiet) =
-            (history.effort, history.calm_steps, history.is_quiet(tick, load.is_recent));
+        let (has, calm) = (history.effort, history.calm_steps);
+        let is_quiet =
+            history.is_quiet(tick, load.is_recent) || self.is_better_left_alone(history, load, tables);
         let directness = self.directness(history, is_quiet, allowance, tables);
         let may_be_direct = directness == Directness::Possible;
         let wanted = if allowance.adapts { wanted(load, has, directness) } else { Effort::Plain };
@@ -302,6 +307,20 @@ impl Efforts {
                 }
             }
         }
+    }
+
+    /// Whether a heap that lies still was not solved directly before: it would be lifted out of its sag, and fall back.
+    fn is_better_left_alone(&self, history: History, load: Load, tables: &EffortTables<'_>) -> bool {
+        let lies_still = |&slot: &u32| {
+            let state = tables.bodies.state(slot);
+            let extent = tables.bodies.motions[slot as usize].extent;
+            Vec2::from(state.velocity).length() + state.angular_velocity.abs() * extent < STILL_SPEED
+        };
+        history.unsolved_times > 0
+            && history.effort != Effort::Direct
+            && load.largest <= UNSOLVED_SHARE
+            && self.island.len() > LARGEST_UNSOLVED_ISLAND
+            && self.island.iter().all(lies_still)
     }
 
     /// Whether the island may be solved directly.

@@ -3,8 +3,7 @@
 //! A normal that stands still while a disc rolls on along a curve costs energy, as each step redirects the whole
 //! velocity at once; a body that topples over a corner falls too late if its arm lags behind; a corner that has
 //! swung on is not where a blow lands. So circles, and corners under load, follow the surface from substep to
-//! substep, unless their manifold is kept because the bodies hardly move, and an impact finds its manifold at its
-//! own time.
+//! substep, unless the bodies hardly move, and an impact finds its manifold at its own time.
 
 use crate::body::{Bodies, Effort};
 use crate::collision::{Contact, Contacts, Manifold, detect_within};

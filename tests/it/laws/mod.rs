@@ -6,6 +6,7 @@ mod flight;
 mod friction;
 mod limits;
 mod orbits;
+mod rocking;
 mod stacks;
 mod toppling;
 mod track;

@@ -13,7 +13,7 @@ fn piles_come_to_rest_and_stay() {
 }
 
 #[test]
-#[ignore = "one of them swings on, and in one something slips once more"]
+#[ignore = "thirty piles for two minutes each; 10-piles is like it"]
 fn thirty_piles_come_to_rest_and_stay() {
     hold(&["30-piles"]);
 }

@@ -35,6 +35,11 @@ fn a_domino_with_enough_energy_tips() {
 }
 
 #[test]
+fn a_plank_on_a_drum_rocks_no_further_than_it_began() {
+    hold(&["plank-on-drum"]);
+}
+
+#[test]
 fn a_hundred_dominoes_fall() {
     hold(&["dominoes"]);
 }

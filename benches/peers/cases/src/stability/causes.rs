@@ -26,11 +26,6 @@ pub(super) fn of(case: &str) -> &'static str {
              single corner does not count as lasting and so asks for no more; others in islands that Newton's method does not \
              solve, with eight times as many substeps. A few still move after 10 s, under little gravity."
         }
-        "30-piles" => {
-            "In one, a polygon between loaded discs swings without end, in spite of the air. Where its energy comes from is not \
-             known; not from normals that are kept, as more piles swing without them. In another, something slips once more \
-             after it has come to rest."
-        }
         _ => "",
     }
 }

@@ -1,13 +1,13 @@
 //! What is about to tip or to slide.
 
 use crate::engine::State;
-use crate::scene::{BodySpec, Scene, block, floor, rectangle};
+use crate::scene::{BodySpec, Kind, Scene, block, disc, floor, rectangle};
 use crate::stability::case::{COUNT, Case, Check, Group, SHARE, Seen};
 use crate::stability::rest::{STANDS, Scale, stands};
 use crate::stability::{G, on_earth};
 
 pub(super) fn cases() -> Vec<Case> {
-    vec![leaning(false), leaning(true), tipped(), dominoes(), ramp(true), ramp(false)]
+    vec![leaning(false), leaning(true), tipped(), dominoes(), rocking(), ramp(true), ramp(false)]
 }
 
 /// Boxes of the leaning stack.
@@ -112,6 +112,27 @@ fn dominoes() -> Case {
 /// Where a domino stands, m.
 fn place(index: u32) -> f64 {
     APART * (f64::from(index) - 0.5 * f64::from(DOMINOES))
+}
+
+fn rocking() -> Case {
+    let statement = "A plank, 1 m long and 10 cm thick, leans by 3° on a fixed drum with a radius of 50 cm, on which it has \
+                     rolled aside. It rocks, as the radius is more than half its thickness, and conservation: nothing gives \
+                     it energy, so in 20 s it never leans by 1 % more than at first.";
+    let (radius, half, lean) = (0.5, 0.05, 3.0_f64.to_radians());
+    let (sin, cos) = lean.sin_cos();
+    let (up, along) = (radius + half, radius * lean);
+    let drum = BodySpec { kind: Kind::Fixed, friction: 1.0, ..disc(radius) };
+    let position = [up * sin - along * cos, up * cos + along * sin];
+    let plank = BodySpec { position, angle: -lean, friction: 1.0, ..rectangle(1.0, 2.0 * half) };
+    let scene = on_earth([drum, plank]);
+    Case::new("plank-on-drum", Group::Structures, statement, scene, move |lab, scene| {
+        let mut run = lab.run(scene);
+        let most = run.largest(20.0, |run| run.state(1).angle.abs());
+        lab.picture(&run);
+        vec![Check::at_most("largest lean / first", most / lean, 1.01, SHARE)]
+    })
+    .lasting(20.0)
+    .seen()
 }
 
 fn ramp(sticks: bool) -> Case {
