@@ -58,11 +58,12 @@ pub(crate) struct Contact {
     pub(crate) slots: [u32; 2],
     /// Whether the bodies touched at the end of the last step.
     pub(crate) is_touching: bool,
-    /// Whether the manifold was kept from an earlier step rather than found anew.
-    pub(crate) is_kept: bool,
+    /// Whether it holds still within the step, as the bodies hardly move against each other: its manifold was kept from an
+    /// earlier step, or found halfway through this one.
+    pub(crate) holds_still: bool,
     /// Whether the bodies met and parted again within the last step.
     pub(crate) has_bounced: bool,
-    /// Whether it follows the surface within the step: its manifold is not kept, and a body rolls or topples on it.
+    /// Whether it follows the surface within the step: it does not hold still, and a body rolls or topples on it.
     pub(crate) follows: bool,
     /// For how many steps it has been followed since its manifold was found.
     pub(crate) followed_steps: u8,
@@ -127,12 +128,12 @@ impl Contact {
     #[inline(always)]
     pub(crate) fn part(&mut self) {
         let is_apart = self.manifold.points().is_empty()
-            && !self.is_kept
+            && !self.holds_still
             && !self.has_bounced
             && self.approach_speed == 0.0;
         if !is_apart {
             self.manifold = Manifold::default();
-            self.is_kept = false;
+            self.holds_still = false;
             self.follows = false;
             self.has_bounced = false;
             self.approach_speed = 0.0;
@@ -238,7 +239,7 @@ impl Contacts {
             loaded_steps: 0,
             sag: 0.0,
             is_touching: false,
-            is_kept: false,
+            holds_still: false,
             has_bounced: false,
             approach_speed: 0.0,
             graph_place: None,

@@ -70,7 +70,7 @@ pub(crate) fn refresh(contact: &mut Contact, bodies: &Bodies, settings: Refresh)
         return contact.part();
     }
     let upkeep = pair.upkeep(contact, settings.recycling);
-    let is_kept = matches!(upkeep, Upkeep::Recycle(_) | Upkeep::FindHalfway(_));
+    let holds_still = matches!(upkeep, Upkeep::Recycle(_) | Upkeep::FindHalfway(_));
     let mut approach_speed = 0.0;
     match upkeep {
         Upkeep::Recycle(since) => recycle(contact, since),
@@ -89,8 +89,8 @@ pub(crate) fn refresh(contact: &mut Contact, bodies: &Bodies, settings: Refresh)
             pair.take_over(manifold, contact);
         }
     }
-    (contact.is_kept, contact.has_bounced, contact.approach_speed) = (is_kept, false, approach_speed);
-    contact.follows = !is_kept && (pair.has_circle() || contact.pivots()) && !pair.is_flat();
+    (contact.holds_still, contact.has_bounced, contact.approach_speed) = (holds_still, false, approach_speed);
+    contact.follows = !holds_still && (pair.has_circle() || contact.pivots()) && !pair.is_flat();
 }
 
 /// Keeps the normal, and the anchors on their bodies, which they turn with: what topples does so about where it
@@ -106,7 +106,8 @@ fn recycle(contact: &mut Contact, Since { moved, turned }: Since) {
     }
 }
 
-/// Moves the only point of a contact with a circle, and its normal, to where they are in `manifold`.
+/// Moves the only point of a contact with a circle, and its normal, to where they are in `manifold`. What is frozen stays
+/// that of when it was found anew: only a contact without load that is hardly away from there goes back to it.
 fn move_to(manifold: Manifold, contact: &mut Contact) {
     contact.manifold.normal = manifold.normal;
     for (to, from) in contact.manifold.points_mut().iter_mut().zip(manifold.points()) {

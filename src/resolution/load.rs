@@ -72,7 +72,7 @@ impl LoadMeasure {
     #[inline(always)]
     pub(crate) fn is_lasting(self, contact: &mut Contact, speed: f32) -> bool {
         let sag = sag(self.factor * speed, self.per_substep);
-        if !contact.is_kept || sag <= CALM_SHARE * DIRECT_SHARE * contact.thickness {
+        if !contact.holds_still || sag <= CALM_SHARE * DIRECT_SHARE * contact.thickness {
             contact.loaded_steps = 0;
             return false;
         }

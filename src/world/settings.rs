@@ -49,7 +49,8 @@ pub struct Settings {
     pub warm_starting: bool,
     /// Whether the two points of a contact are solved together. Default true.
     pub block_solve: bool,
-    /// Whether manifolds are kept while the bodies hardly move against each other. Default true.
+    /// Whether manifolds are kept, and contacts with circles hold still within a step, while the bodies hardly move
+    /// against each other. Default true.
     pub recycling: bool,
     /// How overlapping bodies are parted. Default [`PositionCorrection::Bias`].
     pub position_correction: PositionCorrection,
