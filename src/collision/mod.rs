@@ -9,7 +9,7 @@ mod refresh;
 
 pub(crate) use contacts::{AHEAD, Contact, Contacts, Frozen, Kind, SharedContacts};
 pub use detection::detect;
-pub(crate) use detection::{Offset, detect_flat, detect_from, detect_within, is_flat, sweep};
+pub(crate) use detection::{Offset, Touch, detect_flat, detect_from, detect_within, is_flat, sweep, touch};
 pub(crate) use manifold::Corner;
 pub use manifold::{FeatureId, Manifold, ManifoldPoint};
 pub(crate) use refresh::{Refresh, refresh};

@@ -17,7 +17,7 @@
 
 use crate::body::{Bodies, Motion};
 use crate::collision::{
-    Contact, Frozen, Manifold, ManifoldPoint, Offset, detect_flat, detect_from, is_flat, sweep,
+    Contact, Frozen, Manifold, ManifoldPoint, Offset, Touch, detect_flat, detect_from, is_flat, sweep, touch,
 };
 use crate::compute::LaneRot;
 use crate::math::{Rot, Vec2};
@@ -75,8 +75,8 @@ pub(crate) fn refresh(contact: &mut Contact, bodies: &Bodies, settings: Refresh)
     match upkeep {
         Upkeep::Recycle(since) => recycle(contact, since),
         Upkeep::FindHalfway(course) => {
-            if let Some(manifold) = pair.find_halfway(course) {
-                move_to(manifold, contact);
+            if let Some(touch) = pair.find_halfway(course) {
+                move_to(touch, contact);
             }
         }
         Upkeep::LeaveAsFollowed => contact.followed_steps += 1,
@@ -106,12 +106,13 @@ fn recycle(contact: &mut Contact, Since { moved, turned }: Since) {
     }
 }
 
-/// Moves the only point of a contact with a circle, and its normal, to where they are in `manifold`. What is frozen stays
-/// that of when it was found anew: only a contact without load that is hardly away from there goes back to it.
-fn move_to(manifold: Manifold, contact: &mut Contact) {
-    contact.manifold.normal = manifold.normal;
-    for (to, from) in contact.manifold.points_mut().iter_mut().zip(manifold.points()) {
-        (to.anchor_a, to.anchor_b, to.separation) = (from.anchor_a, from.anchor_b, from.separation);
+/// Moves the only point of a contact with a circle to where it touches. What is frozen stays that of when its manifold was
+/// found anew: only a contact without load that is hardly away from there goes back to it.
+fn move_to(touch: Touch, contact: &mut Contact) {
+    contact.manifold.normal = touch.normal;
+    for point in contact.manifold.points_mut() {
+        (point.anchor_a, point.anchor_b, point.separation) =
+            (touch.anchor_a, touch.anchor_b, touch.separation);
     }
 }
 
@@ -358,23 +359,20 @@ impl<'a> Pair<'a> {
         }
     }
 
-    /// The manifold of halfway through the step; separations are those of now along its normal.
-    fn find_halfway(&self, Course { motion, .. }: Course) -> Option<Manifold> {
+    /// Where the circle touches halfway through the step; with the separation of now along the normal of then.
+    fn find_halfway(&self, Course { motion, .. }: Course) -> Option<Touch> {
         let moved = motion * 0.5;
         let [angle_a, angle_b] =
             self.slots.map(|slot| 0.5 * self.dt * self.bodies.state(slot).angular_velocity);
         // Slow bodies turn by less than 1/80: the next terms of cosine and sine are below the last digit of a gap.
         let turned = |rotation: Rot, angle: f32| Rot { c: 1.0 - 0.5 * angle * angle, s: angle } * rotation;
-        let offset = Offset { near: self.offset.near + moved, ..self.offset };
         let (rotation_a, rotation_b) = (turned(self.rotation_a, angle_a), turned(self.rotation_b, angle_b));
-        let mut manifold =
-            detect_from(self.shape_a, rotation_a, self.shape_b, rotation_b, offset, f32::INFINITY)?;
-        let normal = manifold.normal;
-        for point in manifold.points_mut() {
-            let swung = point.anchor_b.perp() * angle_b - point.anchor_a.perp() * angle_a;
-            point.separation -= normal.dot(moved + swung);
-        }
-        Some(manifold)
+        let near = self.offset.near + moved;
+        let found = touch(self.shape_a, rotation_a, self.shape_b, rotation_b, near, f32::INFINITY)?;
+        let swung = found.anchor_b.perp() * angle_b - found.anchor_a.perp() * angle_a;
+        let missing = found.normal.dot(self.offset.rest);
+        let separation = found.separation + missing - found.normal.dot(moved + swung);
+        Some(Touch { separation, ..found })
     }
 
     /// The manifold of the moment in which the bodies first touch, if they do within the step; separations

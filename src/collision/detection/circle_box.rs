@@ -1,19 +1,13 @@
 //! Box against circle: the nearest point of the box, by clamping the circle's centre to it.
 
+use crate::collision::detection::touch::Touch;
 use crate::collision::detection::within;
-use crate::collision::{FeatureId, Manifold, ManifoldPoint};
 use crate::math::{Rot, Vec2};
 use crate::shape::{Circle, Rectangle};
 
 /// a is the box, b the circle.
 #[inline]
-pub(super) fn detect(
-    a: &Rectangle,
-    rotation_a: Rot,
-    b: Circle,
-    offset: Vec2,
-    margin: f32,
-) -> Option<Manifold> {
+pub(super) fn touch(a: &Rectangle, rotation_a: Rot, b: Circle, offset: Vec2, margin: f32) -> Option<Touch> {
     let half = a.half_size();
     let center = rotation_a.unrotate(offset);
     let (gap, normal, nearest) = nearest_on_box(half, center);
@@ -23,8 +17,7 @@ pub(super) fn detect(
     }
     // On the circle: the arm of friction is its radius, however far it has sunk in.
     let on_circle = rotation_a.rotate(nearest + normal * separation);
-    let point = ManifoldPoint::new(on_circle, offset, separation, FeatureId::SINGLE);
-    Some(Manifold::of_one(rotation_a.rotate(normal), point))
+    Some(Touch::new(rotation_a.rotate(normal), on_circle, offset, separation))
 }
 
 /// Signed distance of a point from the outline of a box, m, the outward normal and the nearest point of the

@@ -1,7 +1,7 @@
 //! Circle against circle: the distance of their centres.
 
+use crate::collision::detection::touch::Touch;
 use crate::collision::detection::within;
-use crate::collision::{FeatureId, Manifold, ManifoldPoint};
 use crate::math::Vec2;
 use crate::shape::Circle;
 
@@ -9,7 +9,7 @@ use crate::shape::Circle;
 const NORMAL_OF_ONE_CENTER: Vec2 = Vec2::new(0.0, 1.0);
 
 #[inline]
-pub(super) fn detect(a: Circle, b: Circle, offset: Vec2, margin: f32) -> Option<Manifold> {
+pub(super) fn touch(a: Circle, b: Circle, offset: Vec2, margin: f32) -> Option<Touch> {
     let distance = offset.length();
     let separation = distance - (a.radius() + b.radius());
     if !within(separation, margin) {
@@ -19,6 +19,5 @@ pub(super) fn detect(a: Circle, b: Circle, offset: Vec2, margin: f32) -> Option<
     let has_direction = distance * distance >= f32::MIN_POSITIVE;
     let normal = if has_direction { offset / distance } else { NORMAL_OF_ONE_CENTER };
     let halfway = normal * (a.radius() + 0.5 * separation);
-    let point = ManifoldPoint::new(halfway, offset, separation, FeatureId::SINGLE);
-    Some(Manifold::of_one(normal, point))
+    Some(Touch::new(normal, halfway, offset, separation))
 }

@@ -5,14 +5,14 @@
 //! normals of the two edges that meet there, so one of them makes the smallest angle with it, and the lines of
 //! all others pass behind the corner.
 
+use crate::collision::detection::touch::Touch;
 use crate::collision::detection::within;
-use crate::collision::{FeatureId, Manifold, ManifoldPoint};
 use crate::math::{Rot, Vec2};
 use crate::shape::{Circle, Hull};
 
 /// a is the polygon, b the circle.
 #[inline]
-pub(super) fn detect(a: &Hull, rotation_a: Rot, b: Circle, offset: Vec2, margin: f32) -> Option<Manifold> {
+pub(super) fn touch(a: &Hull, rotation_a: Rot, b: Circle, offset: Vec2, margin: f32) -> Option<Touch> {
     let center = rotation_a.unrotate(offset);
     let (mut gap, face) = a.nearest_face(center);
     if !within(gap - b.radius(), margin) {
@@ -45,6 +45,5 @@ pub(super) fn detect(a: &Hull, rotation_a: Rot, b: Circle, offset: Vec2, margin:
     }
     // On the circle: the arm of friction is its radius, however far it has sunk in.
     let on_circle = rotation_a.rotate(nearest + normal * separation);
-    let point = ManifoldPoint::new(on_circle, offset, separation, FeatureId::SINGLE);
-    Some(Manifold::of_one(rotation_a.rotate(normal), point))
+    Some(Touch::new(rotation_a.rotate(normal), on_circle, offset, separation))
 }

@@ -27,9 +27,11 @@ mod polygon_polygon;
 mod sweep;
 #[cfg(test)]
 mod tests;
+mod touch;
 
 pub(crate) use large_circle::is_flat;
 pub(crate) use sweep::sweep;
+pub(crate) use touch::Touch;
 
 use core::ops::Neg;
 
@@ -141,13 +143,11 @@ pub(crate) fn detect_within(
     use Shape::{Aabb, Circle, Obb, Polygon};
     let (rot_a, rot_b) = (shape_a.rotation_at(rotation_a), shape_b.rotation_at(rotation_b));
     match (shape_a, shape_b) {
-        (Circle(a), Circle(b)) => circle_circle::detect(*a, *b, offset, margin),
+        (Circle(_), _) | (_, Circle(_)) => {
+            touch(shape_a, rotation_a, shape_b, rotation_b, offset, margin).map(Touch::manifold)
+        }
         (Aabb(a), Aabb(b)) => aabb_aabb::detect(a, b, offset, margin),
         (Aabb(a) | Obb(a), Aabb(b) | Obb(b)) => box_box::detect(a, rot_a, b, rot_b, offset, margin),
-        (Aabb(a) | Obb(a), Circle(b)) => circle_box::detect(a, rot_a, *b, offset, margin),
-        (Circle(a), Aabb(b) | Obb(b)) => flip(circle_box::detect(b, rot_b, *a, -offset, margin)),
-        (Polygon(a), Circle(b)) => circle_polygon::detect(a.hull(), rot_a, *b, offset, margin),
-        (Circle(a), Polygon(b)) => flip(circle_polygon::detect(b.hull(), rot_b, *a, -offset, margin)),
         (Polygon(a), Polygon(b)) => polygon_polygon::detect(a.hull(), rot_a, b.hull(), rot_b, offset, margin),
         (Polygon(a), Aabb(b) | Obb(b)) => {
             polygon_polygon::detect(a.hull(), rot_a, b.hull(), rot_b, offset, margin)
@@ -155,6 +155,30 @@ pub(crate) fn detect_within(
         (Aabb(a) | Obb(a), Polygon(b)) => {
             polygon_polygon::detect(a.hull(), rot_a, b.hull(), rot_b, offset, margin)
         }
+    }
+}
+
+/// The same for two shapes of which one is a circle; `None` for others.
+#[inline]
+pub(crate) fn touch(
+    shape_a: &Shape,
+    rotation_a: Rot,
+    shape_b: &Shape,
+    rotation_b: Rot,
+    offset: Vec2,
+    margin: f32,
+) -> Option<Touch> {
+    use Shape::{Aabb, Circle, Obb, Polygon};
+    let (rot_a, rot_b) = (shape_a.rotation_at(rotation_a), shape_b.rotation_at(rotation_b));
+    match (shape_a, shape_b) {
+        (Circle(a), Circle(b)) => circle_circle::touch(*a, *b, offset, margin),
+        (Aabb(a) | Obb(a), Circle(b)) => circle_box::touch(a, rot_a, *b, offset, margin),
+        (Circle(a), Aabb(b) | Obb(b)) => circle_box::touch(b, rot_b, *a, -offset, margin).map(Touch::flipped),
+        (Polygon(a), Circle(b)) => circle_polygon::touch(a.hull(), rot_a, *b, offset, margin),
+        (Circle(a), Polygon(b)) => {
+            circle_polygon::touch(b.hull(), rot_b, *a, -offset, margin).map(Touch::flipped)
+        }
+        _ => None,
     }
 }
 
