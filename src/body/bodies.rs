@@ -63,6 +63,14 @@ pub(crate) struct Motion {
 
 const _: () = assert!(size_of::<Motion>() == 64);
 
+impl Motion {
+    /// No point of a body that moves like this is faster, m/s.
+    #[inline(always)]
+    pub(crate) fn top_speed(&self, state: &BodyState) -> f32 {
+        Vec2::from(state.velocity).length() + state.angular_velocity.abs() * self.extent
+    }
+}
+
 /// Warm: what acts on the body; touched once per step, in the order of rows.
 #[derive(Clone, Debug)]
 pub(crate) struct Forcing {

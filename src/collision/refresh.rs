@@ -38,7 +38,8 @@ const RECYCLE_DISTANCE: f32 = 0.05;
 const STALE_SHARE: f32 = 0.01;
 
 /// A contact with a circle holds still within a step in which its bodies move against each other by less than this, m, or
-/// by less than a fortieth of the extent of the smaller of the two.
+/// by less than a fortieth of the extent of the smaller of the two. Of 60 piles none kept on swinging with this or with
+/// twice as much, one with half of it.
 const SLOW_DISTANCE: f32 = 0.005;
 
 /// Cosine of the angle that either body may turn before the manifold is found anew: 11 degrees.
@@ -75,9 +76,9 @@ pub(crate) fn refresh(contact: &mut Contact, bodies: &Bodies, settings: Refresh)
     match upkeep {
         Upkeep::Recycle(since) => recycle(contact, since),
         Upkeep::FindHalfway(course) => {
-            if let Some(touch) = pair.find_halfway(course) {
-                move_to(touch, contact);
-            }
+            let Some(touch) = pair.find_halfway(course) else { return contact.part() };
+            approach_speed = course.closing(touch.normal) / settings.dt;
+            move_to(touch, contact);
         }
         Upkeep::LeaveAsFollowed => contact.followed_steps += 1,
         Upkeep::FindAnew(course) => {
@@ -85,7 +86,7 @@ pub(crate) fn refresh(contact: &mut Contact, bodies: &Bodies, settings: Refresh)
             if manifold.points().is_empty() {
                 return contact.part();
             }
-            approach_speed = -manifold.normal.dot(course.motion) / settings.dt;
+            approach_speed = course.closing(manifold.normal) / settings.dt;
             pair.take_over(manifold, contact);
         }
     }
@@ -94,20 +95,15 @@ pub(crate) fn refresh(contact: &mut Contact, bodies: &Bodies, settings: Refresh)
 }
 
 /// Keeps the normal, and the anchors on their bodies, which they turn with: what topples does so about where it
-/// stands now. Each separation follows the motion since they were found:
-/// s = s₀ + n·(Δoffset + (1 - R_b⁻¹) r_b - (1 - R_a⁻¹) r_a).
-fn recycle(contact: &mut Contact, Since { moved, turned }: Since) {
-    let [back_a, back_b] = turned.map(Rot::inverse).map(|turned| LaneRot { c: turned.c, s: turned.s });
+/// stands now. Each separation follows the motion since they were found.
+fn recycle(contact: &mut Contact, since: Since) {
     let (normal, separations) = (contact.manifold.normal, contact.frozen.separations);
     for (point, then) in contact.manifold.points_mut().iter_mut().zip(separations) {
-        let tip_a: Vec2 = back_a.displacement(point.anchor_a.into()).into();
-        let tip_b: Vec2 = back_b.displacement(point.anchor_b.into()).into();
-        point.separation = then + normal.dot(moved - tip_b + tip_a);
+        point.separation = then + since.opened(normal, point.anchor_a, point.anchor_b);
     }
 }
 
-/// Moves the only point of a contact with a circle to where it touches. What is frozen stays that of when its manifold was
-/// found anew: only a contact without load that is hardly away from there goes back to it.
+/// Moves the only point of a contact with a circle to where it touches.
 fn move_to(touch: Touch, contact: &mut Contact) {
     contact.manifold.normal = touch.normal;
     for point in contact.manifold.points_mut() {
@@ -155,13 +151,33 @@ struct Course {
     turning: f32,
 }
 
-/// How two bodies have moved since their manifold was found.
+impl Course {
+    /// How much closer the bodies come along the normal by their translation, m.
+    #[inline(always)]
+    fn closing(&self, normal: Vec2) -> f32 {
+        -normal.dot(self.motion)
+    }
+}
+
+/// How two bodies have moved since their manifold was found, or will have when it is.
 #[derive(Clone, Copy)]
 struct Since {
     /// Translation of b against a, m.
     moved: Vec2,
     /// Rotations of a and b. The outline of a circle does not turn with it.
     turned: [Rot; 2],
+}
+
+impl Since {
+    /// How far a point has opened along the normal, whose anchors have turned with the bodies to where these are given, m:
+    /// s - s₀ = n·(Δoffset + (1 - R_b⁻¹) r_b - (1 - R_a⁻¹) r_a).
+    #[inline(always)]
+    fn opened(&self, normal: Vec2, anchor_a: Vec2, anchor_b: Vec2) -> f32 {
+        let [back_a, back_b] = self.turned.map(Rot::inverse).map(|back| LaneRot { c: back.c, s: back.s });
+        let tip_a: Vec2 = back_a.displacement(anchor_a.into()).into();
+        let tip_b: Vec2 = back_b.displacement(anchor_b.into()).into();
+        normal.dot(self.moved - tip_b + tip_a)
+    }
 }
 
 impl<'a> Pair<'a> {
@@ -266,11 +282,11 @@ impl<'a> Pair<'a> {
         if !recycling || contact.manifold.points().is_empty() {
             return Upkeep::FindAnew(self.course());
         }
-        let is_loaded = contact.is_loaded();
-        if is_loaded && self.has_circle() {
+        if self.has_circle() {
             let course = self.course();
             return if self.is_slow(course) { Upkeep::FindHalfway(course) } else { Upkeep::FindAnew(course) };
         }
+        let is_loaded = contact.is_loaded();
         let since = self.since(&contact.frozen);
         let pivots = is_loaded && contact.pivots();
         if is_loaded && !pivots && self.stays(&since) {
@@ -346,7 +362,7 @@ impl<'a> Pair<'a> {
         let margin = near + motion.length() + turning;
         let Some(manifold) = self.detect_at(self.offset.near, margin) else { return Manifold::default() };
         let gap = manifold.points().iter().fold(f32::INFINITY, |gap, point| gap.min(point.separation));
-        let closing = -manifold.normal.dot(motion);
+        let closing = course.closing(manifold.normal);
         // What is flat has one normal, wherever they meet.
         if gap <= 0.0 || closing <= gap || self.is_flat() {
             let in_reach = gap <= near + turning + closing.max(0.0);
@@ -359,20 +375,27 @@ impl<'a> Pair<'a> {
         }
     }
 
-    /// Where the circle touches halfway through the step; with the separation of now along the normal of then.
-    fn find_halfway(&self, Course { motion, .. }: Course) -> Option<Touch> {
-        let moved = motion * 0.5;
-        let [angle_a, angle_b] =
-            self.slots.map(|slot| 0.5 * self.dt * self.bodies.state(slot).angular_velocity);
-        // Slow bodies turn by less than 1/80: the next terms of cosine and sine are below the last digit of a gap.
-        let turned = |rotation: Rot, angle: f32| Rot { c: 1.0 - 0.5 * angle * angle, s: angle } * rotation;
-        let (rotation_a, rotation_b) = (turned(self.rotation_a, angle_a), turned(self.rotation_b, angle_b));
-        let near = self.offset.near + moved;
-        let found = touch(self.shape_a, rotation_a, self.shape_b, rotation_b, near, f32::INFINITY)?;
-        let swung = found.anchor_b.perp() * angle_b - found.anchor_a.perp() * angle_a;
-        let missing = found.normal.dot(self.offset.rest);
-        let separation = found.separation + missing - found.normal.dot(moved + swung);
-        Some(Touch { separation, ..found })
+    /// Where the circle touches halfway through the step; with the separation of now along the normal of then. `None` where
+    /// the bodies do not meet within the step.
+    fn find_halfway(&self, course: Course) -> Option<Touch> {
+        let half_turn = |motion: &Motion, slot: u32| {
+            if motion.is_round {
+                return Rot::IDENTITY;
+            }
+            let angle = 0.5 * self.dt * self.bodies.state(slot).angular_velocity;
+            // Slow bodies turn by less than 1/80: the next terms of cosine and sine are below the last digit of a gap.
+            Rot { c: 1.0 - 0.5 * angle * angle, s: angle }
+        };
+        let [slot_a, slot_b] = self.slots;
+        let [half_a, half_b] = [half_turn(self.motion_a, slot_a), half_turn(self.motion_b, slot_b)];
+        let until_then = Since { moved: 0.5 * course.motion, turned: [half_a, half_b] };
+        let (rotation_a, rotation_b) = (half_a * self.rotation_a, half_b * self.rotation_b);
+        let near = self.offset.near + until_then.moved;
+        let then = touch(self.shape_a, rotation_a, self.shape_b, rotation_b, near, f32::INFINITY)?;
+        let opened = until_then.opened(then.normal, then.anchor_a, then.anchor_b);
+        let separation = then.separation + self.offset.missing(then.normal) - opened;
+        let reach = self.near() + course.turning + course.closing(then.normal).max(0.0);
+        (separation <= reach).then_some(Touch { separation, ..then })
     }
 
     /// The manifold of the moment in which the bodies first touch, if they do within the step; separations

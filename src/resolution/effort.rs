@@ -20,7 +20,6 @@ use core::ops::Range;
 
 use crate::body::{Bodies, Effort, NONE};
 use crate::collision::{Contact, Contacts};
-use crate::math::Vec2;
 use crate::resolution::constraint_graph::ConstraintGraph;
 use crate::resolution::effort::history::{History, RETRY_STEPS};
 use crate::resolution::load::{
@@ -312,9 +311,7 @@ impl Efforts {
     /// Whether a heap that lies still was not solved directly before: it would be lifted out of its sag, and fall back.
     fn is_better_left_alone(&self, history: History, load: Load, tables: &EffortTables<'_>) -> bool {
         let lies_still = |&slot: &u32| {
-            let state = tables.bodies.state(slot);
-            let extent = tables.bodies.motions[slot as usize].extent;
-            Vec2::from(state.velocity).length() + state.angular_velocity.abs() * extent < STILL_SPEED
+            tables.bodies.motions[slot as usize].top_speed(tables.bodies.state(slot)) < STILL_SPEED
         };
         history.unsolved_times > 0
             && history.effort != Effort::Direct

@@ -326,7 +326,7 @@ fn move_on(motion: &mut Motion, state: &mut BodyState, dt: f32) -> bool {
     let swing = if motion.is_round { 0.0 } else { (1.0 - turn.c).abs() + turn.s.abs() + 2.0 * f32::EPSILON };
     motion.room -= Vec2::from(state.delta_position).norm_1() + swing * motion.extent;
     state.stand_still();
-    let speed = Vec2::from(state.velocity).length() + state.angular_velocity.abs() * motion.extent;
+    let speed = motion.top_speed(state);
     // A kinematic body rests only when it does not move at all: it keeps what it touches awake.
     let is_resting = if motion.inverse_mass > 0.0 { speed < REST_SPEED } else { speed == 0.0 };
     motion.still_time = if is_resting { motion.still_time + dt } else { 0.0 };

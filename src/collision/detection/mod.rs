@@ -85,10 +85,15 @@ impl Offset {
         let rest = |b: f64, a: f64, near: f32| (b - a - f64::from(near)) as f32;
         Self { near, rest: Vec2::new(rest(b.x, a.x, near.x), rest(b.y, a.y, near.y)) }
     }
+
+    /// What a gap along the normal misses that was found from `near`, m.
+    #[inline(always)]
+    pub(crate) fn missing(self, normal: Vec2) -> f32 {
+        normal.dot(self.rest)
+    }
 }
 
-/// The same as [`detect_within`], to the last digit of the offset: what is missing in `f32` changes a gap by its part
-/// along the normal.
+/// The same as [`detect_within`], to the last digit of the offset.
 #[inline]
 pub(crate) fn detect_from(
     shape_a: &Shape,
@@ -100,7 +105,7 @@ pub(crate) fn detect_from(
 ) -> Option<Manifold> {
     let mut found = detect_within(shape_a, rotation_a, shape_b, rotation_b, offset.near, margin);
     if let Some(manifold) = &mut found {
-        let missing = manifold.normal.dot(offset.rest);
+        let missing = offset.missing(manifold.normal);
         for point in manifold.points_mut() {
             point.separation += missing;
         }
