@@ -82,24 +82,28 @@ impl<'a> Runs<'a> {
         Some((e0.ln() + part * (e1 / e0).ln()).exp())
     }
 
-    /// The order of convergence: see [`Order`]. For each number of substeps, rows count down to the best one, while
-    /// they are well above the least error of all.
+    /// The order of convergence: see [`Order`]. For each number of substeps, rows count from the longest substep on, down to
+    /// the best one, or to the first that is not well above the least error of all: what comes after is rounding.
     pub(super) fn order(&self) -> Order {
         let least = self.rows.iter().map(|row| row.error).fold(f64::INFINITY, f64::min);
         if !self.rows.is_empty() && self.rows.iter().all(|row| row.error <= ROUNDING) {
             return Order::Rounding;
         }
-        let counts = |row: &Row| row.error > (WELL_ABOVE * least).max(ROUNDING) && row.error < LOST;
+        let is_well_above = |row: &Row| row.error > (WELL_ABOVE * least).max(ROUNDING);
         let step = |Fineness { tick_rate, substeps }: Fineness| 1.0 / (tick_rate * f64::from(substeps));
         let mut substeps: Vec<u32> = self.rows.iter().map(|row| row.fineness.substeps).collect();
         substeps.sort_unstable();
         substeps.dedup();
         let mut series = Vec::new();
         for count in substeps {
-            let rows = self.rows.iter().filter(|row| row.fineness.substeps == count);
-            let best = rows.clone().min_by(|one, other| one.error.total_cmp(&other.error));
+            let mut rows: Vec<&Row> =
+                self.rows.iter().copied().filter(|row| row.fineness.substeps == count).collect();
+            rows.sort_by(|one, other| one.fineness.tick_rate.total_cmp(&other.fineness.tick_rate));
+            let best = rows.iter().min_by(|one, other| one.error.total_cmp(&other.error));
             let finest = best.map_or(0.0, |row| step(row.fineness));
-            let falling = rows.filter(|row| counts(row) && step(row.fineness) >= finest);
+            let clean =
+                rows.into_iter().skip_while(|row| row.error >= LOST).take_while(|row| is_well_above(row));
+            let falling = clean.filter(|row| row.error < LOST && step(row.fineness) >= finest);
             series.push(falling.map(|row| [step(row.fineness), row.error]).collect::<Vec<_>>());
         }
         if series.iter().map(Vec::len).sum::<usize>() < FEWEST {
@@ -240,11 +244,16 @@ mod tests {
         assert_eq!(comparison.ours.order(), Order::Rounding);
     }
 
-    /// Errors 0.1 (30/f)² + 1e-5, and beyond 480 Hz ones that rise by rounding.
+    /// Errors 0.1 (30/f)² + 1e-5, and from 480 Hz on ones that go to and fro by rounding.
     #[test]
     fn the_order_is_that_of_the_part_that_falls() {
-        let error = |rate: f64| if rate > 480.0 { 1e-4 } else { 0.1 * (30.0 / rate).powi(2) + 1e-5 };
-        let rows: Vec<Row> = [30.0, 60.0, 120.0, 240.0, 480.0, 960.0]
+        let error = |rate: f64| match rate {
+            480.0 => 2e-5,
+            960.0 => 3e-3,
+            1920.0 => 5e-6,
+            _ => 0.1 * (30.0 / rate).powi(2) + 1e-5,
+        };
+        let rows: Vec<Row> = [30.0, 60.0, 120.0, 240.0, 480.0, 960.0, 1920.0]
             .into_iter()
             .map(|tick_rate| Row {
                 fineness: Fineness { tick_rate, substeps: 1 },

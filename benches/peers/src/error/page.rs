@@ -240,8 +240,9 @@ fn how_to_read(text: &mut String) {
          fronts\" is the worst for us of the times of all settings on the fronts of the peers, from our fastest setting \
          on.\n\
          - **Order** p: the error falls as the p-th power of the length of a substep. Fitted to the rows, for each number \
-         of substeps down to the best, whose errors are at least ten times the least of the engine, more than rounding \
-         and less than 30 %. \"rounding\": all errors are. –: fewer than three such rows.\n"
+         of substeps from the longest substep down to the best, or to the first whose error is less than ten times the \
+         least of the engine, or rounding; without errors of 30 % and more. \"rounding\": all errors are. –: fewer than \
+         three such rows.\n"
     );
 }
 
