@@ -237,7 +237,8 @@ impl World {
         for (place, &slot) in leaving.iter().enumerate() {
             broad_phase.prefetch_giving(leaving, place);
             let ahead = Vec2::from(bodies.state(slot).velocity) * dt;
-            broad_phase.give_box(slot, bodies.aabb(slot), ahead);
+            let is_alone = bodies.records[slot].first_contact == NONE;
+            broad_phase.give_box(slot, bodies.aabb(slot), ahead, is_alone);
         }
     }
 

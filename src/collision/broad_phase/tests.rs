@@ -1,4 +1,4 @@
-use super::{BroadPhase, Home, MARGIN, MARGIN_OF_SIDE, STEPS_AHEAD, TOO_BIG};
+use super::{BroadPhase, Home, MARGIN, MARGIN_OF_SIDE, STEPS_AHEAD, STEPS_AHEAD_ALONE, TOO_BIG};
 use crate::math::{Aabb, Point, Vec2};
 use crate::testing::Random;
 
@@ -220,6 +220,23 @@ fn a_body_at_constant_speed_gets_a_new_box_only_every_fourth_step() {
     let motion = Vec2::new(0.0, -0.5);
     let updates = (1..=100).filter(|&i| broad_phase.update(0, square(0.0, -0.5 * i as f32), motion)).count();
     assert_eq!(updates, 100 / STEPS_AHEAD as usize);
+}
+
+/// However small it is beside its motion, and though it slows down by 1 % per step.
+#[test]
+fn a_body_that_is_near_no_other_gets_one_only_every_seventh_step() {
+    for first in [Vec2::new(0.0, -0.5), Vec2::new(3e3, 1e3), Vec2::new(1e-3, 0.0)] {
+        let motion = |step: usize| first * 0.99_f32.powi(step as i32);
+        let tight = |step: usize| {
+            let gone = (0..step).fold(Vec2::ZERO, |gone, step| gone + motion(step));
+            square(gone.x, gone.y)
+        };
+        let mut broad_phase = BroadPhase::default();
+        broad_phase.add(0, true, tight(0));
+        broad_phase.give_box(0, tight(0), first, true);
+        let stays = |step: &usize| !broad_phase.leaves_box(0, tight(*step), motion(*step));
+        assert!((0..100).take_while(stays).count() >= STEPS_AHEAD_ALONE as usize, "{first:?}");
+    }
 }
 
 #[test]
