@@ -66,6 +66,7 @@ impl Owners {
 }
 
 #[cfg(not(debug_assertions))]
+#[expect(clippy::unused_self, reason = "debug builds use it")]
 impl Owners {
     #[inline(always)]
     pub(super) fn new(_: usize) -> Self {
