@@ -6,15 +6,16 @@
 //! (E. Catto, "Simulation Islands", 2023). Contacts with the ground take the last colours: solved last, they
 //! have the last word, and the ground gives no way.
 
+mod newcomers;
 mod passes;
 
 use crate::body::{Bodies, Effort};
 use crate::collision::{Contacts, Kind};
 use crate::compute::COLUMN;
 use crate::resolution::constraint::ContactConstraint;
+pub(crate) use crate::resolution::constraint_graph::newcomers::Newcomers;
 use crate::resolution::constraint_graph::passes::part;
 use crate::resolution::contact_block::{BlockEnd, ContactBlock};
-use crate::resolution::kernel::Kernel;
 use crate::store::BitSet;
 
 /// How many colours there are. A body can be in one contact per colour; the few contacts of a very crowded
@@ -95,7 +96,7 @@ impl ConstraintGraph {
         &self,
         effort: Effort,
         (contacts, bodies): (&Contacts, &Bodies),
-        newcomers: &mut Vec<(u32, usize)>,
+        newcomers: &mut Newcomers,
         mut look: impl FnMut(u32),
     ) {
         let first = (effort as usize * SECTION) as u32;
@@ -113,7 +114,7 @@ impl ConstraintGraph {
                 lively(number + 1, &mut |index| contacts.prefetch_bodies(index, bodies));
                 lively(number, &mut look);
                 if block.has_newcomers() {
-                    newcomers.push((colour_number, number));
+                    newcomers.blocks.push((colour_number, number));
                 }
             }
         }
@@ -121,7 +122,7 @@ impl ConstraintGraph {
 
     /// Calls `visit` with the places of the contacts of a block, colour and number in it, that the last sweep has found
     /// to begin to bear load.
-    pub(crate) fn newly_loaded(&self, (colour, number): (u32, usize), mut visit: impl FnMut((u32, u32))) {
+    fn newly_loaded(&self, (colour, number): (u32, usize), mut visit: impl FnMut((u32, u32))) {
         let marks = self.colours[colour as usize].blocks[number].newly_loaded();
         marks.for_each(|place| visit((colour, (number * COLUMN + place) as u32)));
     }
@@ -211,12 +212,6 @@ impl ConstraintGraph {
             }
         }
         self.len -= 1;
-    }
-
-    /// Does something to the constraint of the contact at a place of the graph.
-    pub(crate) fn for_one(&mut self, (colour, place): (u32, u32), kernel: &impl Kernel) {
-        let block = &mut self.colours[colour as usize].blocks[place as usize / COLUMN];
-        kernel.run::<f32>(block, place as usize % COLUMN);
     }
 
     /// All blocks of an effort, colour by colour.

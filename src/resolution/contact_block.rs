@@ -219,6 +219,20 @@ impl ContactBlock {
         constraint
     }
 
+    /// Takes over a contact of another block as it is now, to be swept over.
+    pub(crate) fn copy(&mut self, place: usize, from: &Self, from_place: usize) {
+        self.rows.set(place, from.rows.get(from_place));
+        self.is_special |= from.is_special;
+        self.columns.store(place, &from.load::<f32>(from_place));
+    }
+
+    /// Takes over the impulses of such a copy.
+    pub(crate) fn copy_impulses(&mut self, place: usize, from: &Self, from_place: usize) {
+        let constraint = from.load::<f32>(from_place);
+        self.store_normal_impulses::<f32, 2>(place, &constraint);
+        self.store_friction_impulses::<f32, 2>(place, &constraint);
+    }
+
     /// Writes normal and points back.
     #[inline(always)]
     pub(crate) fn store_geometry<L: Lane>(&mut self, place: usize, constraint: &ContactConstraint<L>) {
@@ -354,6 +368,24 @@ impl ContactConstraint<Column> {
         }
     }
 
+    /// Writes all that sweeps read.
+    fn store(&mut self, place: usize, constraint: &ContactConstraint<f32>) {
+        self.inverse_mass_a.set(place, constraint.inverse_mass_a);
+        self.inverse_mass_b.set(place, constraint.inverse_mass_b);
+        self.inverse_inertia_a.set(place, constraint.inverse_inertia_a);
+        self.inverse_inertia_b.set(place, constraint.inverse_inertia_b);
+        self.friction.set(place, constraint.friction);
+        self.store_geometry::<f32, 2>(place, constraint);
+        for (to, point) in self.points.iter_mut().zip(&constraint.points) {
+            to.normal_impulse.set(place, point.normal_impulse);
+        }
+        for (to, friction) in self.frictions.iter_mut().zip(&constraint.frictions) {
+            to.impulse.set(place, friction.impulse);
+            to.normal_share.set(place, friction.normal_share);
+        }
+        self.special.store(place, &constraint.special);
+    }
+
     #[inline(always)]
     fn store_geometry<L: Lane, const POINTS: usize>(
         &mut self,
@@ -395,6 +427,14 @@ impl Special<Column> {
             turns_a: L::load(&self.turns_a, place),
             turns_b: L::load(&self.turns_b, place),
             awaits_impact: [L::load(first, place), L::load(second, place)],
+        }
+    }
+
+    fn store(&mut self, place: usize, special: &Special<f32>) {
+        self.turns_a.set(place, special.turns_a);
+        self.turns_b.set(place, special.turns_b);
+        for (to, awaits) in self.awaits_impact.iter_mut().zip(special.awaits_impact) {
+            to.set(place, awaits);
         }
     }
 }

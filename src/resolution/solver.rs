@@ -8,7 +8,7 @@ use crate::collision::Contacts;
 use crate::compute::{BodyState, Crew, Shared, Width};
 use crate::math::Vec2;
 use crate::resolution::constraint::StepResidual;
-use crate::resolution::constraint_graph::ConstraintGraph;
+use crate::resolution::constraint_graph::{ConstraintGraph, Newcomers};
 use crate::resolution::damping::{Damped, is_damped};
 use crate::resolution::direct::{Aim, DirectSolver};
 use crate::resolution::effort::EffortClass;
@@ -73,11 +73,6 @@ pub(crate) trait Acceleration: Sync {
     fn at(&self, bodies: &Bodies, slot: u32, delta: Vec2) -> Vec2;
 }
 
-/// A contact of two points and with friction that begins to bear load is relaxed so many times more: without impulses
-/// to start from, one sweep lets friction turn the body instead of stopping it, and a box set on a slope keeps 7 mm/s
-/// too much for as long as it slides. Two leave a tenth of that, four nothing.
-const NEWCOMER_SWEEPS: u32 = 4;
-
 /// What it costs to forget the share of a warm start of a body, and to write its carry back, ns.
 const FILL_COST: usize = 1;
 const CARRY_COST: usize = 3;
@@ -94,11 +89,7 @@ pub(crate) struct Solver {
     pub(crate) impacts: Impacts,
     followers: Followers,
     handovers: Handovers,
-    /// Blocks of the constraint graph, by colour and number in it, with contacts of two points and with friction that
-    /// bear no load yet as the step begins.
-    newcomers: Vec<(u32, usize)>,
-    /// Scratch: places of those of them that begin to in this substep.
-    loaded_newcomers: Vec<(u32, u32)>,
+    newcomers: Newcomers,
     direct: DirectSolver,
 }
 
@@ -276,7 +267,7 @@ impl Solver {
             graph.for_each(tables.crew, (class.effort, scheme.width), &sweep);
         }
         if scheme.relax_iterations > 0 {
-            self.sweep_newcomers(scheme, relax, graph, states);
+            self.newcomers.sweep(graph, scheme.width, &scheme.sweep_over(states, relax));
         }
     }
 
@@ -397,30 +388,10 @@ impl Solver {
     /// on a slope would go down freely for half a substep. It counts as a share of a warm start.
     fn grip_newcomers(&mut self, scheme: &Scheme, graph: &mut ConstraintGraph, states: &mut [BodyState]) {
         let kind = Sweep { friction: true, ..scheme.main_sweep() };
-        self.sweep_newcomers(scheme, kind, graph, states);
-        for &place in &self.loaded_newcomers {
+        let sweep = scheme.sweep_over(states, kind);
+        for &place in self.newcomers.sweep(graph, scheme.width, &sweep) {
             let constraint = graph.constraint(place);
             add_shares([(&constraint, 1.0)], graph.moved_rows(place), &mut self.shares);
-        }
-    }
-
-    /// Sweeps a few times over the contacts that begin to bear load in this substep.
-    fn sweep_newcomers(
-        &mut self,
-        scheme: &Scheme,
-        kind: Sweep,
-        graph: &mut ConstraintGraph,
-        states: &mut [BodyState],
-    ) {
-        self.loaded_newcomers.clear();
-        for &block in &self.newcomers {
-            graph.newly_loaded(block, |place| self.loaded_newcomers.push(place));
-        }
-        let sweep = scheme.sweep_over(states, kind);
-        for _ in 0..NEWCOMER_SWEEPS {
-            for &place in &self.loaded_newcomers {
-                graph.for_one(place, &sweep);
-            }
         }
     }
 

@@ -99,9 +99,9 @@ impl ConstraintGraph {
 }
 
 /// A pass over all contacts of an effort.
-struct Pass<'a, K> {
-    section: &'a mut [Colour],
-    kernel: &'a K,
+pub(super) struct Pass<'a, K> {
+    pub(super) section: &'a mut [Colour],
+    pub(super) kernel: &'a K,
 }
 
 /// A pass over some blocks of a colour, that have so many contacts.
