@@ -45,6 +45,24 @@ enum Kind {
 impl Width {
     /// One number at a time.
     pub(crate) const ONE: Self = Self(Kind::One);
+
+    /// How many numbers it is at a time.
+    fn count(self) -> usize {
+        match self.0 {
+            Kind::One => 1,
+            Kind::Four => F32x4::WIDTH,
+            #[cfg(target_arch = "x86_64")]
+            Kind::Eight => F32x8::WIDTH,
+            #[cfg(target_arch = "x86_64")]
+            Kind::Sixteen => F32x16::WIDTH,
+        }
+    }
+
+    /// The width for so many numbers: none that is wider than it takes to have all of them at once.
+    pub(crate) fn for_count(self, count: usize) -> Self {
+        let narrower = [Lanes::Four, Lanes::Eight].map(Lanes::width);
+        narrower.into_iter().find(|width| (count..self.count()).contains(&width.count())).unwrap_or(self)
+    }
 }
 
 impl Lanes {
@@ -57,14 +75,7 @@ impl Lanes {
     /// assert!(Lanes::Auto.count() >= Lanes::Four.count());
     /// ```
     pub fn count(self) -> usize {
-        match self.width().0 {
-            Kind::One => 1,
-            Kind::Four => F32x4::WIDTH,
-            #[cfg(target_arch = "x86_64")]
-            Kind::Eight => F32x8::WIDTH,
-            #[cfg(target_arch = "x86_64")]
-            Kind::Sixteen => F32x16::WIDTH,
-        }
+        self.width().count()
     }
 
     /// The width that stands for it on this processor.

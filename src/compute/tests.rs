@@ -369,6 +369,14 @@ fn a_width_is_never_more_than_was_asked_for() {
     assert!([4, 8].contains(&width_of(Lanes::Eight.width())));
     assert!(width_of(Lanes::Sixteen.width()) >= width_of(Lanes::Eight.width()));
     assert_eq!(width_of(Lanes::Sixteen.width()), width_of(Lanes::Auto.width()));
+    for lanes in [Lanes::One, Lanes::Four, Lanes::Eight, Lanes::Sixteen] {
+        for count in 0..40 {
+            let fitting = width_of(lanes.width().for_count(count));
+            // Nothing narrower, but one at a time, would do with one go, and it is no wider than asked for.
+            assert!(fitting <= lanes.count() && (fitting == lanes.count() || fitting >= count));
+            assert!(fitting <= 4 || fitting / 2 < count, "{fitting} lanes for {count}");
+        }
+    }
     for lanes in [Lanes::One, Lanes::Four, Lanes::Eight, Lanes::Sixteen, Lanes::Auto] {
         assert_eq!(lanes.count(), width_of(lanes.width()));
     }

@@ -186,7 +186,8 @@ impl World {
                 solver.impacts.clear();
                 continue;
             }
-            let scheme = settings.scheme(effort, self.last_substep);
+            let count = class.rows.len().max(graph.len());
+            let scheme = settings.scheme(effort, count, self.last_substep);
             let mut tables = SolveTables { bodies, contacts, graph, loads: &mut self.loads, crew };
             let residual = solve(solver, &scheme, &class, &mut tables, &field);
             self.residual = self.residual.max(residual);
