@@ -358,19 +358,17 @@ impl<'a> Pair<'a> {
     /// The manifold of bodies on this course; without points where they do not meet within the step.
     fn find_manifold(&self, course: Course) -> Manifold {
         let Course { motion, turning } = course;
-        let near = self.near();
-        let margin = near + motion.length() + turning;
+        let margin = self.near() + motion.length() + turning;
         let Some(manifold) = self.detect_at(self.offset.near, margin) else { return Manifold::default() };
         let gap = manifold.points().iter().fold(f32::INFINITY, |gap, point| gap.min(point.separation));
         let closing = course.closing(manifold.normal);
         // What is flat has one normal, wherever they meet.
         if gap <= 0.0 || closing <= gap || self.is_flat() {
-            let in_reach = gap <= near + turning + closing.max(0.0);
-            return if in_reach { manifold } else { Manifold::default() };
+            return if self.may_meet(gap, closing, turning) { manifold } else { Manifold::default() };
         }
         match self.find_where_they_meet(motion, margin) {
             Some(meeting) => meeting,
-            None if gap <= near + turning => manifold,
+            None if self.may_meet(gap, 0.0, turning) => manifold,
             None => Manifold::default(),
         }
     }
@@ -394,8 +392,14 @@ impl<'a> Pair<'a> {
         let then = touch(self.shape_a, rotation_a, self.shape_b, rotation_b, near, f32::INFINITY)?;
         let opened = until_then.opened(then.normal, then.anchor_a, then.anchor_b);
         let separation = then.separation + self.offset.missing(then.normal) - opened;
-        let reach = self.near() + course.turning + course.closing(then.normal).max(0.0);
-        (separation <= reach).then_some(Touch { separation, ..then })
+        let may_meet = self.may_meet(separation, course.closing(then.normal), course.turning);
+        may_meet.then_some(Touch { separation, ..then })
+    }
+
+    /// Whether bodies with this gap, m, may meet within the step, in which they come closer by so much, m: by their
+    /// translation along the normal, and by turning.
+    fn may_meet(&self, gap: f32, closing: f32, turning: f32) -> bool {
+        gap <= self.near() + turning + closing.max(0.0)
     }
 
     /// The manifold of the moment in which the bodies first touch, if they do within the step; separations

@@ -191,7 +191,7 @@ impl BroadPhase {
         }
     }
 
-    /// Gives a body another fat box; a body that is near no other is put off for longer.
+    /// Gives a body another fat box: one for longer if it is near no other.
     #[cold]
     #[inline(never)]
     pub(crate) fn give_box(&mut self, body: u32, tight: Aabb, motion: Vec2, is_alone: bool) {
