@@ -1,7 +1,7 @@
 //! All bodies of a world, in tables indexed by slot.
 
 use crate::body::{Body, BodyId, BodyType, Effort, Material};
-use crate::compute::{BodyState, GROUND_ROW};
+use crate::compute::{BodyState, GROUND_ROW, prefetch};
 use crate::math::{Aabb, Point, Pose, Vec2};
 use crate::shape::{MassProperties, Shape};
 use crate::store::{Key, Slots};
@@ -310,6 +310,14 @@ impl Bodies {
     /// The bounding box of the body in `slot`, rounded outward.
     pub(crate) fn aabb(&self, slot: u32) -> Aabb {
         self.shapes[slot as usize].bounding_box(self.motions[slot as usize].pose)
+    }
+
+    /// Asks for what it takes to give the body in `slot` another fat box.
+    #[inline(always)]
+    pub(crate) fn prefetch_box(&self, slot: u32) {
+        prefetch(&self.motions, slot as usize);
+        prefetch(&self.shapes, slot as usize);
+        self.records.prefetch(slot);
     }
 
     /// Centre of mass of the body in `slot`.

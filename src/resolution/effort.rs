@@ -216,13 +216,15 @@ impl Efforts {
                 self.decide_island(slot, (tick, allowance), &mut tables);
             }
         }
-        for row in 1..tables.bodies.states.len() {
-            let slot = tables.bodies.slot_of_row[row];
-            if tables.bodies.records[slot].effort != Effort::Plain {
-                self.decide_island(slot, (tick, allowance), &mut tables);
+        if tables.bodies.raised_count() > 0 {
+            for row in 1..tables.bodies.states.len() {
+                let slot = tables.bodies.slot_of_row[row];
+                if tables.bodies.records[slot].effort != Effort::Plain {
+                    self.decide_island(slot, (tick, allowance), &mut tables);
+                }
             }
+            tables.bodies.sort_rows_by_effort();
         }
-        tables.bodies.sort_rows_by_effort();
         for (_, slot) in &mut self.kinematic {
             *slot = tables.bodies.motions[*slot as usize].row;
         }

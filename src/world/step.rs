@@ -64,7 +64,8 @@ impl World {
     fn find_pairs(&mut self) {
         let bodies = &self.bodies;
         let mut pairs = std::mem::take(&mut self.new_pairs);
-        self.broad_phase.find_pairs(|a, b| bodies.is_dynamic(a) || bodies.is_dynamic(b), &mut pairs);
+        let accept = |a, b| bodies.is_dynamic(a) || bodies.is_dynamic(b);
+        self.broad_phase.find_pairs(&self.crew, accept, &mut pairs);
         for place in 0..pairs.len() {
             self.contacts.prefetch_beginning(&self.bodies, &pairs, place);
             let (a, b) = pairs[place];
@@ -237,6 +238,9 @@ impl World {
         leaving.extend(slots.filter(|(_, leaves_box)| **leaves_box).map(|(&slot, _)| slot));
         for (place, &slot) in leaving.iter().enumerate() {
             broad_phase.prefetch_giving(leaving, place);
+            if let Some(&next) = leaving.get(place + AHEAD) {
+                bodies.prefetch_box(next);
+            }
             let ahead = Vec2::from(bodies.state(slot).velocity) * dt;
             let is_alone = bodies.records[slot].first_contact == NONE;
             broad_phase.give_box(slot, bodies.aabb(slot), ahead, is_alone);

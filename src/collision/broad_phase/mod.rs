@@ -22,7 +22,9 @@ mod tree;
 
 pub(crate) use tree::Tree;
 
-use crate::compute::prefetch;
+use std::sync::{Mutex, PoisonError};
+
+use crate::compute::{Crew, prefetch};
 use crate::math::{Aabb, Point, Vec2};
 use crate::store::PairSet;
 
@@ -55,6 +57,9 @@ const AHEAD: usize = 3;
 /// So many pairs that were met are looked up together: their places in memory have been asked for before and come
 /// meanwhile.
 const ASKED_TOGETHER: usize = 32;
+
+/// What it costs to walk both trees for a body that moved, ns.
+const WALK_COST: usize = 250;
 
 /// The tree a body is in and its leaf there.
 #[derive(Clone, Copy, Debug, Default)]
@@ -90,8 +95,6 @@ pub(crate) struct BroadPhase {
     moved: Vec<u32>,
     /// Pairs the caller has been told of and has not ended.
     pairs: PairSet,
-    /// Scratch: pairs that were met and may be known.
-    met: Vec<(u32, u32)>,
 }
 
 impl BroadPhase {
@@ -240,39 +243,67 @@ impl BroadPhase {
     /// Appends to `out` the pairs (a < b) that are new: the fat boxes overlap, one of the two moved, one of the
     /// two is movable, the pair is not known yet, and `accept` takes it. They are in ascending order, and known
     /// from now on. Then no body counts as moved any more.
-    pub(crate) fn find_pairs(&mut self, accept: impl Fn(u32, u32) -> bool, out: &mut Vec<(u32, u32)>) {
+    pub(crate) fn find_pairs(
+        &mut self,
+        crew: &Crew,
+        accept: impl Fn(u32, u32) -> bool + Sync,
+        out: &mut Vec<(u32, u32)>,
+    ) {
         let first_new = out.len();
-        let Self { proxies, fixed, movable, moved, pairs, met } = self;
-        for &body in moved.iter() {
-            let proxy = proxies[body as usize];
-            let mut meet = |other: u32| {
-                let (a, b) = (body.min(other), body.max(other));
-                // Two moved bodies find each other; the one with the smaller number reports it.
-                let is_reported_by_other = other <= body && proxies[other as usize].moved_at.is_some();
-                if !is_reported_by_other {
-                    pairs.prefetch(a, b);
-                    met.push((a, b));
-                }
-                true
-            };
-            movable.query(proxy.fat, &mut meet);
-            if matches!(proxy.home, Home::Movable(_)) {
-                fixed.query(proxy.fat, &mut meet);
-            }
-            // The set is asked a while later, when its memory has come: by then the next walk is on its way.
-            if met.len() >= ASKED_TOGETHER {
-                out.extend(met.drain(..).filter(|&(a, b)| !pairs.contains(a, b) && accept(a, b)));
-            }
-        }
-        out.extend(met.drain(..).filter(|&(a, b)| !pairs.contains(a, b) && accept(a, b)));
-        for body in moved.drain(..) {
-            proxies[body as usize].moved_at = None;
+        let new = Mutex::new(&mut *out);
+        let this = &*self;
+        crew.run(&this.moved[..], WALK_COST, |moved| this.find_pairs_of(moved, &accept, &new));
+        for body in self.moved.drain(..) {
+            self.proxies[body as usize].moved_at = None;
         }
         // The order in which the trees were walked is that of their history; the numbers' is the caller's.
         out[first_new..].sort_unstable();
         for &(a, b) in &out[first_new..] {
-            pairs.insert(a, b);
+            self.pairs.insert(a, b);
         }
+    }
+
+    /// Appends the new pairs of some of the moved bodies, in any order.
+    fn find_pairs_of(
+        &self,
+        moved: &[u32],
+        accept: &impl Fn(u32, u32) -> bool,
+        new: &Mutex<&mut Vec<(u32, u32)>>,
+    ) {
+        // Pairs that were met and may be known.
+        let (mut met, mut count) = ([(0, 0); 2 * ASKED_TOGETHER], 0);
+        let ask = |met: &[(u32, u32)]| {
+            let is_new = |&(a, b): &(u32, u32)| !self.pairs.contains(a, b) && accept(a, b);
+            new.lock().unwrap_or_else(PoisonError::into_inner).extend(met.iter().copied().filter(is_new));
+        };
+        for &body in moved {
+            let proxy = self.proxies[body as usize];
+            let mut meet = |other: u32| {
+                let (a, b) = (body.min(other), body.max(other));
+                // Two moved bodies find each other; the one with the smaller number reports it.
+                let is_reported_by_other = other <= body && self.proxies[other as usize].moved_at.is_some();
+                if !is_reported_by_other {
+                    self.pairs.prefetch(a, b);
+                    met[count] = (a, b);
+                    count += 1;
+                    if count == met.len() {
+                        ask(&met);
+                        count = 0;
+                    }
+                }
+                true
+            };
+            self.movable.query(proxy.fat, &mut meet);
+            if matches!(proxy.home, Home::Movable(_)) {
+                self.fixed.query(proxy.fat, &mut meet);
+            }
+            // The set is asked a while later, when its memory has come: by then the next walk is on its way.
+            if count >= ASKED_TOGETHER {
+                ask(&met[..count]);
+                count = 0;
+            }
+        }
+        ask(&met[..count]);
     }
 
     /// Forgets a pair, which ended: the fat boxes no longer overlap, or a body was taken out. It is reported
