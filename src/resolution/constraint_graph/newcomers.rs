@@ -1,7 +1,7 @@
 //! Contacts that begin to bear load, swept a few times more than the others.
 
-use crate::compute::{self, COLUMN, Width};
-use crate::resolution::constraint_graph::passes::Pass;
+use crate::compute::{COLUMN, Width};
+use crate::resolution::constraint_graph::passes::pass_over;
 use crate::resolution::constraint_graph::{Colour, ConstraintGraph, SECTION};
 use crate::resolution::contact_block::ContactBlock;
 use crate::resolution::kernel::Kernel;
@@ -42,7 +42,7 @@ impl Newcomers {
             let first_colour = colour as usize / SECTION * SECTION;
             self.copy_loaded(graph, first_colour);
             for _ in 0..NEWCOMER_SWEEPS {
-                compute::run(width, Pass { section: &mut self.copies, kernel });
+                pass_over(&mut self.copies, width, kernel);
             }
             self.give_back(graph, first_colour);
         }

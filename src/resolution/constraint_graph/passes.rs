@@ -79,7 +79,7 @@ impl ConstraintGraph {
     pub(crate) fn for_each(&mut self, crew: &Crew, (effort, width): (Effort, Width), kernel: &impl Kernel) {
         let section = self.section_mut(effort);
         if crew.is_alone() {
-            return compute::run(width, Pass { section, kernel });
+            return pass_over(section, width, kernel);
         }
         let (colours, overflow) = section.split_at_mut(COLOURS);
         for colour in overflow {
@@ -98,10 +98,16 @@ impl ConstraintGraph {
     }
 }
 
+/// Does something to every constraint of some colours and their overflow. Compiled once for each kernel, which is large.
+#[inline(never)]
+pub(super) fn pass_over(section: &mut [Colour], width: Width, kernel: &impl Kernel) {
+    compute::run(width, Pass { section, kernel });
+}
+
 /// A pass over all contacts of an effort.
-pub(super) struct Pass<'a, K> {
-    pub(super) section: &'a mut [Colour],
-    pub(super) kernel: &'a K,
+struct Pass<'a, K> {
+    section: &'a mut [Colour],
+    kernel: &'a K,
 }
 
 /// A pass over some blocks of a colour, that have so many contacts.
