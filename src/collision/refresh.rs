@@ -38,8 +38,7 @@ const RECYCLE_DISTANCE: f32 = 0.05;
 const STALE_SHARE: f32 = 0.01;
 
 /// A contact with a circle holds still within a step in which its bodies move against each other by less than this, m, or
-/// by less than a fortieth of the extent of the smaller of the two. Of 60 piles none kept on swinging with this or with
-/// twice as much, one with half of it.
+/// by less than a fortieth of the extent of the smaller of the two: with half as much, piles are left that swing on.
 const SLOW_DISTANCE: f32 = 0.005;
 
 /// Cosine of the angle that either body may turn before the manifold is found anew: 11 degrees.

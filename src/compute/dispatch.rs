@@ -13,7 +13,7 @@ use crate::compute::four::F32x4;
 /// next smaller number.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Lanes {
-    /// As many as the processor can.
+    /// As many as the processor can, but no more than a small world fills.
     #[default]
     Auto,
     /// One, as the equations are written.
@@ -45,24 +45,6 @@ enum Kind {
 impl Width {
     /// One number at a time.
     pub(crate) const ONE: Self = Self(Kind::One);
-
-    /// How many numbers it is at a time.
-    fn count(self) -> usize {
-        match self.0 {
-            Kind::One => 1,
-            Kind::Four => F32x4::WIDTH,
-            #[cfg(target_arch = "x86_64")]
-            Kind::Eight => F32x8::WIDTH,
-            #[cfg(target_arch = "x86_64")]
-            Kind::Sixteen => F32x16::WIDTH,
-        }
-    }
-
-    /// The width for so many numbers: none that is wider than it takes to have all of them at once.
-    pub(crate) fn for_count(self, count: usize) -> Self {
-        let narrower = [Lanes::Four, Lanes::Eight].map(Lanes::width);
-        narrower.into_iter().find(|width| (count..self.count()).contains(&width.count())).unwrap_or(self)
-    }
 }
 
 impl Lanes {
@@ -75,7 +57,24 @@ impl Lanes {
     /// assert!(Lanes::Auto.count() >= Lanes::Four.count());
     /// ```
     pub fn count(self) -> usize {
-        self.width().count()
+        match self.width().0 {
+            Kind::One => 1,
+            Kind::Four => F32x4::WIDTH,
+            #[cfg(target_arch = "x86_64")]
+            Kind::Eight => F32x8::WIDTH,
+            #[cfg(target_arch = "x86_64")]
+            Kind::Sixteen => F32x16::WIDTH,
+        }
+    }
+
+    /// The width to solve so many contacts or bodies with: one that is asked for, or none wider than they fill.
+    pub(crate) fn width_for(self, count: usize) -> Width {
+        let fitting = match (self, count) {
+            (Self::Auto, ..=4) => Self::Four,
+            (Self::Auto, ..=8) => Self::Eight,
+            _ => self,
+        };
+        fitting.width()
     }
 
     /// The width that stands for it on this processor.

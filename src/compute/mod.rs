@@ -50,7 +50,7 @@ use sse2 as four;
 pub(crate) use column::{COLUMN, Column, RowPairs};
 #[cfg(feature = "report")]
 pub(crate) use counted::{Count, Counted, count};
-pub(crate) use crew::{Crew, Divide, MOST_THREADS};
+pub(crate) use crew::{Crew, Divide, MOST_THREADS, lock};
 pub use dispatch::Lanes;
 pub(crate) use dispatch::{Job, Width, run};
 pub(crate) use lane::Lane;

@@ -369,12 +369,13 @@ fn a_width_is_never_more_than_was_asked_for() {
     assert!([4, 8].contains(&width_of(Lanes::Eight.width())));
     assert!(width_of(Lanes::Sixteen.width()) >= width_of(Lanes::Eight.width()));
     assert_eq!(width_of(Lanes::Sixteen.width()), width_of(Lanes::Auto.width()));
-    for lanes in [Lanes::One, Lanes::Four, Lanes::Eight, Lanes::Sixteen] {
-        for count in 0..40 {
-            let fitting = width_of(lanes.width().for_count(count));
-            // Nothing narrower, but one at a time, would do with one go, and it is no wider than asked for.
-            assert!(fitting <= lanes.count() && (fitting == lanes.count() || fitting >= count));
-            assert!(fitting <= 4 || fitting / 2 < count, "{fitting} lanes for {count}");
+    for count in 0..40 {
+        // No lane of half the width would do with one go, or the processor has none wider.
+        let fitting = width_of(Lanes::Auto.width_for(count));
+        assert!(fitting == 4 || fitting / 2 < count, "{fitting} lanes for {count}");
+        assert!(fitting >= count || fitting == Lanes::Auto.count(), "{fitting} lanes for {count}");
+        for asked in [Lanes::One, Lanes::Four, Lanes::Eight, Lanes::Sixteen] {
+            assert_eq!(width_of(asked.width_for(count)), asked.count());
         }
     }
     for lanes in [Lanes::One, Lanes::Four, Lanes::Eight, Lanes::Sixteen, Lanes::Auto] {

@@ -451,3 +451,50 @@ impl ConstraintPoint<Column> {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::compute::LaneVec2;
+
+    #[test]
+    fn a_copy_is_swept_like_the_contact_that_it_is_of_and_gives_its_impulses_back() {
+        let mut numbers = (1..).map(|number: u8| f32::from(number));
+        let mut next = || numbers.next().unwrap();
+        let contact = ContactConstraint {
+            inverse_mass_a: next(),
+            inverse_mass_b: next(),
+            inverse_inertia_a: next(),
+            inverse_inertia_b: next(),
+            normal: LaneVec2 { x: next(), y: next() },
+            coupling: next(),
+            points: [(); 2].map(|()| ConstraintPoint {
+                anchor_a: LaneVec2 { x: next(), y: next() },
+                anchor_b: LaneVec2 { x: next(), y: next() },
+                separation: next(),
+                normal_k: next(),
+                normal_impulse: next(),
+            }),
+            friction: next(),
+            frictions: [(); 2].map(|()| PointFriction {
+                mass: next(),
+                impulse: next(),
+                normal_share: next(),
+            }),
+            special: Special { turns_a: next(), turns_b: next(), awaits_impact: [next(), next()] },
+            is_still: false,
+        };
+        let mut block = ContactBlock { is_special: true, ..ContactBlock::default() };
+        let mut copies = ContactBlock::default();
+        block.rows.set(3, [7, 5]);
+        block.columns.store(3, &contact);
+        copies.copy(14, &block, 3);
+        assert_eq!(copies.rows(14), [7, 5]);
+        assert_eq!(format!("{:?}", copies.load::<f32>(14)), format!("{contact:?}"));
+
+        copies.set_impulses(14, 0, [0.25, -0.25]);
+        copies.set_impulses(14, 1, [0.5, -0.5]);
+        block.copy_impulses(3, &copies, 14);
+        assert_eq!(format!("{:?}", block.load::<f32>(3)), format!("{:?}", copies.load::<f32>(14)));
+    }
+}

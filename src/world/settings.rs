@@ -212,7 +212,7 @@ impl Settings {
             },
             restitution_threshold: self.restitution_threshold,
             limits: SpeedLimits { speed: self.max_speed, spin: self.max_spin },
-            width: self.lanes.width().for_count(count),
+            width: self.lanes.width_for(count),
             fitted_kernels: self.fitted_kernels,
         }
     }

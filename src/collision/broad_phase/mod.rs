@@ -4,8 +4,8 @@
 //! stays within it nothing here changes. A body that leaves it gets a new fat box and is marked as moved, and
 //! new pairs are looked for around the moved bodies only.
 //!
-//! - In the step: [`update`](BroadPhase::update) in the finalize and refit stages, once per awake body;
-//!   [`find_pairs`](BroadPhase::find_pairs) in the pairs stage, whose input is the moved bodies.
+//! - In the step: [`leaves_box`](BroadPhase::leaves_box) and [`give_box`](BroadPhase::give_box) in the finalize stage, for
+//!   awake bodies; [`find_pairs`](BroadPhase::find_pairs) in the pairs stage, whose input is the moved bodies.
 //! - Cost: a few loads and comparisons for a body within its fat box, O(log n) for one that left it, O(log n +
 //!   neighbours) per moved body for the pairs. A settled world costs the comparisons alone. No allocation once
 //!   buffers have grown.
@@ -22,9 +22,9 @@ mod tree;
 
 pub(crate) use tree::Tree;
 
-use std::sync::{Mutex, PoisonError};
+use std::sync::Mutex;
 
-use crate::compute::{Crew, prefetch};
+use crate::compute::{Crew, lock, prefetch};
 use crate::math::{Aabb, Point, Vec2};
 use crate::store::PairSet;
 
@@ -39,23 +39,23 @@ const MARGIN: f32 = 0.1;
 const MARGIN_OF_SIDE: f32 = 0.0625;
 
 /// For how many steps of its motion a fat box is stretched ahead: a body at constant speed is put back into
-/// the tree every fourth step. More would save little and make long boxes with many false neighbours.
+/// the tree every fourth step. More would make long boxes with many false neighbours.
 const STEPS_AHEAD: f32 = 4.0;
 
-/// The same for a body that is near no other: a long box has no false neighbours there. With more it would soon be
-/// [`TOO_BIG`] for a body that slows down.
+/// The same for a body that is near no other, where there are no false neighbours. With more, the box would be [`TOO_BIG`]
+/// as soon as the body slows down a little.
 const STEPS_AHEAD_ALONE: f32 = 7.0;
 
 /// A fat box whose outline is this many times the one it would get now is replaced: the body was fast and has
-/// come to rest. The motion has to halve at least before this happens, so it happens only a few times while a
-/// body slows down.
+/// come to rest. The motion has to halve at least before this happens, or to lose an eighth where the body was near no
+/// other, so it happens only a few times while a body slows down.
 const TOO_BIG: f32 = 2.0;
 
 /// How many bodies ahead memory is asked for: so many take about as long to get a box as memory does.
 const AHEAD: usize = 3;
 
-/// So many pairs that were met are looked up together: their places in memory have been asked for before and come
-/// meanwhile.
+/// So many pairs that were met are looked up together: their places in memory have been asked for before, and come while
+/// others are met or looked up.
 const ASKED_TOGETHER: usize = 32;
 
 /// What it costs to walk both trees for a body that moved, ns.
@@ -271,10 +271,10 @@ impl BroadPhase {
         new: &Mutex<&mut Vec<(u32, u32)>>,
     ) {
         // Pairs that were met and may be known.
-        let (mut met, mut count) = ([(0, 0); 2 * ASKED_TOGETHER], 0);
-        let ask = |met: &[(u32, u32)]| {
+        let (mut met, mut count) = ([(0, 0); ASKED_TOGETHER], 0);
+        let report = |met: &[(u32, u32)]| {
             let is_new = |&(a, b): &(u32, u32)| !self.pairs.contains(a, b) && accept(a, b);
-            new.lock().unwrap_or_else(PoisonError::into_inner).extend(met.iter().copied().filter(is_new));
+            lock(new).extend(met.iter().copied().filter(is_new));
         };
         for &body in moved {
             let proxy = self.proxies[body as usize];
@@ -286,8 +286,8 @@ impl BroadPhase {
                     self.pairs.prefetch(a, b);
                     met[count] = (a, b);
                     count += 1;
-                    if count == met.len() {
-                        ask(&met);
+                    if count == ASKED_TOGETHER {
+                        report(&met);
                         count = 0;
                     }
                 }
@@ -297,13 +297,8 @@ impl BroadPhase {
             if matches!(proxy.home, Home::Movable(_)) {
                 self.fixed.query(proxy.fat, &mut meet);
             }
-            // The set is asked a while later, when its memory has come: by then the next walk is on its way.
-            if count >= ASKED_TOGETHER {
-                ask(&met[..count]);
-                count = 0;
-            }
         }
-        ask(&met[..count]);
+        report(&met[..count]);
     }
 
     /// Forgets a pair, which ended: the fat boxes no longer overlap, or a body was taken out. It is reported

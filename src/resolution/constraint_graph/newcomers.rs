@@ -16,9 +16,10 @@ const NEWCOMER_SWEEPS: u32 = 4;
 pub(crate) struct Newcomers {
     /// Blocks of the graph with some of them, by colour and number in it, in the order in which they are solved.
     pub(super) blocks: Vec<(u32, usize)>,
-    /// Scratch: places of those that begin to in this substep, in the same order, and copies of them, colour by colour,
-    /// so that lanes are full of them.
+    /// Scratch: places of those that begin to in this substep, in the same order.
     loaded: Vec<(u32, u32)>,
+    /// Scratch: copies of them, colour by colour, so that lanes are full of them. What a colour names its contacts by is
+    /// their place in the colour that they are copied from.
     copies: Vec<Colour>,
 }
 

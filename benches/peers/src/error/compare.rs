@@ -101,8 +101,7 @@ impl<'a> Runs<'a> {
             rows.sort_by(|one, other| one.fineness.tick_rate.total_cmp(&other.fineness.tick_rate));
             let best = rows.iter().min_by(|one, other| one.error.total_cmp(&other.error));
             let finest = best.map_or(0.0, |row| step(row.fineness));
-            let clean =
-                rows.into_iter().skip_while(|row| row.error >= LOST).take_while(|row| is_well_above(row));
+            let clean = rows.into_iter().take_while(|row| is_well_above(row));
             let falling = clean.filter(|row| row.error < LOST && step(row.fineness) >= finest);
             series.push(falling.map(|row| [step(row.fineness), row.error]).collect::<Vec<_>>());
         }
