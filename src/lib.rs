@@ -22,8 +22,8 @@
 //!
 //! | stage | runs on | does |
 //! |---|---|---|
-//! | pairs | boxes that moved | begins a contact for each new pair of overlapping boxes |
-//! | contacts | awake contacts | brings manifolds up to date, ends contacts whose boxes parted |
+//! | pairs | boxes that moved | finds new pairs of overlapping boxes |
+//! | contacts | awake pairs | brings manifolds up to date, ends pairs whose boxes parted |
 //! | solve | awake bodies | substeps: forces, impacts, contacts, motion |
 //! | finalize | awake bodies | adds the motion to the poses; boxes follow |
 //! | events | awake contacts | what began, ended, hit |

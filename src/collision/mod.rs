@@ -1,15 +1,17 @@
-//! Which bodies touch, and how: from bounding boxes (broad phase) to contact points (narrow phase) to
-//! contacts that live across steps.
+//! Which bodies touch, and how: from bounding boxes (broad phase) to pairs in reach of each other, to contact points
+//! (narrow phase), to contacts that live across steps.
 
 pub(crate) mod broad_phase;
 mod contacts;
 mod detection;
+mod distant;
 mod manifold;
 mod refresh;
 
 pub(crate) use contacts::{AHEAD, Contact, Contacts, Frozen, Kind, SharedContacts};
 pub use detection::detect;
 pub(crate) use detection::{Offset, Touch, detect_flat, detect_from, detect_within, is_flat, sweep, touch};
+pub(crate) use distant::DistantPairs;
 pub(crate) use manifold::Corner;
 pub use manifold::{FeatureId, Manifold, ManifoldPoint};
-pub(crate) use refresh::{Refresh, refresh};
+pub(crate) use refresh::{Refresh, are_out_of_reach, refresh};

@@ -51,7 +51,7 @@ const REST_TIME: f32 = 1.0;
 /// And while they have moved against each other by less than this share of it, no unit: 0.5 mm.
 const REST_SHARE: f32 = 0.025;
 
-/// A corner is followed from step to step for so many, then it is found anew.
+/// A corner is followed from step to step for so many, then it is found anew; sooner where others may have come near.
 const LONGEST_FOLLOWED: u8 = 15;
 
 /// What a refresh needs to know beside the contact and the bodies.
@@ -65,7 +65,7 @@ pub(crate) struct Refresh {
 
 /// Brings the manifold of `contact` up to date. Impulses stay with their feature.
 pub(crate) fn refresh(contact: &mut Contact, bodies: &Bodies, settings: Refresh) {
-    let pair = Pair::new(contact, bodies, settings.dt);
+    let pair = Pair::new(contact.slots, bodies, settings.dt);
     if pair.is_out_of_reach() {
         return contact.part();
     }
@@ -91,6 +91,12 @@ pub(crate) fn refresh(contact: &mut Contact, bodies: &Bodies, settings: Refresh)
     }
     (contact.holds_still, contact.has_bounced, contact.approach_speed) = (holds_still, false, approach_speed);
     contact.follows = !holds_still && (pair.has_circle() || contact.pivots()) && !pair.is_flat();
+}
+
+/// Whether the circles around two bodies stay apart within a step of `dt` seconds.
+#[inline(always)]
+pub(crate) fn are_out_of_reach(bodies: &Bodies, slots: [u32; 2], dt: f32) -> bool {
+    Pair::new(slots, bodies, dt).is_out_of_reach()
 }
 
 /// Keeps the normal, and the anchors on their bodies, which they turn with: what topples does so about where it
@@ -181,8 +187,7 @@ impl Since {
 
 impl<'a> Pair<'a> {
     #[inline(always)]
-    fn new(contact: &Contact, bodies: &'a Bodies, dt: f32) -> Self {
-        let slots = contact.slots;
+    fn new(slots: [u32; 2], bodies: &'a Bodies, dt: f32) -> Self {
         let [a, b] = slots.map(|slot| slot as usize);
         let (motion_a, motion_b) = (&bodies.motions[a], &bodies.motions[b]);
         Self {
@@ -199,12 +204,19 @@ impl<'a> Pair<'a> {
         }
     }
 
+    /// Translation of b against a that is expected within the step, m.
+    #[inline(always)]
+    fn motion(&self) -> Vec2 {
+        let [state_a, state_b] = self.slots.map(|slot| self.bodies.state(slot));
+        Vec2::from(state_b.velocity - state_a.velocity) * self.dt
+    }
+
     #[inline(always)]
     fn course(&self) -> Course {
         let [state_a, state_b] = self.slots.map(|slot| self.bodies.state(slot));
         let turning = |motion: &Motion, w: f32| (w.abs() * self.dt).min(2.0) * motion.extent;
         Course {
-            motion: Vec2::from(state_b.velocity - state_a.velocity) * self.dt,
+            motion: self.motion(),
             turning: turning(self.motion_a, state_a.angular_velocity)
                 + turning(self.motion_b, state_b.angular_velocity),
         }
@@ -230,8 +242,8 @@ impl<'a> Pair<'a> {
         if distance_squared <= reach * reach {
             return false;
         }
-        let Course { motion, turning } = self.course();
-        let reach = reach + self.near() + turning + motion.length();
+        // Turning does not bring the circles closer.
+        let reach = reach + self.near() + self.motion().length();
         // In f32 the distance from the middle of a planet is none.
         distance_squared > reach * reach && !self.is_flat()
     }
@@ -286,21 +298,43 @@ impl<'a> Pair<'a> {
             return if self.is_slow(course) { Upkeep::FindHalfway(course) } else { Upkeep::FindAnew(course) };
         }
         let is_loaded = contact.is_loaded();
+        if is_loaded && contact.pivots() {
+            let was_followed = contact.follows && contact.followed_steps < LONGEST_FOLLOWED;
+            return if was_followed && self.strayed(&contact.frozen) < self.near() {
+                Upkeep::LeaveAsFollowed
+            } else {
+                Upkeep::FindAnew(self.course())
+            };
+        }
         let since = self.since(&contact.frozen);
-        let pivots = is_loaded && contact.pivots();
-        if is_loaded && !pivots && self.stays(&since) {
+        if is_loaded && self.stays(&since) {
             return Upkeep::Recycle(since);
         }
         let course = self.course();
-        let was_followed = contact.follows && contact.followed_steps < LONGEST_FOLLOWED;
-        let may_rest = !is_loaded || (was_followed && pivots);
-        if !may_rest || !self.rests(course, &since) {
-            Upkeep::FindAnew(course)
-        } else if is_loaded {
-            Upkeep::LeaveAsFollowed
-        } else {
+        if !is_loaded && self.rests(course, &since) {
             Upkeep::Recycle(since)
+        } else {
+            Upkeep::FindAnew(course)
         }
+    }
+
+    /// How far any point of b has moved as a sees it since their manifold was found, and may have by the end of the step,
+    /// m. What was farther than [`near`](Self::near) then is not in the manifold, and has not come by less.
+    fn strayed(&self, then: &Frozen) -> f32 {
+        let seen = |offset: Offset, a: Rot, b: Rot| (a.unrotate(offset.near), a.inverse() * b);
+        let (offset, rotation) = seen(self.offset, self.rotation_a, self.rotation_b);
+        let (offset_then, rotation_then) = seen(then.offset, then.rotation_a, then.rotation_b);
+        let turned = rotation * rotation_then.inverse();
+        if turned.c <= 0.0 {
+            return f32::INFINITY;
+        }
+        let [state_a, state_b] = self.slots.map(|slot| self.bodies.state(slot));
+        let turning = state_b.angular_velocity - state_a.angular_velocity;
+        let velocity = Vec2::from(state_b.velocity - state_a.velocity)
+            - self.offset.near.perp() * state_a.angular_velocity;
+        (offset - offset_then).length()
+            + velocity.length() * self.dt
+            + (turned.s.abs() + turning.abs() * self.dt) * self.motion_b.extent
     }
 
     /// Whether the bodies are nearly where they were.

@@ -42,6 +42,7 @@ impl World {
         for index in contacts {
             self.end_contact(index);
         }
+        self.distant.note_removed(slot);
         self.broad_phase.remove(slot);
         self.bodies.remove(id.0)
     }

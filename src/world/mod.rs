@@ -27,8 +27,8 @@ pub use query::RayHit;
 pub use settings::{PositionCorrection, Settings, SettingsError};
 
 use crate::body::{Bodies, BodyId, Effort};
-use crate::collision::Contacts;
 use crate::collision::broad_phase::BroadPhase;
+use crate::collision::{Contacts, DistantPairs};
 use crate::compute::Crew;
 use crate::math::{Aabb, Vec2};
 use crate::resolution::{ConstraintGraph, Efforts, Islands, Loads, Solver, StepResidual};
@@ -59,6 +59,7 @@ pub struct World {
     settings: Settings,
     bodies: Bodies,
     broad_phase: BroadPhase,
+    distant: DistantPairs,
     contacts: Contacts,
     graph: ConstraintGraph,
     sleepers: Sleepers,
@@ -123,6 +124,7 @@ impl World {
             settings,
             bodies: Bodies::default(),
             broad_phase: BroadPhase::default(),
+            distant: DistantPairs::default(),
             contacts: Contacts::default(),
             graph: ConstraintGraph::default(),
             sleepers: Sleepers::default(),

@@ -26,8 +26,8 @@ impl World {
     ///
     /// ```text
     /// stage     runs on               does
-    /// pairs     moved boxes           begins a contact for each new pair of overlapping boxes
-    /// contacts  awake contacts        brings manifolds up to date; ends contacts whose boxes parted
+    /// pairs     moved boxes           finds new pairs of overlapping boxes
+    /// contacts  awake pairs           brings manifolds up to date; ends pairs whose boxes parted
     /// solve     awake bodies          the substep loop: forces, impacts, contacts, motion
     /// finalize  awake bodies          adds the motion to the poses; boxes follow
     /// events    changing contacts     what began, ended, hit; what left the bounds is removed
@@ -36,7 +36,8 @@ impl World {
     pub fn step(&mut self) {
         let mut profile = std::mem::take(&mut self.profile);
         self.events.begin_step();
-        let size = self.bodies.awake_count() + self.contacts.awake().len();
+        self.distant.forget_removed(&mut self.broad_phase);
+        let size = self.bodies.awake_count() + self.distant.len() + self.contacts.awake().len();
         self.crew.begin_step(self.settings.threads, size);
         if self.bodies.awake_count() == 0 {
             // The solver will not run; what it found last is no longer so.
@@ -47,7 +48,8 @@ impl World {
             }
         }
         profile.run_stage(Stage::Pairs, self.broad_phase.moved_count(), || self.find_pairs());
-        profile.run_stage(Stage::Contacts, self.contacts.awake().len(), || self.refresh_contacts());
+        let pairs = self.distant.len() + self.contacts.awake().len();
+        profile.run_stage(Stage::Contacts, pairs, || self.refresh_contacts());
         profile.run_stage(Stage::Solve, self.bodies.awake_count(), || self.solve());
         profile.run_stage(Stage::Finalize, self.bodies.awake_count(), || self.finalize());
         profile.run_stage(Stage::Events, self.changing_count(), || self.report_events());
@@ -60,23 +62,35 @@ impl World {
         self.ticks += 1;
     }
 
-    /// Begins a contact for each new pair of bodies whose fat boxes overlap.
+    /// Takes up each new pair of bodies whose fat boxes overlap.
     fn find_pairs(&mut self) {
         let bodies = &self.bodies;
         let mut pairs = std::mem::take(&mut self.new_pairs);
         let accept = |a, b| bodies.is_dynamic(a) || bodies.is_dynamic(b);
         self.broad_phase.find_pairs(&self.crew, accept, &mut pairs);
-        for place in 0..pairs.len() {
-            self.contacts.prefetch_beginning(&self.bodies, &pairs, place);
-            let (a, b) = pairs[place];
-            let (friction, restitution) = self.mixed(a, b);
-            let index = self.contacts.begin(&mut self.bodies, [a, b], friction, restitution);
+        for &(a, b) in &pairs {
             for (sleeper, other) in [(a, b), (b, a)] {
                 // A sleeper does not move: something fixed was put beside it.
                 if !self.bodies.is_awake(sleeper) && self.is_fixed(other) {
                     self.wake_slot(sleeper);
                 }
             }
+            self.distant.add((a, b));
+        }
+        pairs.clear();
+        self.new_pairs = pairs;
+    }
+
+    /// Begins a contact for each pair of bodies that come within reach of each other, or sleep.
+    fn begin_contacts(&mut self) {
+        let mut pairs = std::mem::take(&mut self.new_pairs);
+        let dt = self.settings.tick_seconds() as f32;
+        self.distant.sort_out((&self.crew, &self.bodies, &mut self.broad_phase), dt, &mut pairs);
+        for place in 0..pairs.len() {
+            self.contacts.prefetch_beginning(&self.bodies, &pairs, place);
+            let (a, b) = pairs[place];
+            let (friction, restitution) = self.mixed(a, b);
+            let index = self.contacts.begin(&mut self.bodies, [a, b], friction, restitution);
             if self.bodies.is_awake(a) || self.bodies.is_awake(b) {
                 self.contacts.set_awake(index);
             }
@@ -91,6 +105,7 @@ impl World {
 
     /// Brings the manifolds of all awake contacts up to date, and the constraint graph with them.
     fn refresh_contacts(&mut self) {
+        self.begin_contacts();
         let how = Refresh { dt: self.settings.tick_seconds() as f32, recycling: self.settings.recycling };
         let Self { bodies, broad_phase, crew, is_close_now, .. } = self;
         is_close_now.clear();
@@ -100,10 +115,16 @@ impl World {
             for (place, (&index, is_close_now)) in awake.iter().zip(is_close_now).enumerate() {
                 contacts.prefetch_ahead(bodies, awake, place);
                 contacts.change(index, |contact| {
-                    refresh(contact, bodies, how);
-                    // Bodies with points are close, whatever their boxes say.
                     let [a, b] = contact.slots;
-                    let is_close = !contact.manifold.points().is_empty() || broad_phase.overlap(a, b);
+                    let had_points = !contact.manifold.points().is_empty();
+                    refresh(contact, bodies, how);
+                    let has_points = !contact.manifold.points().is_empty();
+                    let is_close = match (had_points, has_points) {
+                        // Whatever their boxes say, which may part meanwhile.
+                        (_, true) => true,
+                        (true, false) => broad_phase.overlap(a, b),
+                        (false, false) => !broad_phase.have_parted(a, b),
+                    };
                     *is_close_now = (!is_close || contact.is_misplaced()).then_some(is_close);
                 });
             }
@@ -299,7 +320,12 @@ impl World {
 
     fn put_to_sleep(&mut self) {
         let (sleepers, mut tables) = self.sleep_tables();
+        let count = sleepers.len();
         sleepers.put_to_sleep(&mut tables);
+        if self.sleepers.len() > count {
+            // Pairs that are both asleep get contacts, to sleep with them.
+            self.begin_contacts();
+        }
         // Finalize counts anew; where nothing is awake any more it does not run.
         self.resting = 0;
     }
@@ -309,7 +335,7 @@ impl World {
         Counters {
             awake_bodies: self.bodies.awake_count(),
             contacts: self.graph.len(),
-            pairs: self.contacts.len(),
+            pairs: self.distant.len() + self.contacts.len(),
             bouncy_contacts: self.solvers.iter().map(|solver| solver.impacts.len()).sum(),
             impacts: self.solvers.iter().map(|solver| solver.impacts.count()).sum(),
             colours,

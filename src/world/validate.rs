@@ -69,6 +69,14 @@ impl World {
         if links != 2 * self.contacts.len() {
             return Err(format!("{} contacts are in {links} lists of bodies", self.contacts.len()));
         }
+        for (a, b) in self.distant.iter() {
+            if !self.bodies.is_awake(a) && !self.bodies.is_awake(b) {
+                return Err(format!("neither {a} nor {b} is awake, but they are watched"));
+            }
+            if self.contacts.of_body(&self.bodies, a).any(|index| self.contacts[index].other(a) == b) {
+                return Err(format!("{a} and {b} are out of reach and have a contact"));
+            }
+        }
         for (index, contact) in self.contacts.iter() {
             let [a, b] = contact.slots;
             let is_awake = self.bodies.is_awake(a) || self.bodies.is_awake(b);

@@ -12,7 +12,7 @@
 //! - Source: E. Catto, "Dynamic Bounding Volume Hierarchies", GDC 2019 (fat boxes, moved set, one tree per
 //!   kind of motion).
 //!
-//! The caller owns the contacts: a pair lives from the [`find_pairs`](BroadPhase::find_pairs) that reports it
+//! The caller owns the pairs: one lives from the [`find_pairs`](BroadPhase::find_pairs) that reports it
 //! until [`forget_pair`](BroadPhase::forget_pair), which the caller calls when the fat boxes no longer overlap
 //! or when it takes a body out.
 
@@ -26,7 +26,7 @@ use std::sync::Mutex;
 
 use crate::compute::{Crew, lock, prefetch};
 use crate::math::{Aabb, Point, Vec2};
-use crate::store::PairSet;
+use crate::store::{BitSet, PairSet};
 
 /// Largest margin around a tight box, m.
 ///
@@ -39,8 +39,8 @@ const MARGIN: f32 = 0.1;
 const MARGIN_OF_SIDE: f32 = 0.0625;
 
 /// For how many steps of its motion a fat box is stretched ahead: a body at constant speed is put back into
-/// the tree every fourth step. More would make long boxes with many false neighbours.
-const STEPS_AHEAD: f32 = 4.0;
+/// the tree every fifth step. More would make long boxes with many false neighbours.
+const STEPS_AHEAD: f32 = 5.0;
 
 /// The same for a body that is near no other, where there are no false neighbours. With more, the box would be [`TOO_BIG`]
 /// as soon as the body slows down a little.
@@ -93,6 +93,8 @@ pub(crate) struct BroadPhase {
     movable: Tree,
     /// Bodies with a new fat box since pairs were last looked for. Its order does not reach a result.
     moved: Vec<u32>,
+    /// Those that had a new one when pairs were last looked for.
+    moved_last: BitSet,
     /// Pairs the caller has been told of and has not ended.
     pairs: PairSet,
 }
@@ -235,6 +237,13 @@ impl BroadPhase {
         self.fat_aabb(a).overlaps(self.fat_aabb(b))
     }
 
+    /// Whether the fat boxes of a pair have parted: those of bodies that had not moved when pairs were last looked for are as
+    /// they were, so that it has to be asked in each step.
+    #[inline]
+    pub(crate) fn have_parted(&self, a: u32, b: u32) -> bool {
+        (self.moved_last.contains(a) || self.moved_last.contains(b)) && !self.overlap(a, b)
+    }
+
     /// How many bodies have a new fat box since pairs were last looked for.
     pub(crate) fn moved_count(&self) -> usize {
         self.moved.len()
@@ -250,11 +259,13 @@ impl BroadPhase {
         out: &mut Vec<(u32, u32)>,
     ) {
         let first_new = out.len();
+        self.moved_last.clear();
         let new = Mutex::new(&mut *out);
         let this = &*self;
         crew.run(&this.moved[..], WALK_COST, |moved| this.find_pairs_of(moved, &accept, &new));
         for body in self.moved.drain(..) {
             self.proxies[body as usize].moved_at = None;
+            self.moved_last.insert(body);
         }
         // The order in which the trees were walked is that of their history; the numbers' is the caller's.
         out[first_new..].sort_unstable();

@@ -1,0 +1,114 @@
+//! Pairs of bodies whose boxes overlap, but which have not been in reach of each other: of two of three pairs in a drum,
+//! and of every third one in a pile, nothing needs to be known but who they are.
+//!
+//! A pair that comes within reach gets a contact, and keeps it until the boxes part.
+
+use crate::body::Bodies;
+use crate::collision::broad_phase::BroadPhase;
+use crate::collision::{AHEAD, are_out_of_reach};
+use crate::compute::{Crew, prefetch};
+use crate::store::BitSet;
+
+/// What it costs to find out whether two bodies are in reach of each other, ns.
+const REACH_COST: usize = 5;
+
+/// What becomes of a pair.
+#[derive(Clone, Copy, Debug, Default)]
+enum Fate {
+    #[default]
+    StaysApart,
+    /// It gets a contact.
+    Meets,
+    /// Its boxes do not overlap any more.
+    Parts,
+}
+
+/// All such pairs of a world.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct DistantPairs {
+    pairs: Vec<(u32, u32)>,
+    /// Scratch, by place.
+    fates: Vec<Fate>,
+    /// Slots of bodies that have been removed since pairs were last looked for.
+    removed: BitSet,
+    has_removed: bool,
+}
+
+impl DistantPairs {
+    /// How many there are.
+    pub(crate) fn len(&self) -> usize {
+        self.pairs.len()
+    }
+
+    /// All of them, but those of bodies that have been removed.
+    pub(crate) fn iter(&self) -> impl Iterator<Item = (u32, u32)> {
+        let is_left = |&(a, b): &(u32, u32)| !self.removed.contains(a) && !self.removed.contains(b);
+        self.pairs.iter().copied().filter(is_left)
+    }
+
+    /// Takes up a pair of bodies whose boxes overlap.
+    pub(crate) fn add(&mut self, pair: (u32, u32)) {
+        self.pairs.push(pair);
+    }
+
+    /// Takes note that the body in `slot` is no more. Its pairs are forgotten before pairs are looked for again.
+    pub(crate) fn note_removed(&mut self, slot: u32) {
+        self.removed.insert(slot);
+        self.has_removed = true;
+    }
+
+    /// Forgets the pairs of bodies that have been removed.
+    pub(crate) fn forget_removed(&mut self, broad_phase: &mut BroadPhase) {
+        if !std::mem::take(&mut self.has_removed) {
+            return;
+        }
+        self.pairs.retain(|&(a, b)| {
+            let is_gone = self.removed.contains(a) || self.removed.contains(b);
+            if is_gone {
+                broad_phase.forget_pair(a, b);
+            }
+            !is_gone
+        });
+        self.removed.clear();
+    }
+
+    /// Moves the pairs that come within reach within a step of `dt` seconds to `meeting`, and those of which neither body
+    /// is awake; forgets those whose boxes have parted.
+    pub(crate) fn sort_out(
+        &mut self,
+        (crew, bodies, broad_phase): (&Crew, &Bodies, &mut BroadPhase),
+        dt: f32,
+        meeting: &mut Vec<(u32, u32)>,
+    ) {
+        self.fates.clear();
+        self.fates.resize(self.pairs.len(), Fate::StaysApart);
+        let boxes = &*broad_phase;
+        crew.run((&self.pairs[..], &mut self.fates[..]), REACH_COST, |(pairs, fates)| {
+            for (place, (&(a, b), fate)) in pairs.iter().zip(fates).enumerate() {
+                if let Some(&(a, b)) = pairs.get(place + AHEAD) {
+                    prefetch(&bodies.motions, a as usize);
+                    prefetch(&bodies.motions, b as usize);
+                }
+                *fate = if boxes.have_parted(a, b) {
+                    Fate::Parts
+                } else if (bodies.is_awake(a) || bodies.is_awake(b)) && are_out_of_reach(bodies, [a, b], dt) {
+                    Fate::StaysApart
+                } else {
+                    Fate::Meets
+                };
+            }
+        });
+        let mut fates = self.fates.iter();
+        self.pairs.retain(|&(a, b)| match fates.next() {
+            Some(Fate::Meets) => {
+                meeting.push((a, b));
+                false
+            }
+            Some(Fate::Parts) => {
+                broad_phase.forget_pair(a, b);
+                false
+            }
+            _ => true,
+        });
+    }
+}
