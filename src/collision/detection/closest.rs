@@ -1,7 +1,7 @@
 //! The nearest points of two hulls that do not overlap: all corners of each against all edges of the other.
 //!
 //! Called where two corners face each other across a gap, and by the sweep; both are rare, so this is written to
-//! be short. Edges that look away are skipped.
+//! be short. Edges that look away are skipped, and those whose line is farther than what is nearest so far.
 
 use crate::collision::{FeatureId, Manifold, ManifoldPoint};
 use crate::math::{Rot, Vec2};
@@ -21,10 +21,19 @@ pub(super) struct Closest {
 
 impl Closest {
     /// The nearest points, b's frame being turned by `rotation` and centred at `center` in a's; lengths below
-    /// `noise`, m, are rounding. `None` where no corner of either is outside of the other.
-    pub(super) fn find(a: &Hull, b: &Hull, rotation: Rot, center: Vec2, noise: f32) -> Option<Self> {
-        let from_a = corner_to_edge(a, b, rotation, center, noise);
-        let from_b = corner_to_edge(b, a, rotation.inverse(), rotation.unrotate(-center), noise);
+    /// `noise`, m, are rounding. `None` where no corner of either is outside of the other. Those farther than `limit`, m,
+    /// may be found or not.
+    pub(super) fn find(
+        a: &Hull,
+        b: &Hull,
+        rotation: Rot,
+        center: Vec2,
+        noise: f32,
+        limit: f32,
+    ) -> Option<Self> {
+        let from_a = corner_to_edge(a, b, rotation, center, noise, limit);
+        let limit = from_a.map_or(limit, |c| c.distance);
+        let from_b = corner_to_edge(b, a, rotation.inverse(), rotation.unrotate(-center), noise, limit);
         let from_b = from_b.map(|c| Self {
             on_a: center + rotation.rotate(c.on_b),
             on_b: center + rotation.rotate(c.on_a),
@@ -46,18 +55,25 @@ impl Closest {
     }
 }
 
-/// The corner of b nearest to an edge of a that looks at it.
-fn corner_to_edge(a: &Hull, b: &Hull, rotation: Rot, center: Vec2, noise: f32) -> Option<Closest> {
-    let mut best: Option<Closest> = None;
+/// The corner of b nearest to an edge of a that looks at it, if it is no farther than `limit`, m.
+fn corner_to_edge(
+    a: &Hull,
+    b: &Hull,
+    rotation: Rot,
+    center: Vec2,
+    noise: f32,
+    limit: f32,
+) -> Option<Closest> {
+    let (mut best, mut nearest) = (None, limit);
     for (j, &vertex) in b.vertices().iter().enumerate() {
         let corner = center + rotation.rotate(vertex);
         for i in 0..a.count as usize {
             let gap = a.normals[i].dot(corner) - a.planes[i];
             // Written so that NaN looks away.
-            if gap > 0.0 {
+            if gap > 0.0 && gap <= nearest {
                 let closest = to_edge(a, i, gap, corner, j, noise);
-                if best.is_none_or(|b| closest.distance < b.distance) {
-                    best = Some(closest);
+                if best.is_none() || closest.distance < nearest {
+                    (best, nearest) = (Some(closest), closest.distance);
                 }
             }
         }

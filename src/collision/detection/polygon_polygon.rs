@@ -117,7 +117,7 @@ impl Pair<'_> {
     pub(super) fn corner_contact(&self, noise: f32, margin: f32) -> Option<Manifold> {
         let rotation = self.rotation_a.inverse() * self.rotation_b;
         let center = self.rotation_a.unrotate(self.offset);
-        let closest = Closest::find(self.a, self.b, rotation, center, noise)?;
+        let closest = Closest::find(self.a, self.b, rotation, center, noise, margin)?;
         within(closest.distance, margin).then(|| closest.manifold(self.rotation_a, self.offset))
     }
 }

@@ -87,7 +87,7 @@ fn gap_of_hulls(a: &Hull, rotation_a: Rot, b: &Hull, rotation_b: Rot, offset: Ve
     };
     let noise = noise_of(center);
     if widest.distance > noise
-        && let Some(Closest { normal, .. }) = Closest::find(a, b, rotation, center, noise)
+        && let Some(Closest { normal, .. }) = Closest::find(a, b, rotation, center, noise, f32::INFINITY)
     {
         let reach_a = reach(a, normal);
         let reach_b = reach(b, rotation.unrotate(-normal));
