@@ -29,7 +29,7 @@ pub(crate) struct DistantPairs {
     pairs: Vec<(u32, u32)>,
     /// Scratch, by place.
     fates: Vec<Fate>,
-    /// Slots of bodies that have been removed since pairs were last looked for.
+    /// Slots of bodies that have been removed, whose pairs are still here.
     removed: BitSet,
     has_removed: bool,
 }
@@ -51,7 +51,8 @@ impl DistantPairs {
         self.pairs.push(pair);
     }
 
-    /// Takes note that the body in `slot` is no more. Its pairs are forgotten before pairs are looked for again.
+    /// Takes note that the body in `slot` is no more. Its pairs are to be forgotten before pairs are looked for again or
+    /// sorted out.
     pub(crate) fn note_removed(&mut self, slot: u32) {
         self.removed.insert(slot);
         self.has_removed = true;

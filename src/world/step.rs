@@ -36,7 +36,6 @@ impl World {
     pub fn step(&mut self) {
         let mut profile = std::mem::take(&mut self.profile);
         self.events.begin_step();
-        self.distant.forget_removed(&mut self.broad_phase);
         let size = self.bodies.awake_count() + self.distant.len() + self.contacts.awake().len();
         self.crew.begin_step(self.settings.threads, size);
         if self.bodies.awake_count() == 0 {
@@ -64,6 +63,8 @@ impl World {
 
     /// Takes up each new pair of bodies whose fat boxes overlap.
     fn find_pairs(&mut self) {
+        // A new body may have the place of one that was removed.
+        self.distant.forget_removed(&mut self.broad_phase);
         let bodies = &self.bodies;
         let mut pairs = std::mem::take(&mut self.new_pairs);
         let accept = |a, b| bodies.is_dynamic(a) || bodies.is_dynamic(b);
@@ -83,6 +84,8 @@ impl World {
 
     /// Begins a contact for each pair of bodies that come within reach of each other, or sleep.
     fn begin_contacts(&mut self) {
+        // Some leave the bounds in the step in which others fall asleep.
+        self.distant.forget_removed(&mut self.broad_phase);
         let mut pairs = std::mem::take(&mut self.new_pairs);
         let dt = self.settings.tick_seconds() as f32;
         self.distant.sort_out((&self.crew, &self.bodies, &mut self.broad_phase), dt, &mut pairs);

@@ -55,7 +55,7 @@ impl Closest {
     }
 }
 
-/// The corner of b nearest to an edge of a that looks at it, if it is no farther than `limit`, m.
+/// The corner of b nearest to an edge of a that looks at it, of those whose line is no farther than `limit`, m.
 fn corner_to_edge(
     a: &Hull,
     b: &Hull,

@@ -203,7 +203,7 @@ fn largest_error_of_overlap(world: &mut World) -> f32 {
         largest = f32::max(largest, (deepest(contact.points()) - found).abs());
         compared += 1;
     }
-    assert!(compared > 20, "they touched for {compared} steps");
+    assert!(compared > 40, "they touched for {compared} steps");
     largest
 }
 
