@@ -6,7 +6,7 @@
 
 use core::ops::Range;
 
-use crate::compute::{self, BodyState, COLUMN, Column, Crew, Divide, Job, Lane, LaneVec2, Width};
+use crate::compute::{self, BodyState, COLUMN, Column, Crew, Divide, GROUND_ROW, Job, Lane, LaneVec2, Width};
 use crate::math::Vec2;
 
 /// What acts on a body, or on as many as a lane holds.
@@ -146,6 +146,9 @@ pub(crate) fn integrate(
     if advance.drift.is_none() && advance.kick.is_none() && !advance.shares {
         return;
     }
+    // Nothing moves the ground, whose row comes before the first body's: it may come along where that fills a lane.
+    let ground = GROUND_ROW as usize;
+    let rows = if rows.start == ground + 1 && rows.end >= COLUMN { ground..rows.end } else { rows };
     let first = rows.start / COLUMN;
     let (states, columns) = (&mut states[first * COLUMN..], &mut kicks.columns[first..]);
     let shares = if advance.shares { &shares[first * COLUMN..] } else { &[] };
