@@ -37,7 +37,7 @@ pub(crate) fn manifold_in(contact: &Contact, bodies: &Bodies, [a, b]: [&BodyStat
 pub(crate) struct Followers {
     /// Blocks of the constraint graph with contacts that follow in closed form: colour, and number in it.
     blocks: Vec<(u32, usize)>,
-    /// By block: those contacts.
+    /// By block: those contacts. Longer where there once were more blocks.
     columns: Vec<Follower<Column>>,
     /// By index, and place in the graph: those whose manifold has to be found anew.
     found_anew: Vec<(u32, (u32, u32))>,
@@ -46,7 +46,6 @@ pub(crate) struct Followers {
 impl Followers {
     pub(crate) fn clear(&mut self) {
         self.blocks.clear();
-        self.columns.clear();
         self.found_anew.clear();
     }
 
@@ -61,11 +60,13 @@ impl Followers {
         let (colour, place) = (graph_place.0, graph_place.1 as usize);
         let block = (colour, place / COLUMN);
         if self.blocks.last() != Some(&block) {
+            match self.columns.get_mut(self.blocks.len()) {
+                Some(columns) => columns.clear(),
+                None => self.columns.push(Follower::default()),
+            }
             self.blocks.push(block);
-            self.columns.push(Follower::default());
         }
-        let last = self.columns.len() - 1;
-        self.columns[last].set(place % COLUMN, &follower);
+        self.columns[self.blocks.len() - 1].set(place % COLUMN, &follower);
     }
 
     /// Tells the blocks of the graph which of their contacts follow.
@@ -76,7 +77,7 @@ impl Followers {
     }
 
     pub(crate) fn is_empty(&self) -> bool {
-        self.columns.is_empty() && self.found_anew.is_empty()
+        self.blocks.is_empty() && self.found_anew.is_empty()
     }
 
     /// Brings the constraints up to where the bodies are now, and turns their parts of `shares`: by row, what of the
@@ -100,7 +101,7 @@ impl Followers {
                 }
             }
         }
-        if !self.columns.is_empty() {
+        if !self.blocks.is_empty() {
             let shares = (!shares.is_empty()).then(|| Shared::new(shares));
             let follow = Follow { columns: &self.columns, states: &bodies.states, shares };
             graph.for_each(crew, (effort, width), &follow);

@@ -234,6 +234,11 @@ impl<L: Lane> Follower<L> {
 }
 
 impl Follower<Column> {
+    /// Forgets all contacts: what is left over from them follows nothing.
+    pub(crate) fn clear(&mut self) {
+        self.reach_squared = Column::default();
+    }
+
     /// Writes the contact at `place`.
     pub(crate) fn set(&mut self, place: usize, follower: &Follower<f32>) {
         self.normal.store(place, follower.normal);

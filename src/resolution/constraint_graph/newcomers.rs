@@ -59,8 +59,11 @@ impl Newcomers {
         for &(colour, place) in &self.loaded {
             let (from, from_place) = graph.block((colour, place));
             let Colour { contacts, blocks, .. } = &mut self.copies[colour as usize - first_colour];
-            blocks.resize(contacts.len() / COLUMN + 1, ContactBlock::default());
-            blocks[contacts.len() / COLUMN].copy(contacts.len() % COLUMN, from, from_place);
+            let (number, to_place) = (contacts.len() / COLUMN, contacts.len() % COLUMN);
+            if to_place == 0 {
+                blocks.push(ContactBlock::default());
+            }
+            blocks[number].copy(to_place, from, from_place);
             contacts.push(place);
         }
     }

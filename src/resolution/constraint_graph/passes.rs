@@ -34,8 +34,9 @@ impl ConstraintGraph {
                 continue;
             }
             first_block += count;
-            colour.blocks.resize(count, ContactBlock::default());
-            colour.ends.resize(count, BlockEnd::default());
+            // Made only where there are not as many yet: a block is large.
+            colour.blocks.resize_with(count, ContactBlock::default);
+            colour.ends.resize_with(count, BlockEnd::default);
             let of_colour = &colour.contacts;
             crew.run((0..count, &mut colour.blocks[..]), PREPARE_COST, |(numbers, blocks)| {
                 let first = numbers.start;
