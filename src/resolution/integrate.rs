@@ -146,7 +146,8 @@ pub(crate) fn integrate(
     if advance.drift.is_none() && advance.kick.is_none() && !advance.shares {
         return;
     }
-    // Nothing moves the ground, whose row comes before the first body's: it may come along where that fills a lane.
+    // Nothing moves the ground, whose row comes before the first body's: it may come along where that fills lanes of any
+    // width.
     let ground = GROUND_ROW as usize;
     let rows = if rows.start == ground + 1 && rows.end >= COLUMN { ground..rows.end } else { rows };
     let first = rows.start / COLUMN;
@@ -321,4 +322,45 @@ fn clamp<L: Lane>(value: L, limit: f32) -> L {
     let (zero, limit) = (L::splat(0.0), L::splat(limit));
     let beyond = L::select(value.greater(zero), limit, L::select(zero.greater(value), -limit, zero));
     L::select(L::both(limit.greater(value), value.greater(-limit)), value, beyond)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::compute::{LaneRot, Lanes};
+
+    #[test]
+    fn rows_in_lanes_move_as_one_by_one_and_the_ground_stays() {
+        // What does not fill lanes, what does with the ground, and what begins beside it.
+        for rows in [1..9, 1..16, 1..50, 2..50] {
+            let count = rows.end;
+            let moved = [Lanes::One, Lanes::Four, Lanes::Eight, Lanes::Sixteen].map(|lanes| {
+                let of_row = |row: usize| match row {
+                    0 => BodyState::REST,
+                    _ => BodyState {
+                        velocity: Vec2::new(row as f32, -3.0).into(),
+                        angular_velocity: 0.1 * row as f32,
+                        ..BodyState::REST
+                    },
+                };
+                let mut states: Vec<_> = (0..count).map(of_row).collect();
+                let shares = states.clone();
+                let (crew, mut kicks) = (Crew::default(), Kicks::default());
+                kicks.reset(count);
+                let acceleration = Vec2::new(0.0, -9.81).into();
+                kicks.fill(&crew, rows.clone(), |_| Kick { acceleration, ..Kick::default() });
+                let limits = SpeedLimits { speed: 1e6, spin: 1e6 };
+                let advance = Advance { drift: Some(0.01), kick: Some(0.005), shares: true };
+                let means = (&crew, lanes.width());
+                integrate(means, rows.clone(), (&mut states, &mut kicks, &shares), advance, limits);
+                let carries: Vec<_> = (0..count).map(|row| kicks.carry(row)).collect();
+                assert_eq!(format!("{:?}", states[0]), format!("{:?}", BodyState::<f32>::REST));
+                assert_eq!(carries[0], Vec2::ZERO);
+                let LaneRot { s, .. } = states[rows.end - 1].delta_rotation;
+                assert!(s > 0.0, "the last row has moved");
+                format!("{states:?} {carries:?}")
+            });
+            assert!(moved.iter().all(|other| *other == moved[0]), "rows {rows:?}");
+        }
+    }
 }
