@@ -1,7 +1,7 @@
 //! All bodies of a world, in tables indexed by slot.
 
 use crate::body::{Body, BodyId, BodyType, Effort, Material};
-use crate::compute::{BodyState, GROUND_ROW, prefetch};
+use crate::compute::{BodyState, COLUMN, GROUND_ROW, prefetch};
 use crate::math::{Aabb, Point, Pose, Vec2};
 use crate::shape::{MassProperties, Shape};
 use crate::store::{Key, Slots};
@@ -105,7 +105,7 @@ pub(crate) struct Bodies {
     pub(crate) forcings: Vec<Forcing>,
     /// By slot.
     pub(crate) shapes: Vec<Shape>,
-    /// By row: the ground, then every awake body that can move.
+    /// By row: the ground, then every awake body that can move; and rows at rest that are no body's, to whole columns.
     pub(crate) states: Vec<BodyState>,
     /// By row: the slot of the body, `NONE` for the ground.
     pub(crate) slot_of_row: Vec<u32>,
@@ -122,7 +122,7 @@ impl Default for Bodies {
             motions: Vec::new(),
             forcings: Vec::new(),
             shapes: Vec::new(),
-            states: vec![BodyState::REST],
+            states: vec![BodyState::REST; COLUMN],
             slot_of_row: vec![NONE],
             raised: 0,
             sorted_rows: (Vec::new(), Vec::new()),
@@ -223,8 +223,10 @@ impl Bodies {
     /// Gives the body at rest in `slot` a row of its own, so that the solver moves it; returns the row.
     pub(crate) fn give_row(&mut self, slot: u32) -> u32 {
         debug_assert_eq!(self.motions[slot as usize].row, GROUND_ROW);
-        let row = self.states.len() as u32;
-        self.states.push(BodyState::REST);
+        let row = self.row_count() as u32;
+        if self.row_count() == self.states.len() {
+            self.states.resize(self.row_count() + COLUMN, BodyState::REST);
+        }
         self.slot_of_row.push(slot);
         let motion = &mut self.motions[slot as usize];
         motion.row = row;
@@ -239,7 +241,9 @@ impl Bodies {
             return;
         }
         self.raised -= usize::from(self.records[slot].effort != Effort::Plain);
-        self.states.swap_remove(row as usize);
+        let last = self.row_count() - 1;
+        self.states.swap(row as usize, last);
+        self.states[last] = BodyState::REST;
         self.slot_of_row.swap_remove(row as usize);
         if let Some(&moved) = self.slot_of_row.get(row as usize) {
             self.motions[moved as usize].row = row;
@@ -267,17 +271,16 @@ impl Bodies {
         }
         let (mut slots, mut states) = std::mem::take(&mut self.sorted_rows);
         std::mem::swap(&mut slots, &mut self.slot_of_row);
-        std::mem::swap(&mut states, &mut self.states);
+        states.clone_from(&self.states);
         self.slot_of_row.clear();
-        self.states.clear();
         self.slot_of_row.push(NONE);
-        self.states.push(states[0]);
         for effort in Effort::ALL {
             for (&slot, &state) in slots.iter().zip(&states).skip(1) {
                 if self.records[slot].effort == effort {
-                    self.motions[slot as usize].row = self.states.len() as u32;
+                    let row = self.slot_of_row.len();
+                    self.motions[slot as usize].row = row as u32;
+                    self.states[row] = state;
                     self.slot_of_row.push(slot);
-                    self.states.push(state);
                 }
             }
         }
@@ -292,7 +295,12 @@ impl Bodies {
 
     /// How many bodies the solver moves.
     pub(crate) fn awake_count(&self) -> usize {
-        self.states.len() - 1
+        self.row_count() - 1
+    }
+
+    /// How many rows there are, the ground's with them.
+    pub(crate) fn row_count(&self) -> usize {
+        self.slot_of_row.len()
     }
 
     /// Whether forces and contacts move the body in `slot`.

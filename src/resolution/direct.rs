@@ -136,7 +136,7 @@ impl DirectSolver {
         graph: &ConstraintGraph,
     ) {
         let (first_mover, first_point) = (self.movers.len(), self.points.len());
-        self.mover_of_row.resize(bodies.states.len(), NONE);
+        self.mover_of_row.resize(bodies.row_count(), NONE);
         for &slot in island {
             let motion = &bodies.motions[slot as usize];
             let mass = f64::from(motion.inverse_mass).recip();

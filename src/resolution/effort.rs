@@ -217,7 +217,7 @@ impl Efforts {
             }
         }
         if tables.bodies.raised_count() > 0 {
-            for row in 1..tables.bodies.states.len() {
+            for row in 1..tables.bodies.row_count() {
                 let slot = tables.bodies.slot_of_row[row];
                 if tables.bodies.records[slot].effort != Effort::Plain {
                     self.decide_island(slot, (tick, allowance), &mut tables);
@@ -236,7 +236,7 @@ impl Efforts {
     pub(crate) fn class(&self, effort: Effort, bodies: &Bodies) -> EffortClass<'_> {
         let raised = bodies.raised_count();
         let rows = if raised == 0 {
-            let all = 1..bodies.states.len();
+            let all = 1..bodies.row_count();
             if effort == Effort::Plain { all } else { 0..0 }
         } else {
             let effort_of = |slot: &u32| bodies.records[*slot].effort;

@@ -167,7 +167,7 @@ impl Impacts {
 
     /// Lets everything bounce that meets within this substep, in the order of time.
     pub(crate) fn run(&mut self, scene: &mut ImpactScene<'_>) {
-        self.last_impact.resize(scene.bodies.states.len(), 0.0);
+        self.last_impact.resize(scene.bodies.row_count(), 0.0);
         for number in self.met.drain(..) {
             self.contacts[number as usize].impacts = 0;
         }
@@ -298,7 +298,7 @@ impl Impacts {
             self.neighbours_are_built = true;
             let graph = &*scene.graph;
             let pairs = self.contacts.iter().map(|bouncy| graph.moved_rows(bouncy.graph_place));
-            self.neighbours.build(scene.bodies.states.len(), pairs);
+            self.neighbours.build(scene.bodies.row_count(), pairs);
         }
         for row in rows {
             for place in 0..self.neighbours.of(row).len() {

@@ -37,6 +37,8 @@ impl Kick<Column> {
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Kicks {
     columns: Vec<Kick<Column>>,
+    /// How many rows there are, which may leave places in the last column.
+    rows: usize,
 }
 
 impl Kicks {
@@ -44,6 +46,7 @@ impl Kicks {
     pub(crate) fn reset(&mut self, rows: usize) {
         self.columns.clear();
         self.columns.resize(rows.div_ceil(COLUMN), Kick::default());
+        self.rows = rows;
     }
 
     /// Writes what acts on the bodies in some rows.
@@ -135,7 +138,7 @@ const FILL_COST: usize = 120;
 const ACCELERATE_COST: usize = 200;
 
 /// Moves the bodies in `rows` on, without damping: their states, what acts on them, and the velocities that a share of
-/// the warm start gives, all by row.
+/// the warm start gives, all by row; states and shares in whole columns.
 pub(crate) fn integrate(
     (crew, width): (&Crew, Width),
     rows: Range<usize>,
@@ -143,13 +146,18 @@ pub(crate) fn integrate(
     advance: Advance,
     limits: SpeedLimits,
 ) {
+    debug_assert!(states.len().is_multiple_of(COLUMN), "{} rows", states.len());
     if advance.drift.is_none() && advance.kick.is_none() && !advance.shares {
         return;
     }
-    // Nothing moves the ground, whose row comes before the first body's: it may come along where that fills lanes of any
-    // width.
+    // Nothing moves the ground, whose row comes before the first body's, nor the rows past the last body's: they may come
+    // along to fill lanes.
     let ground = GROUND_ROW as usize;
-    let rows = if rows.start == ground + 1 && rows.end >= COLUMN { ground..rows.end } else { rows };
+    let fills_first = rows.start == ground + 1 && rows.end > ALONE;
+    let fills_last = rows.end == kicks.rows && rows.end % width.count() > ALONE;
+    let start = if fills_first { ground } else { rows.start };
+    let end = if fills_last { rows.end.next_multiple_of(width.count()) } else { rows.end };
+    let rows = start..end;
     let first = rows.start / COLUMN;
     let (states, columns) = (&mut states[first * COLUMN..], &mut kicks.columns[first..]);
     let shares = if advance.shares { &shares[first * COLUMN..] } else { &[] };
@@ -158,7 +166,10 @@ pub(crate) fn integrate(
     crew.run(pass, COST, |part| compute::run(width, part));
 }
 
-/// So many rows are moved on one by one where they do not fill a lane; more in a copy that does.
+/// So many rows are moved on one by one rather than with rows that are no body's.
+const ALONE: usize = 2;
+
+/// And so many rather than in a copy, where the other rows of a lane are those of other bodies.
 const FEW: usize = 7;
 
 /// A pass over some rows; the first of all stands in the first place of its column.
@@ -330,20 +341,19 @@ mod tests {
     use crate::compute::{LaneRot, Lanes};
 
     #[test]
-    fn rows_in_lanes_move_as_one_by_one_and_the_ground_stays() {
-        // What does not fill lanes, what does with the ground, and what begins beside it.
-        for rows in [1..9, 1..16, 1..50, 2..50] {
-            let count = rows.end;
+    fn rows_in_lanes_move_as_one_by_one_and_what_is_no_bodys_stays() {
+        // What does not fill lanes, what does with rows that are no body's, and what begins or ends beside others.
+        for (rows, count) in [(1..2, 2), (1..9, 9), (1..16, 16), (1..50, 50), (2..50, 50), (1..41, 50)] {
             let moved = [Lanes::One, Lanes::Four, Lanes::Eight, Lanes::Sixteen].map(|lanes| {
                 let of_row = |row: usize| match row {
-                    0 => BodyState::REST,
+                    row if row == 0 || row >= count => BodyState::REST,
                     _ => BodyState {
                         velocity: Vec2::new(row as f32, -3.0).into(),
                         angular_velocity: 0.1 * row as f32,
                         ..BodyState::REST
                     },
                 };
-                let mut states: Vec<_> = (0..count).map(of_row).collect();
+                let mut states: Vec<_> = (0..count.next_multiple_of(COLUMN)).map(of_row).collect();
                 let shares = states.clone();
                 let (crew, mut kicks) = (Crew::default(), Kicks::default());
                 kicks.reset(count);
@@ -354,7 +364,13 @@ mod tests {
                 let means = (&crew, lanes.width());
                 integrate(means, rows.clone(), (&mut states, &mut kicks, &shares), advance, limits);
                 let carries: Vec<_> = (0..count).map(|row| kicks.carry(row)).collect();
-                assert_eq!(format!("{:?}", states[0]), format!("{:?}", BodyState::<f32>::REST));
+                for row in (0..states.len()).filter(|&row| row == 0 || row >= count) {
+                    assert_eq!(
+                        format!("{:?}", states[row]),
+                        format!("{:?}", BodyState::<f32>::REST),
+                        "row {row}"
+                    );
+                }
                 assert_eq!(carries[0], Vec2::ZERO);
                 let LaneRot { s, .. } = states[rows.end - 1].delta_rotation;
                 assert!(s > 0.0, "the last row has moved");

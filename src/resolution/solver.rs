@@ -303,9 +303,9 @@ impl Solver {
         let (bodies, varies) = (&*tables.bodies, acceleration.varies());
         let forcing_of = |row: usize| &bodies.forcings[bodies.slot_of_row[row] as usize];
         let has_damping = AtomicBool::new(false);
-        self.kicks.reset(bodies.states.len());
+        self.kicks.reset(bodies.row_count());
         self.steady.clear();
-        self.steady.resize(if varies { bodies.states.len() } else { 0 }, Vec2::ZERO);
+        self.steady.resize(if varies { bodies.row_count() } else { 0 }, Vec2::ZERO);
         let steady_of_row = Shared::new(&mut self.steady);
         self.kicks.fill(tables.crew, class.rows.clone(), |row| {
             let motion = &bodies.motions[bodies.slot_of_row[row] as usize];
@@ -376,7 +376,9 @@ impl Solver {
         kick: Option<f32>,
     ) {
         self.shares.resize(tables.bodies.states.len(), BodyState::REST);
-        let shares = &mut self.shares[class.rows.clone()];
+        let is_last = class.rows.end == tables.bodies.row_count();
+        let end = if is_last { self.shares.len() } else { class.rows.end };
+        let shares = &mut self.shares[class.rows.start..end];
         tables.crew.run(shares, FILL_COST, |shares| shares.fill(BodyState::REST));
         let (part, is_fitted) = (scheme.warm_part(), scheme.fitted_kernels);
         let start = WarmStart { shares: Shared::new(&mut self.shares), part, is_fitted };

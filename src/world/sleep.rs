@@ -52,7 +52,7 @@ impl Sleepers {
     pub(crate) fn put_to_sleep(&mut self, tables: &mut SleepTables<'_>) {
         self.find_islands(tables);
         let mut members: Vec<(u32, u32)> = Vec::new();
-        for row in 1..tables.bodies.states.len() as u32 {
+        for row in 1..tables.bodies.row_count() as u32 {
             let root = self.islands.root(row);
             let slot = tables.bodies.slot_of_row[row as usize];
             if self.may_sleep[root as usize] && tables.bodies.is_dynamic(slot) {
@@ -68,7 +68,7 @@ impl Sleepers {
     /// Joins rows that touch, and finds which islands may sleep.
     fn find_islands(&mut self, tables: &SleepTables<'_>) {
         let bodies = &*tables.bodies;
-        self.islands.reset(bodies.states.len());
+        self.islands.reset(bodies.row_count());
         let still = |row: u32| {
             let slot = bodies.slot_of_row[row as usize];
             bodies.motions[slot as usize].still_time >= TIME_TO_SLEEP
@@ -81,8 +81,8 @@ impl Sleepers {
             }
         }
         self.may_sleep.clear();
-        self.may_sleep.resize(bodies.states.len(), true);
-        for row in 1..bodies.states.len() as u32 {
+        self.may_sleep.resize(bodies.row_count(), true);
+        for row in 1..bodies.row_count() as u32 {
             if !still(row) {
                 let root = self.islands.root(row);
                 self.may_sleep[root as usize] = false;

@@ -233,7 +233,7 @@ impl World {
         let Bodies { states, slot_of_row, motions, forcings, shapes, .. } = bodies;
         let (motions, forcings) = (Shared::new(motions), Shared::new(forcings));
         let resting = AtomicUsize::new(0);
-        let rows = (&mut states[1..], (&slot_of_row[1..], &mut leaves_box[..]));
+        let rows = (&mut states[1..slot_of_row.len()], (&slot_of_row[1..], &mut leaves_box[..]));
         crew.run(rows, FINALIZE_COST, |(states, (slots, leaves_box))| {
             for (state, (&slot, leaves_box)) in states.iter_mut().zip(slots.iter().zip(leaves_box)) {
                 forcings.change(slot as usize, Forcing::end_step);

@@ -54,11 +54,15 @@ impl World {
                 return Err(format!("the box of body {slot} does not hold it"));
             }
         }
-        if rows == bodies.states.len() {
-            Ok(())
-        } else {
-            Err(format!("{} rows for {rows}", bodies.states.len()))
+        if rows != bodies.row_count() {
+            return Err(format!("{} rows for {rows}", bodies.row_count()));
         }
+        let moves =
+            |state: &BodyState| Vec2::from(state.velocity) != Vec2::ZERO || state.angular_velocity != 0.0;
+        if bodies.states[rows..].iter().any(moves) {
+            return Err("a row that is no body's moves".to_owned());
+        }
+        Ok(())
     }
 
     fn validate_contacts(&self) -> Result<(), String> {
