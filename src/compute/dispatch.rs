@@ -45,19 +45,6 @@ enum Kind {
 impl Width {
     /// One number at a time.
     pub(crate) const ONE: Self = Self(Kind::One);
-
-    /// How many numbers it is.
-    #[inline(always)]
-    pub(crate) fn count(self) -> usize {
-        match self.0 {
-            Kind::One => 1,
-            Kind::Four => F32x4::WIDTH,
-            #[cfg(target_arch = "x86_64")]
-            Kind::Eight => F32x8::WIDTH,
-            #[cfg(target_arch = "x86_64")]
-            Kind::Sixteen => F32x16::WIDTH,
-        }
-    }
 }
 
 impl Lanes {
@@ -70,7 +57,14 @@ impl Lanes {
     /// assert!(Lanes::Auto.count() >= Lanes::Four.count());
     /// ```
     pub fn count(self) -> usize {
-        self.width().count()
+        match self.width().0 {
+            Kind::One => 1,
+            Kind::Four => F32x4::WIDTH,
+            #[cfg(target_arch = "x86_64")]
+            Kind::Eight => F32x8::WIDTH,
+            #[cfg(target_arch = "x86_64")]
+            Kind::Sixteen => F32x16::WIDTH,
+        }
     }
 
     /// The width to solve so many contacts or bodies with: one that is asked for, or none wider than they fill.

@@ -63,6 +63,18 @@ impl<L: Lane> BodyState<L> {
         Self { velocity: LaneVec2 { x, y }, angular_velocity, padding, ..Self::at_rest() }
     }
 
+    /// `yes` where the mask holds, `no` elsewhere.
+    #[inline(always)]
+    pub(crate) fn select(mask: L::Mask, yes: &Self, no: &Self) -> Self {
+        Self {
+            velocity: LaneVec2::select(mask, yes.velocity, no.velocity),
+            angular_velocity: L::select(mask, yes.angular_velocity, no.angular_velocity),
+            padding: no.padding,
+            delta_position: LaneVec2::select(mask, yes.delta_position, no.delta_position),
+            delta_rotation: LaneRot::select(mask, yes.delta_rotation, no.delta_rotation),
+        }
+    }
+
     /// As many bodies at rest.
     #[inline(always)]
     pub(crate) fn at_rest() -> Self {

@@ -98,6 +98,12 @@ pub(crate) struct LaneRot<L> {
 }
 
 impl<L: Lane> LaneRot<L> {
+    /// `yes` where the mask holds, `no` elsewhere.
+    #[inline(always)]
+    pub(crate) fn select(mask: L::Mask, yes: Self, no: Self) -> Self {
+        Self { c: L::select(mask, yes.c, no.c), s: L::select(mask, yes.s, no.s) }
+    }
+
     /// How far the rotation carries the tip of `r`: R r - r. Exactly zero for the rotation by 0, however
     /// long `r` is.
     #[inline(always)]

@@ -6,7 +6,7 @@
 
 use core::ops::Range;
 
-use crate::compute::{self, BodyState, COLUMN, Column, Crew, Divide, GROUND_ROW, Job, Lane, LaneVec2, Width};
+use crate::compute::{self, BodyState, COLUMN, Column, Crew, Divide, Job, Lane, LaneVec2, Width};
 use crate::math::Vec2;
 
 /// What acts on a body, or on as many as a lane holds.
@@ -37,8 +37,6 @@ impl Kick<Column> {
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Kicks {
     columns: Vec<Kick<Column>>,
-    /// How many rows there are, which may leave places in the last column.
-    rows: usize,
 }
 
 impl Kicks {
@@ -46,7 +44,6 @@ impl Kicks {
     pub(crate) fn reset(&mut self, rows: usize) {
         self.columns.clear();
         self.columns.resize(rows.div_ceil(COLUMN), Kick::default());
-        self.rows = rows;
     }
 
     /// Writes what acts on the bodies in some rows.
@@ -150,14 +147,6 @@ pub(crate) fn integrate(
     if advance.drift.is_none() && advance.kick.is_none() && !advance.shares {
         return;
     }
-    // Nothing moves the ground, whose row comes before the first body's, nor the rows past the last body's: they may come
-    // along to fill lanes.
-    let ground = GROUND_ROW as usize;
-    let fills_first = rows.start == ground + 1 && rows.end > ALONE;
-    let fills_last = rows.end == kicks.rows && rows.end % width.count() > ALONE;
-    let start = if fills_first { ground } else { rows.start };
-    let end = if fills_last { rows.end.next_multiple_of(width.count()) } else { rows.end };
-    let rows = start..end;
     let first = rows.start / COLUMN;
     let (states, columns) = (&mut states[first * COLUMN..], &mut kicks.columns[first..]);
     let shares = if advance.shares { &shares[first * COLUMN..] } else { &[] };
@@ -166,11 +155,8 @@ pub(crate) fn integrate(
     crew.run(pass, COST, |part| compute::run(width, part));
 }
 
-/// So many rows are moved on one by one rather than with rows that are no body's.
-const ALONE: usize = 2;
-
-/// And so many rather than in a copy, where the other rows of a lane are those of other bodies.
-const FEW: usize = 7;
+/// So many rows are moved on one by one rather than with a lane of which the others stay.
+const FEW: usize = 2;
 
 /// A pass over some rows; the first of all stands in the first place of its column.
 struct Integrate<'a> {
@@ -204,57 +190,43 @@ impl Divide for Integrate<'_> {
 }
 
 impl Integrate<'_> {
+    /// Moves some rows of a lane on; the others stay as they are.
     #[inline(always)]
-    fn together<L: Lane>(&mut self, first: usize) {
-        let mut state = L::load_rows(self.states, first);
+    fn together<L: Lane>(&mut self, rows: Range<usize>) {
+        let first = rows.start / L::WIDTH * L::WIDTH;
         let (column, place) = (&mut self.columns[first / COLUMN], first % COLUMN);
+        let before = L::load_rows(self.states, first);
+        let mut state = before;
         if let Some(h) = self.advance.drift {
             drift(&mut state, h);
         }
+        let carry_before = column.carry.load::<L>(place);
+        let mut carry = carry_before;
         if let Some(t) = self.advance.kick {
-            let mut this = column.load::<L>(place);
-            kick(&mut state, &mut this, t, self.limits);
-            column.carry.store(place, this.carry);
+            kick(&mut state, &column.load(place), &mut carry, t, self.limits);
         }
         if self.advance.shares {
             let share = L::load_rows(self.shares, first);
-            let mut carried = column.carry.load::<L>(place);
-            state.velocity = add_carried(state.velocity, share.velocity, &mut carried);
+            state.velocity = add_carried(state.velocity, share.velocity, &mut carry);
             state.angular_velocity = state.angular_velocity + share.angular_velocity;
-            column.carry.store(place, carried);
+        }
+        if rows.len() < L::WIDTH {
+            let edge = |row: usize| L::splat((place + row - first) as f32 - 0.5);
+            let places = L::load(&Column::PLACES, place);
+            let moves = L::both(places.greater(edge(rows.start)), edge(rows.end).greater(places));
+            state = BodyState::select(moves, &state, &before);
+            carry = LaneVec2::select(moves, carry, carry_before);
+        }
+        if self.advance.kick.is_some() || self.advance.shares {
+            column.carry.store(place, carry);
         }
         L::store_rows(self.states, first, &state);
     }
-}
 
-impl Integrate<'_> {
-    /// The same for some rows of those that a lane holds: in a copy, whose other rows are no body's.
-    #[inline(always)]
-    fn together_in_copy<L: Lane>(&mut self, rows: Range<usize>) {
-        let number = rows.start / COLUMN;
-        let places = rows.start - number * COLUMN..rows.end - number * COLUMN;
-        let (mut states, mut shares) = ([BodyState::REST; COLUMN], [BodyState::REST; COLUMN]);
-        states[places.clone()].copy_from_slice(&self.states[rows.clone()]);
-        if self.advance.shares {
-            shares[places.clone()].copy_from_slice(&self.shares[rows.clone()]);
-        }
-        let mut columns = [self.columns[number]];
-        let (states_here, columns_here) = (&mut states[..], &mut columns[..]);
-        let (advance, limits) = (self.advance, self.limits);
-        let first = places.start / L::WIDTH * L::WIDTH;
-        let mut copy = Integrate {
-            rows: places.clone(),
-            states: states_here,
-            columns: columns_here,
-            shares: &shares,
-            advance,
-            limits,
-        };
-        copy.together::<L>(first);
-        self.states[rows].copy_from_slice(&states[places.clone()]);
-        for place in places {
-            self.columns[number].carry.store(place, columns[0].carry.load::<f32>(place));
-        }
+    /// Compiled once, and not within every width.
+    #[inline(never)]
+    fn one_by_one(&mut self, rows: Range<usize>) {
+        rows.for_each(|row| self.together::<f32>(row..row + 1));
     }
 }
 
@@ -263,13 +235,12 @@ impl Job for Integrate<'_> {
     fn run<L: Lane>(mut self) {
         let Range { mut start, end } = self.rows;
         while start < end {
-            let first = start / L::WIDTH * L::WIDTH;
-            let rows = start..end.min(first + L::WIDTH);
+            let rows = start..end.min((start / L::WIDTH + 1) * L::WIDTH);
             start = rows.end;
-            match rows.len() {
-                count if count == L::WIDTH => self.together::<L>(first),
-                0..=FEW => rows.for_each(|row| self.together::<f32>(row)),
-                _ => self.together_in_copy::<L>(rows),
+            if rows.len() < L::WIDTH && rows.len() <= FEW {
+                self.one_by_one(rows);
+            } else {
+                self.together::<L>(rows);
             }
         }
     }
@@ -291,8 +262,14 @@ fn add_carried<L: Lane>(v: LaneVec2<L>, gain: LaneVec2<L>, carry: &mut LaneVec2<
 
 /// v += t·a, with what rounding loses carried to the next kick.
 #[inline(always)]
-fn kick<L: Lane>(state: &mut BodyState<L>, kick: &mut Kick<L>, t: f32, limits: SpeedLimits) {
-    let sum = add_carried(state.velocity, kick.acceleration * L::splat(t), &mut kick.carry);
+fn kick<L: Lane>(
+    state: &mut BodyState<L>,
+    kick: &Kick<L>,
+    carry: &mut LaneVec2<L>,
+    t: f32,
+    limits: SpeedLimits,
+) {
+    let sum = add_carried(state.velocity, kick.acceleration * L::splat(t), carry);
     state.velocity = LaneVec2 { x: clamp(sum.x, limits.speed), y: clamp(sum.y, limits.speed) };
     let w = state.angular_velocity + kick.angular_acceleration * L::splat(t);
     state.angular_velocity = clamp(w, limits.spin);

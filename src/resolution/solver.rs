@@ -376,9 +376,7 @@ impl Solver {
         kick: Option<f32>,
     ) {
         self.shares.resize(tables.bodies.states.len(), BodyState::REST);
-        let is_last = class.rows.end == tables.bodies.row_count();
-        let end = if is_last { self.shares.len() } else { class.rows.end };
-        let shares = &mut self.shares[class.rows.start..end];
+        let shares = &mut self.shares[class.rows.clone()];
         tables.crew.run(shares, FILL_COST, |shares| shares.fill(BodyState::REST));
         let (part, is_fitted) = (scheme.warm_part(), scheme.fitted_kernels);
         let start = WarmStart { shares: Shared::new(&mut self.shares), part, is_fitted };
