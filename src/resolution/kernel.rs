@@ -21,9 +21,7 @@ pub(crate) trait Kernel: Clone + Sync {
 /// One contact at a time is for the few that do not fit into lanes, where they would save little.
 #[inline(always)]
 fn fit<L: Lane>(block: &ContactBlock) -> Fit {
-    let Fit { is_single, is_smooth, is_still } = block.fit();
-    let is_wide = L::WIDTH > 1;
-    Fit { is_single, is_smooth: is_wide && is_smooth, is_still: is_wide && is_still }
+    if L::WIDTH > 1 { block.fit() } else { Fit::default() }
 }
 
 /// Begins a substep: finds what of the last impulse to apply now and, where the kick is split, again after the

@@ -15,7 +15,6 @@ use crate::collision::detection::within;
 use crate::math::{Rot, Vec2};
 use crate::shape::Hull;
 
-#[inline]
 pub(super) fn detect(
     a: &Hull,
     rotation_a: Rot,

@@ -121,12 +121,12 @@ struct BlockPass<'a, K> {
 impl<K: Kernel> Job for Pass<'_, K> {
     #[inline(always)]
     fn run<L: Lane>(self) {
+        let (colours, overflow) = self.section.split_at_mut(COLOURS);
+        for Colour { contacts, blocks, .. } in overflow.iter_mut().filter(|colour| !colour.is_empty()) {
+            BlockPass { contacts: contacts.len(), blocks, kernel: self.kernel }.run::<f32>();
+        }
         // One of its own stays in registers, whatever is written through it.
         let kernel = &self.kernel.clone();
-        let (colours, overflow) = self.section.split_at_mut(COLOURS);
-        for Colour { contacts, blocks, .. } in overflow {
-            BlockPass { contacts: contacts.len(), blocks, kernel }.run::<f32>();
-        }
         for Colour { contacts, blocks, .. } in colours {
             BlockPass { contacts: contacts.len(), blocks, kernel }.run::<L>();
         }
@@ -136,11 +136,24 @@ impl<K: Kernel> Job for Pass<'_, K> {
 impl<K: Kernel> Job for BlockPass<'_, K> {
     #[inline(always)]
     fn run<L: Lane>(self) {
+        if L::WIDTH == 1 { one_by_one(self) } else { self.in_lanes::<L>() }
+    }
+}
+
+impl<K: Kernel> BlockPass<'_, K> {
+    #[inline(always)]
+    fn in_lanes<L: Lane>(self) {
         let kernel = self.kernel.clone();
         for place in (0..self.contacts).step_by(L::WIDTH) {
             kernel.run::<L>(&mut self.blocks[place / COLUMN], place % COLUMN);
         }
     }
+}
+
+/// Compiled once for each kernel, and not within every width, which need it for the overflow.
+#[inline(never)]
+fn one_by_one(pass: BlockPass<'_, impl Kernel>) {
+    pass.in_lanes::<f32>();
 }
 
 /// Those of a colour's contacts that are in its block of a number; none where there is no such block.
@@ -204,16 +217,29 @@ impl Job for Finish<'_> {
             for place in (0..indices.len()).step_by(L::WIDTH) {
                 block.end::<L>(place, self.states, &mut ends);
             }
-            *end = BlockEnd { residual: ends.residual(indices.len()), ..BlockEnd::default() };
-            for (place, &index) in indices.iter().enumerate() {
-                self.contacts.change(index, |contact| {
-                    block.finish(place, &ends, contact);
-                    end.lasting.set(place, self.measure.is_lasting(contact, ends.load.get(place)));
-                    let touches = contact.has_bounced || ends.touching.get(place);
-                    debug_assert_eq!(touches, contact.has_touched());
-                    end.changing.set(place, touches != contact.is_touching);
-                });
-            }
+            *end = write_back(block, &ends, indices, self.contacts, self.measure);
         }
     }
+}
+
+/// Writes the ends of the contacts of a block back into them. Compiled once, and not within every width.
+#[inline(never)]
+fn write_back(
+    block: &ContactBlock,
+    ends: &ContactEnds,
+    indices: &[u32],
+    contacts: &SharedContacts<'_>,
+    measure: LoadMeasure,
+) -> BlockEnd {
+    let mut end = BlockEnd { residual: ends.residual(indices.len()), ..BlockEnd::default() };
+    for (place, &index) in indices.iter().enumerate() {
+        contacts.change(index, |contact| {
+            block.finish(place, ends, contact);
+            end.lasting.set(place, measure.is_lasting(contact, ends.load.get(place)));
+            let touches = contact.has_bounced || ends.touching.get(place);
+            debug_assert_eq!(touches, contact.has_touched());
+            end.changing.set(place, touches != contact.is_touching);
+        });
+    }
+    end
 }
