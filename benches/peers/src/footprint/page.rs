@@ -128,8 +128,8 @@ fn builds(names: &[&str], findings: &Findings, text: &mut String) {
         return;
     }
     *text += "## A small program\n\nA ball that falls onto a floor, with the default features of the engine, built by \
-              `cargo build --release` with an empty target folder and packages that were downloaded before; the time \
-              includes starting cargo and what the rest of the machine did meanwhile. Box2D comes with its Rust bindings, `boxdd-sys`. The size is that of the stripped \
+              `cargo build --release` with an empty target folder and packages that were downloaded before: the least \
+              time of three, taken in turns, with that of starting cargo. Box2D comes with its Rust bindings, `boxdd-sys`. The size is that of the stripped \
               program, of which some 350 kB are Rust's own.\n\n";
     head("", names, text);
     let builds = || findings.builds.iter().map(|build| build.as_ref().ok());
