@@ -37,6 +37,12 @@ impl BodyState {
         delta_rotation: LaneRot { c: 1.0, s: 0.0 },
     };
 
+    /// Whether it has any velocity.
+    pub(crate) fn is_moving(&self) -> bool {
+        let LaneVec2 { x, y } = self.velocity;
+        x != 0.0 || y != 0.0 || self.angular_velocity != 0.0
+    }
+
     /// Begins a step: the body has not moved.
     pub(crate) fn stand_still(&mut self) {
         self.delta_position = Self::REST.delta_position;

@@ -5,7 +5,6 @@
 
 use crate::body::{Bodies, Effort};
 use crate::collision::Contact;
-use crate::math::Vec2;
 use crate::resolution::softness::sag;
 
 /// Overlap at rest, as a share of the width of the thinner body, from which an island is solved directly.
@@ -109,10 +108,7 @@ impl Load {
 
 /// Whether a contact has borne nothing yet, and neither body moves: so begins what is set up at rest.
 pub(crate) fn begins_at_rest(contact: &Contact, bodies: &Bodies) -> bool {
-    let stands = |slot: u32| {
-        let state = bodies.state(slot);
-        Vec2::from(state.velocity) == Vec2::ZERO && state.angular_velocity == 0.0
-    };
+    let stands = |slot: u32| !bodies.state(slot).is_moving();
     contact.manifold.points().iter().all(|point| point.normal_impulse == 0.0)
         && contact.slots.into_iter().all(stands)
 }

@@ -177,7 +177,8 @@ impl World {
         let [a, b] = self.contacts[index].slots;
         for (sleeper, other) in [(a, b), (b, a)] {
             let is_asleep = self.bodies.records[sleeper].sleep_group != NONE;
-            if is_asleep && (self.bodies.is_dynamic(other) || is_moving(self.bodies.state(other))) {
+            // What is told how to move may not have been told to.
+            if is_asleep && (self.bodies.is_dynamic(other) || self.bodies.state(other).is_moving()) {
                 self.wake_slot(sleeper);
             }
         }
@@ -366,9 +367,4 @@ fn move_on(motion: &mut Motion, state: &mut BodyState, dt: f32) -> bool {
     let is_resting = if motion.inverse_mass > 0.0 { speed < REST_SPEED } else { speed == 0.0 };
     motion.still_time = if is_resting { motion.still_time + dt } else { 0.0 };
     motion.inverse_mass > 0.0 && motion.still_time >= TIME_TO_SLEEP
-}
-
-/// Whether a body that is told how to move has been told to.
-fn is_moving(state: &BodyState) -> bool {
-    Vec2::from(state.velocity) != Vec2::ZERO || state.angular_velocity != 0.0
 }

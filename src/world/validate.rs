@@ -20,7 +20,7 @@ impl World {
     fn validate_bodies(&self) -> Result<(), String> {
         let bodies = &self.bodies;
         let ground = &bodies.states[GROUND_ROW as usize];
-        if Vec2::from(ground.velocity) != Vec2::ZERO || ground.angular_velocity != 0.0 {
+        if ground.is_moving() {
             return Err("the ground moves".into());
         }
         let mut rows = 1;
@@ -57,9 +57,7 @@ impl World {
         if rows != bodies.row_count() {
             return Err(format!("{} rows for {rows}", bodies.row_count()));
         }
-        let moves =
-            |state: &BodyState| Vec2::from(state.velocity) != Vec2::ZERO || state.angular_velocity != 0.0;
-        if bodies.states[rows..].iter().any(moves) {
+        if bodies.states[rows..].iter().any(BodyState::is_moving) {
             return Err("a row that is no body's moves".to_owned());
         }
         Ok(())

@@ -84,10 +84,7 @@ impl ConstraintGraph {
         }
         let (colours, overflow) = section.split_at_mut(COLOURS);
         for colour in overflow {
-            compute::run(
-                Width::ONE,
-                BlockPass { contacts: colour.contacts.len(), blocks: &mut colour.blocks, kernel },
-            );
+            BlockPass { contacts: colour.contacts.len(), blocks: &mut colour.blocks, kernel }.run::<f32>();
         }
         for colour in colours.iter_mut().filter(|colour| !colour.is_empty()) {
             let places = (0..colour.blocks.len(), &mut colour.blocks[..]);

@@ -67,6 +67,14 @@ fn main() {
 }
 "#;
 
+const BARE: &str = r#"fn main() {
+    println!("{:?}", Some([0.0_f32; 2]));
+}
+"#;
+
+/// What stands for an engine where there is none.
+pub(super) const NO_ENGINE: &str = "none";
+
 /// Builds the ball with an engine's default features, from nothing, with packages that were downloaded before.
 ///
 /// # Errors
@@ -106,6 +114,7 @@ fn write(folder: &Path, engine: &str) -> io::Result<()> {
     let (dependency, program) = match engine {
         "rustycs" => (format!("rustycs = {{ path = {:?} }}", workspace.display().to_string()), RUSTYCS),
         "Rapier" => (format!("rapier2d = \"={}\"", env!("RAPIER_VERSION")), RAPIER),
+        NO_ENGINE => (String::new(), BARE),
         _ => ("boxdd-sys = \"0.6\"".to_owned(), BOX2D),
     };
     fs::create_dir_all(folder.join("src"))?;

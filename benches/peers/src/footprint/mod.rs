@@ -39,6 +39,8 @@ struct Findings {
     /// Allocations per settled step.
     allocations: Vec<(String, Vec<Option<f64>>)>,
     builds: Vec<Result<Build, String>>,
+    /// A program without an engine; nothing where none was built.
+    bare: Option<Build>,
     /// Why something was left out.
     left_out: Vec<String>,
 }
@@ -90,6 +92,7 @@ fn command(options: &FootprintOptions, is_stopped: &dyn Fn() -> bool) -> io::Res
         findings.left_out.push("The cold builds are left out of a quick run.".into());
     } else {
         findings.builds = cold_builds(&engines, is_stopped);
+        findings.bare = build::cold(build::NO_ENGINE).ok();
     }
     if is_stopped() {
         return Ok(false);
@@ -100,22 +103,21 @@ fn command(options: &FootprintOptions, is_stopped: &dyn Fn() -> bool) -> io::Res
     Ok(true)
 }
 
-/// What each engine takes to build, by the build of each that took least.
+/// What each engine takes to build, by the build of each that took least; why not, where one of them failed.
 fn cold_builds(engines: &[&str], is_stopped: &dyn Fn() -> bool) -> Vec<Result<Build, String>> {
-    let mut builds: Vec<Result<Build, String>> = Vec::new();
-    for turn in 1..=BUILDS {
-        for (number, engine) in engines.iter().enumerate() {
-            if is_stopped() {
-                return builds;
-            }
-            eprintln!("cold build {turn} of {BUILDS}: a ball in {engine} ...");
-            let build = build::cold(engine);
-            match builds.get_mut(number) {
-                None => builds.push(build),
-                Some(Ok(least)) if build.as_ref().is_ok_and(|build| build.seconds < least.seconds) => {
-                    builds[number] = build;
-                }
-                Some(_) => (),
+    let cold = |engine: &&str| {
+        if is_stopped() {
+            return Err("stopped".to_owned());
+        }
+        eprintln!("cold build: a ball in {engine} ...");
+        build::cold(engine)
+    };
+    let mut builds: Vec<_> = engines.iter().map(cold).collect();
+    for _ in 1..BUILDS {
+        for (engine, least) in engines.iter().zip(&mut builds) {
+            if let Ok(before) = *least {
+                *least =
+                    cold(engine).map(|build| if build.seconds < before.seconds { build } else { before });
             }
         }
     }
