@@ -262,7 +262,7 @@ impl World {
         leaving.clear();
         leaving.extend(slots.filter(|(_, leaves_box)| **leaves_box).map(|(&slot, _)| slot));
         for (place, &slot) in leaving.iter().enumerate() {
-            broad_phase.prefetch_giving(leaving, place);
+            broad_phase.prefetch_leaf(leaving, place);
             if let Some(&next) = leaving.get(place + AHEAD) {
                 bodies.prefetch_box(next);
             }

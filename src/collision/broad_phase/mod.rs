@@ -177,10 +177,10 @@ impl BroadPhase {
         if fat.perimeter() < 0.99 * TOO_BIG * least_perimeter { room } else { 0.0 }
     }
 
-    /// Asks for what it takes to give other boxes to bodies further on in a list than `place`: what is kept of a body
-    /// tells its leaf, and that its place in the tree.
+    /// Asks for the leaves of bodies further on in a list than `place`: what is kept of a body tells its leaf, and that
+    /// its place in the tree.
     #[inline(always)]
-    pub(crate) fn prefetch_giving(&self, list: &[u32], place: usize) {
+    pub(crate) fn prefetch_leaf(&self, list: &[u32], place: usize) {
         let leaf_of = |body: u32| match self.proxies[body as usize].home {
             Home::Movable(leaf) => Some(leaf),
             Home::Absent | Home::Fixed(_) => None,
@@ -287,7 +287,8 @@ impl BroadPhase {
             let is_new = |&(a, b): &(u32, u32)| !self.pairs.contains(a, b) && accept(a, b);
             lock(new).extend(met.iter().copied().filter(is_new));
         };
-        for &body in moved {
+        for (place, &body) in moved.iter().enumerate() {
+            self.prefetch_leaf(moved, place);
             let proxy = self.proxies[body as usize];
             let mut meet = |other: u32| {
                 let (a, b) = (body.min(other), body.max(other));
@@ -304,10 +305,13 @@ impl BroadPhase {
                 }
                 true
             };
-            self.movable.query(proxy.fat, &mut meet);
-            if matches!(proxy.home, Home::Movable(_)) {
-                self.fixed.query(proxy.fat, &mut meet);
-            }
+            match proxy.home {
+                Home::Absent => true,
+                Home::Fixed(_) => self.movable.query(proxy.fat, meet),
+                Home::Movable(leaf) => {
+                    self.movable.query_around(leaf, &mut meet) && self.fixed.query(proxy.fat, meet)
+                }
+            };
         }
         report(&met[..count]);
     }

@@ -17,6 +17,15 @@ fn found(tree: &Tree, aabb: Aabb) -> Vec<u32> {
     values
 }
 
+fn found_around(tree: &Tree, leaf: u32) -> Vec<u32> {
+    let mut values = vec![];
+    tree.query_around(leaf, |value| {
+        values.push(value);
+        true
+    });
+    values
+}
+
 fn found_by_ray(tree: &Tree, origin: Point, translation: Vec2, max_fraction: f32) -> Vec<u32> {
     let mut values = vec![];
     let end = tree.ray_cast(origin, translation, max_fraction, |value, end| {
@@ -69,6 +78,13 @@ fn a_query_finds_what_a_look_at_every_box_finds_under_random_edits() {
                 boxes.iter().filter(|(_, _, aabb)| aabb.overlaps(area)).map(|&(_, value, _)| value).collect();
             expected.sort_unstable();
             assert_eq!(found(&tree, area), expected);
+            if let Some(&(leaf, value, aabb)) = boxes.last() {
+                let mut around = found_around(&tree, leaf);
+                assert!(!around.contains(&value));
+                around.push(value);
+                around.sort_unstable();
+                assert_eq!(around, found(&tree, aabb));
+            }
         }
     }
     for (leaf, value, aabb) in boxes {
@@ -204,15 +220,22 @@ fn a_ray_that_is_clipped_at_each_hit_ends_at_the_nearest_box() {
 #[test]
 fn a_query_stops_when_the_visitor_says_so() {
     let mut tree = Tree::default();
-    for value in 0..100 {
-        tree.insert(Aabb::new(Vec2::ZERO, Vec2::splat(1.0)), value);
+    let aabb = Aabb::new(Vec2::ZERO, Vec2::splat(1.0));
+    let leaf = tree.insert(aabb, 0);
+    for value in 1..100 {
+        tree.insert(aabb, value);
     }
-    let mut visits = 0;
-    let finished = tree.query(Aabb::new(Vec2::ZERO, Vec2::splat(1.0)), |_| {
-        visits += 1;
-        visits < 7
-    });
-    assert_eq!((finished, visits), (false, 7));
+    for way in [
+        |tree: &Tree, _, aabb, visit: &mut dyn FnMut(u32) -> bool| tree.query(aabb, visit),
+        |tree: &Tree, leaf, _, visit: &mut dyn FnMut(u32) -> bool| tree.query_around(leaf, visit),
+    ] {
+        let mut visits = 0;
+        let finished = way(&tree, leaf, aabb, &mut |_| {
+            visits += 1;
+            visits < 7
+        });
+        assert_eq!((finished, visits), (false, 7));
+    }
 }
 
 #[test]

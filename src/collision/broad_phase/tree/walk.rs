@@ -23,8 +23,7 @@ struct Pending {
 impl Pending {
     #[inline(always)]
     fn new() -> Self {
-        // The root has no sibling; the box beside it is nowhere and meets nothing.
-        Self { pairs: [ROOT; STACK], len: 1 }
+        Self { pairs: [0; STACK], len: 0 }
     }
 
     #[inline(always)]
@@ -47,6 +46,39 @@ impl Tree {
     #[inline]
     pub(crate) fn query(&self, aabb: Aabb, mut visit: impl FnMut(u32) -> bool) -> bool {
         let mut pending = Pending::new();
+        // The root has no sibling; the box beside it is nowhere and meets nothing.
+        pending.push(ROOT);
+        self.query_pending(&mut pending, aabb, &mut visit)
+    }
+
+    /// The same for the box of a leaf, without the leaf.
+    ///
+    /// It goes up from the leaf, and down from siblings only: what is above the leaf meets its box in any case.
+    #[inline]
+    pub(crate) fn query_around(&self, leaf: u32, mut visit: impl FnMut(u32) -> bool) -> bool {
+        let mut pending = Pending::new();
+        let mut place = self.leaf_places[leaf as usize];
+        let aabb = self.node(place).aabb;
+        while place != ROOT {
+            let sibling = self.node(place ^ 1);
+            if sibling.aabb.overlaps(aabb) {
+                if !sibling.is_leaf() {
+                    pending.push(sibling.link);
+                    if !self.query_pending(&mut pending, aabb, &mut visit) {
+                        return false;
+                    }
+                } else if !visit(sibling.value) {
+                    return false;
+                }
+            }
+            place = sibling.parent;
+        }
+        true
+    }
+
+    /// The same for the leaves at and below the pairs that are pending.
+    #[inline(always)]
+    fn query_pending(&self, pending: &mut Pending, aabb: Aabb, visit: &mut impl FnMut(u32) -> bool) -> bool {
         while let Some(pair) = pending.pop() {
             for node in &self.nodes[pair..pair + 2] {
                 if !node.aabb.overlaps(aabb) {
@@ -79,6 +111,7 @@ impl Tree {
         let ray = Ray::new(origin, translation);
         let mut end = max_fraction;
         let mut pending = Pending::new();
+        pending.push(ROOT);
         while let Some(pair) = pending.pop() {
             let (a, b) = (&self.nodes[pair], &self.nodes[pair + 1]);
             let (enter_a, enter_b) = (ray.enter(a.aabb), ray.enter(b.aabb));
