@@ -1,9 +1,9 @@
 //! Which contacts approach fast enough to bounce: one look at all of them per substep, in lanes.
 
-use crate::body::Effort;
 use crate::compute::{self, BodyState, COLUMN, Column, Job, Lane, Width};
 use crate::resolution::constraint::ContactConstraint;
-use crate::resolution::constraint_graph::ConstraintGraph;
+use crate::resolution::constraint_graph::{BlockPlace, ConstraintGraph};
+use crate::resolution::contact_block::{ContactBlock, Marks};
 
 /// An approach slower than this many substeps' gain of speed, by forces or by the load of the contact, is no
 /// impact: a body that rests gains half a substep's before its support is applied, and a bounce that slow would
@@ -26,47 +26,91 @@ pub(crate) fn approach<L: Lane>(
     (speed, L::both(is_fast, point.normal_k.greater(L::splat(0.0))))
 }
 
-/// The contacts that may bounce, by their number in the constraint graph.
+/// The contacts that may bounce. Their numbers are in the order in which they are solved.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Watched {
+    blocks: Vec<WatchedBlock>,
+    len: usize,
+}
+
+/// The contacts of a block that may bounce.
+#[derive(Clone, Debug)]
+struct WatchedBlock {
+    place: BlockPlace,
+    which: Marks,
     /// Speed of approach from which each bounces, m/s; infinite for those that never do.
-    thresholds: Vec<Column>,
-    /// What the caller calls each.
-    names: Vec<[u32; COLUMN]>,
+    thresholds: Column,
 }
 
 impl Watched {
     pub(crate) fn clear(&mut self) {
-        self.thresholds.clear();
-        self.names.clear();
+        self.blocks.clear();
+        self.len = 0;
     }
 
-    /// Watches the contact with a number in the constraint graph.
-    pub(crate) fn add(&mut self, number: usize, threshold: f32, name: u32) {
-        let (block, place) = (number / COLUMN, number % COLUMN);
-        if block >= self.thresholds.len() {
-            self.thresholds.resize(block + 1, Column::splat(f32::INFINITY));
-            self.names.resize(block + 1, [u32::MAX; COLUMN]);
-        }
-        self.thresholds[block].set(place, threshold);
-        self.names[block][place] = name;
+    /// How many contacts there are.
+    pub(crate) fn len(&self) -> usize {
+        self.len
     }
 
-    /// Appends the names of those that approach fast enough to bounce to `found`.
+    /// Numbers are below this.
+    pub(crate) fn end(&self) -> u32 {
+        (self.blocks.len() * COLUMN) as u32
+    }
+
+    /// Watches the contacts of a block that may bounce, each from a `threshold` on, m/s. Blocks come in the order in which
+    /// they are solved.
+    pub(crate) fn watch(
+        &mut self,
+        place: BlockPlace,
+        block: &ContactBlock,
+        mut threshold: impl FnMut(usize) -> f32,
+    ) {
+        let which = block.bouncy();
+        let mut thresholds = Column::splat(f32::INFINITY);
+        which.for_each(|place| {
+            thresholds.set(place, threshold(place));
+            self.len += 1;
+        });
+        self.blocks.push(WatchedBlock { place, which, thresholds });
+    }
+
+    /// Numbers and places in the constraint graph of all.
+    pub(crate) fn iter(&self) -> impl Iterator<Item = (u32, (u32, u32))> + Clone {
+        (0..self.end())
+            .filter(|&number| self.block_of(number).which.get(number as usize % COLUMN))
+            .map(|number| (number, self.graph_place(number)))
+    }
+
+    /// Where the contact with a number is in the constraint graph.
+    pub(crate) fn graph_place(&self, number: u32) -> (u32, u32) {
+        let (colour, block) = self.block_of(number).place;
+        (colour, block as u32 * COLUMN as u32 + number % COLUMN as u32)
+    }
+
+    /// Speed of approach from which the contact with a number bounces, m/s.
+    pub(crate) fn threshold(&self, number: u32) -> f32 {
+        self.block_of(number).thresholds.get(number as usize % COLUMN)
+    }
+
+    fn block_of(&self, number: u32) -> &WatchedBlock {
+        &self.blocks[number as usize / COLUMN]
+    }
+
+    /// Appends the numbers of those that approach fast enough to bounce to `found`.
     pub(crate) fn find(
         &self,
-        (effort, width): (Effort, Width),
+        width: Width,
         graph: &ConstraintGraph,
         states: &[BodyState],
         found: &mut Vec<u32>,
     ) {
-        compute::run(width, Find { watched: self, effort, graph, states, found });
+        compute::run(width, Find { watched: self, graph, states, found });
     }
 }
 
 struct Find<'a> {
     watched: &'a Watched,
-    effort: Effort,
     graph: &'a ConstraintGraph,
     states: &'a [BodyState],
     found: &'a mut Vec<u32>,
@@ -75,8 +119,8 @@ struct Find<'a> {
 impl Job for Find<'_> {
     #[inline(always)]
     fn run<L: Lane>(self) {
-        let Watched { thresholds, names } = self.watched;
-        for ((block, thresholds), names) in self.graph.blocks(self.effort).zip(thresholds).zip(names) {
+        for (number, &WatchedBlock { place, ref thresholds, .. }) in self.watched.blocks.iter().enumerate() {
+            let block = self.graph.block_at(place);
             for first in (0..COLUMN).step_by(L::WIDTH) {
                 let threshold = L::load(thresholds, first);
                 if L::bits(L::splat(f32::INFINITY).greater(threshold)) == 0 {
@@ -91,7 +135,8 @@ impl Job for Find<'_> {
                     bits |= L::bits(second_point);
                 }
                 while bits != 0 {
-                    self.found.push(names[first + bits.trailing_zeros() as usize]);
+                    let place = first + bits.trailing_zeros() as usize;
+                    self.found.push((number * COLUMN + place) as u32);
                     bits &= bits - 1;
                 }
             }

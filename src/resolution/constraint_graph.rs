@@ -31,6 +31,9 @@ const OVERFLOW: usize = COLOURS;
 /// How many places each effort has: the colours, then the overflow.
 const SECTION: usize = COLOURS + 1;
 
+/// Where a block is in the graph: its colour, and its number in it.
+pub(crate) type BlockPlace = (u32, usize);
+
 /// Contacts that share no movable body.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Colour {
@@ -44,8 +47,6 @@ pub(crate) struct Colour {
     blocks: Vec<ContactBlock>,
     /// By block: what the step did to its contacts.
     ends: Vec<BlockEnd>,
-    /// How many blocks the colours before this one have.
-    first_block: usize,
 }
 
 /// All contacts with points, by effort and colour.
@@ -89,48 +90,46 @@ impl ConstraintGraph {
         &mut self.colours[effort as usize * SECTION..][..SECTION]
     }
 
-    /// Calls `look` with the contacts of an effort that may bounce, follow the surface, or be handed over, in the order in
-    /// which they are solved. Adds the blocks, by colour and number in it, with contacts that may begin to bear load to
-    /// `newcomers`.
-    pub(crate) fn for_each_lively(
+    /// The colours of an effort with their numbers, in the order in which they are solved: the overflow first.
+    fn in_order(&self, effort: Effort) -> impl Iterator<Item = (u32, &Colour)> {
+        let (colours, overflow) = self.section(effort).split_at(COLOURS);
+        let first = (effort as usize * SECTION) as u32;
+        (first + OVERFLOW as u32..).zip(overflow).chain((first..).zip(colours))
+    }
+
+    /// Calls `look` with each block of an effort and the indices of its contacts, in the order in which they are solved.
+    /// Lively contacts are close by then.
+    pub(crate) fn for_each_block(
         &self,
         effort: Effort,
         (contacts, bodies): (&Contacts, &Bodies),
-        newcomers: &mut Newcomers,
-        mut look: impl FnMut(u32),
+        mut look: impl FnMut(BlockPlace, &ContactBlock, &[u32]),
     ) {
-        let first = (effort as usize * SECTION) as u32;
-        let (colours, overflow) = self.section(effort).split_at(COLOURS);
-        let overflow = overflow.iter().zip(first + OVERFLOW as u32..);
-        for (colour, colour_number) in overflow.chain(colours.iter().zip(first..)) {
-            let lively = |number: usize, look: &mut dyn FnMut(u32)| {
+        for (colour_number, colour) in self.in_order(effort) {
+            let for_each_lively = |number: usize, prefetch: &dyn Fn(u32)| {
+                let Some(block) = colour.blocks.get(number) else { return };
                 let indices = part(&colour.contacts, number);
-                let marks = colour.blocks.get(number).map(ContactBlock::lively).unwrap_or_default();
-                marks.for_each(|place| look(indices[place]));
+                block.lively().for_each(|place| prefetch(indices[place]));
             };
             for (number, block) in colour.blocks.iter().enumerate() {
                 // Two blocks take about as long as memory does.
-                lively(number + 2, &mut |index| contacts.prefetch(index));
-                lively(number + 1, &mut |index| contacts.prefetch_bodies(index, bodies));
-                lively(number, &mut look);
-                if block.has_newcomers() {
-                    newcomers.blocks.push((colour_number, number));
-                }
+                for_each_lively(number + 2, &|index| contacts.prefetch(index));
+                for_each_lively(number + 1, &|index| contacts.prefetch_bodies(index, bodies));
+                look((colour_number, number), block, part(&colour.contacts, number));
             }
         }
     }
 
     /// Calls `visit` with the places of the contacts of a block, colour and number in it, that the last sweep has found
     /// to begin to bear load.
-    fn newly_loaded(&self, (colour, number): (u32, usize), mut visit: impl FnMut((u32, u32))) {
+    fn newly_loaded(&self, (colour, number): BlockPlace, mut visit: impl FnMut((u32, u32))) {
         let marks = self.colours[colour as usize].blocks[number].newly_loaded();
         marks.for_each(|place| visit((colour, (number * COLUMN + place) as u32)));
     }
 
-    /// Indices of all contacts of an effort, in the order in which they are solved: the overflow, then the colours.
+    /// Indices of all contacts of an effort, in the order in which they are solved.
     pub(crate) fn contacts_of(&self, effort: Effort) -> impl Iterator<Item = u32> {
-        let (colours, overflow) = self.section(effort).split_at(COLOURS);
-        overflow.iter().chain(colours).flat_map(|colour| colour.contacts.iter().copied())
+        self.in_order(effort).flat_map(|(_, colour)| colour.contacts.iter().copied())
     }
 
     /// Indices of all contacts.
@@ -214,20 +213,19 @@ impl ConstraintGraph {
         self.len -= 1;
     }
 
-    /// All blocks of an effort, colour by colour.
+    /// A block.
     #[inline(always)]
-    pub(crate) fn blocks(&self, effort: Effort) -> impl Iterator<Item = &ContactBlock> {
-        self.section(effort).iter().flat_map(|colour| &colour.blocks)
+    pub(crate) fn block_at(&self, (colour, number): BlockPlace) -> &ContactBlock {
+        &self.colours[colour as usize].blocks[number]
     }
 
-    /// The number of a place of the graph: [`COLUMN`] times that of its block in `blocks` of its effort, and where it
-    /// is in it.
-    pub(crate) fn number(&self, (colour, place): (u32, u32)) -> usize {
-        self.colours[colour as usize].first_block * COLUMN + place as usize
+    /// Index of the contact at a place of the graph.
+    pub(crate) fn contact_at(&self, (colour, place): (u32, u32)) -> u32 {
+        self.colours[colour as usize].contacts[place as usize]
     }
 
     /// Gives the contacts of a block, its colour and its number in it, that follow the surface a name.
-    pub(crate) fn set_followers(&mut self, (colour, number): (u32, usize), followers: u32) {
+    pub(crate) fn set_followers(&mut self, (colour, number): BlockPlace, followers: u32) {
         self.colours[colour as usize].blocks[number].followers = followers;
     }
 

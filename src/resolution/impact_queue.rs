@@ -32,11 +32,11 @@ pub(crate) struct Neighbours {
 }
 
 impl Neighbours {
-    /// Sorts the contacts, given as pairs of rows, by row (counting sort). Row 0, the ground, gets none.
-    pub(crate) fn build(&mut self, rows: usize, pairs: impl Iterator<Item = [u32; 2]> + Clone) {
+    /// Sorts the contacts, given with their pairs of rows, by row (counting sort). Row 0, the ground, gets none.
+    pub(crate) fn build(&mut self, rows: usize, pairs: impl Iterator<Item = (u32, [u32; 2])> + Clone) {
         self.starts.clear();
         self.starts.resize(rows + 1, 0);
-        for row in pairs.clone().flatten().filter(|&row| row != 0) {
+        for row in pairs.clone().flat_map(|(_, pair)| pair).filter(|&row| row != 0) {
             self.starts[row as usize] += 1;
         }
         let mut end = 0;
@@ -47,11 +47,11 @@ impl Neighbours {
         self.contacts.clear();
         self.contacts.resize(end as usize, 0);
         // Each start is at the end of its row now and moves to its beginning as the row is filled.
-        for (number, pair) in pairs.enumerate() {
+        for (number, pair) in pairs {
             for row in pair.into_iter().filter(|&row| row != 0) {
                 let start = &mut self.starts[row as usize];
                 *start -= 1;
-                self.contacts[*start as usize] = number as u32;
+                self.contacts[*start as usize] = number;
             }
         }
     }
@@ -80,7 +80,7 @@ mod tests {
     #[test]
     fn every_row_but_the_ground_knows_its_contacts() {
         let mut neighbours = Neighbours::default();
-        neighbours.build(4, [[0, 1], [1, 2], [3, 1], [0, 3]].into_iter());
+        neighbours.build(4, (0..).zip([[0, 1], [1, 2], [3, 1], [0, 3]]));
         let sorted = |row| {
             let mut contacts = neighbours.of(row).to_vec();
             contacts.sort_unstable();

@@ -24,14 +24,15 @@
 //! Cost: one look at every contact per substep, in lanes; a closer one at the few that approach fast, and a heap of
 //! those that meet. Nothing where no contact has restitution.
 
-use crate::body::{Bodies, Effort};
-use crate::collision::{Contact, Contacts, Manifold};
+use crate::body::{Bodies, NONE};
+use crate::collision::{Contacts, Manifold};
 use crate::compute::{BodyState, GROUND_ROW, Width};
 use crate::math::Vec2;
 use crate::resolution::approach::{RESTING_SUBSTEPS, Watched, approach};
 use crate::resolution::block::solve_pair;
 use crate::resolution::constraint::{ContactConstraint, OUT_OF_REACH};
-use crate::resolution::constraint_graph::ConstraintGraph;
+use crate::resolution::constraint_graph::{BlockPlace, ConstraintGraph};
+use crate::resolution::contact_block::ContactBlock;
 use crate::resolution::follow::manifold_in;
 use crate::resolution::impact_queue::{ImpactQueue, Neighbours};
 use crate::resolution::integrate::{Kicks, drift, drift_until};
@@ -40,7 +41,7 @@ use crate::resolution::integrate::{Kicks, drift, drift_until};
 /// take what is left, as if there were no restitution.
 const IMPACTS_PER_SUBSTEP: u8 = 16;
 
-/// A contact that may bounce.
+/// A contact that may bounce, and that was looked at closely.
 #[derive(Clone, Debug)]
 struct BouncyContact {
     /// Index of the contact, and its place in the constraint graph.
@@ -89,8 +90,11 @@ struct Meeting {
 /// The impacts stage and its buffers.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Impacts {
-    contacts: Vec<BouncyContact>,
     watched: Watched,
+    /// Those that were looked at closely in this step.
+    contacts: Vec<BouncyContact>,
+    /// By number: which of them it is, `NONE` if it is none.
+    places: Vec<u32>,
     /// Numbers of the contacts that need a closer look at the start of a substep.
     to_look_at: Vec<u32>,
     /// Numbers of contacts that have been waiting for their impact; some may wait no longer.
@@ -116,40 +120,42 @@ pub(crate) struct ImpactScene<'a> {
     pub(crate) graph: &'a mut ConstraintGraph,
     /// Length of the substep, s.
     pub(crate) h: f32,
-    /// Which contacts, and how many are looked at together.
-    pub(crate) which: (Effort, Width),
+    /// How many contacts are looked at together.
+    pub(crate) width: Width,
 }
 
 impl Impacts {
     /// Forgets the contacts of the last step.
     pub(crate) fn clear(&mut self) {
-        self.contacts.clear();
         self.watched.clear();
+        self.contacts.clear();
+        self.places.clear();
         self.waiting.clear();
         self.met.clear();
         self.neighbours_are_built = false;
         self.count = 0;
     }
 
-    /// Takes up a contact that has points and restitution.
-    pub(crate) fn add(&mut self, index: u32, contact: &Contact, graph: &ConstraintGraph, threshold: f32) {
-        let Some(graph_place) = contact.graph_place else { return };
-        self.watched.add(graph.number(graph_place), threshold, self.contacts.len() as u32);
-        self.contacts.push(BouncyContact {
-            contact: index,
-            graph_place,
-            rows: graph.rows(graph_place),
-            restitution: contact.restitution,
-            threshold,
-            greatest_speed: 0.0,
-            impacts: 0,
-            is_waiting: false,
+    /// Takes up the contacts of a block that have restitution, if it has some. Blocks come in the order in which they are
+    /// solved. With the kicks of the bodies, the setting of [`bounce_threshold`], and the length of the substep, s.
+    pub(crate) fn consider(
+        &mut self,
+        place: BlockPlace,
+        block: &ContactBlock,
+        (kicks, setting, h): (&Kicks, f32, f32),
+    ) {
+        if !block.bouncy().any() {
+            return;
+        }
+        self.watched.watch(place, block, |place| {
+            let accelerations = block.rows(place).map(|row| kicks.acceleration(row));
+            bounce_threshold(setting, block.normal(place), accelerations, h)
         });
     }
 
     /// How many contacts may bounce.
     pub(crate) fn len(&self) -> usize {
-        self.contacts.len()
+        self.watched.len()
     }
 
     /// How many impacts there were in this step.
@@ -157,10 +163,11 @@ impl Impacts {
         self.count
     }
 
-    /// Contacts that bounced in this step, with the greatest speed of their impacts, m/s.
+    /// Contacts that bounced in this step, with the greatest speed of their impacts, m/s; in the order in which they are
+    /// solved.
     pub(crate) fn bounced(&self) -> impl Iterator<Item = (u32, f32)> {
-        self.contacts
-            .iter()
+        let by_number = self.places.iter().filter_map(|&place| self.contacts.get(place as usize));
+        by_number
             .filter(|bouncy| bouncy.greatest_speed > 0.0)
             .map(|bouncy| (bouncy.contact, bouncy.greatest_speed))
     }
@@ -168,13 +175,14 @@ impl Impacts {
     /// Lets everything bounce that meets within this substep, in the order of time.
     pub(crate) fn run(&mut self, scene: &mut ImpactScene<'_>) {
         self.last_impact.resize(scene.bodies.row_count(), 0.0);
+        self.places.resize(self.watched.end() as usize, NONE);
         for number in self.met.drain(..) {
-            self.contacts[number as usize].impacts = 0;
+            self.contacts[self.places[number as usize] as usize].impacts = 0;
         }
         self.look_at_all(scene);
         while let Some((expected, number)) = self.queue.pop() {
             // Impacts since may have hastened, delayed or cancelled it.
-            let approaching = self.contacts[number as usize].approaching(scene);
+            let approaching = self.bouncy(number).approaching(scene);
             let Some(time) = self.upcoming(number, approaching, scene) else { continue };
             if time > expected {
                 self.queue.push(time, number);
@@ -192,7 +200,7 @@ impl Impacts {
     fn look_at_all(&mut self, scene: &mut ImpactScene<'_>) {
         let mut to_look_at = std::mem::take(&mut self.to_look_at);
         to_look_at.append(&mut self.waiting);
-        self.watched.find(scene.which, scene.graph, &scene.bodies.states, &mut to_look_at);
+        self.watched.find(scene.width, scene.graph, &scene.bodies.states, &mut to_look_at);
         to_look_at.sort_unstable();
         to_look_at.dedup();
         for number in to_look_at.drain(..) {
@@ -201,10 +209,37 @@ impl Impacts {
         self.to_look_at = to_look_at;
     }
 
+    /// A contact that was looked at before.
+    fn bouncy(&self, number: u32) -> &BouncyContact {
+        &self.contacts[self.places[number as usize] as usize]
+    }
+
+    /// Which of those that were looked at a contact is, from now on if not before.
+    fn look_up(&mut self, number: u32, scene: &ImpactScene<'_>) -> usize {
+        let place = &mut self.places[number as usize];
+        if *place == NONE {
+            *place = self.contacts.len() as u32;
+            let graph_place = self.watched.graph_place(number);
+            let contact = scene.graph.contact_at(graph_place);
+            self.contacts.push(BouncyContact {
+                contact,
+                graph_place,
+                rows: scene.graph.rows(graph_place),
+                restitution: scene.contacts[contact].restitution,
+                threshold: self.watched.threshold(number),
+                greatest_speed: 0.0,
+                impacts: 0,
+                is_waiting: false,
+            });
+        }
+        *place as usize
+    }
+
     /// Queues the next impact of a contact, if it comes within this substep, and tells the sweeps to leave
     /// alone the points that approach fast but are still apart.
     fn expect(&mut self, number: u32, scene: &mut ImpactScene<'_>) {
-        let bouncy = &mut self.contacts[number as usize];
+        let place = self.look_up(number, scene);
+        let bouncy = &mut self.contacts[place];
         let approaching = bouncy.approaching(scene);
         let waits = approaching.map(|point| point.is_some_and(|point| point.separation > 0.0));
         if bouncy.is_waiting || waits[0] || waits[1] {
@@ -230,7 +265,7 @@ impl Impacts {
         if approaching == [None; 2] {
             return None;
         }
-        let bouncy = &self.contacts[number as usize];
+        let bouncy = self.bouncy(number);
         let acceleration = bouncy.acceleration(scene);
         let time_of = |point: Option<Approach>| {
             point.and_then(|point| time_of_impact(point.separation, point.speed, acceleration, scene.h))
@@ -243,7 +278,7 @@ impl Impacts {
 
     /// Looks at two bodies at the time they should meet, and lets them bounce if they do.
     fn meet(&mut self, number: u32, time: f32, scene: &mut ImpactScene<'_>) {
-        let bouncy = &mut self.contacts[number as usize];
+        let bouncy = &mut self.contacts[self.places[number as usize] as usize];
         bouncy.impacts += 1;
         self.met.push(number);
         let there = bouncy.states_at(time, scene);
@@ -297,7 +332,7 @@ impl Impacts {
         if !self.neighbours_are_built {
             self.neighbours_are_built = true;
             let graph = &*scene.graph;
-            let pairs = self.contacts.iter().map(|bouncy| graph.moved_rows(bouncy.graph_place));
+            let pairs = self.watched.iter().map(|(number, place)| (number, graph.moved_rows(place)));
             self.neighbours.build(scene.bodies.row_count(), pairs);
         }
         for row in rows {
@@ -410,6 +445,6 @@ fn time_of_impact(s: f32, v: f32, a: f32, h: f32) -> Option<f32> {
 
 /// Approach speed, m/s, from which a contact bounces: the setting, or what support makes up for anyway, given the
 /// accelerations of a and b.
-pub(crate) fn bounce_threshold(setting: f32, contact: &Contact, [a, b]: [Vec2; 2], h: f32) -> f32 {
-    setting.max(RESTING_SUBSTEPS * h * contact.manifold.normal.dot(b - a).abs())
+pub(crate) fn bounce_threshold(setting: f32, normal: Vec2, [a, b]: [Vec2; 2], h: f32) -> f32 {
+    setting.max(RESTING_SUBSTEPS * h * normal.dot(b - a).abs())
 }

@@ -14,7 +14,7 @@ use crate::resolution::direct::{Aim, DirectSolver};
 use crate::resolution::effort::EffortClass;
 use crate::resolution::follow::{Followers, add_shares};
 use crate::resolution::handover::{HandoverScene, Handovers};
-use crate::resolution::impacts::{ImpactScene, Impacts, bounce_threshold};
+use crate::resolution::impacts::{ImpactScene, Impacts};
 use crate::resolution::integrate::{Advance, Kick, Kicks, SpeedLimits, drift};
 use crate::resolution::kernel::{Sweep, SweepOver, WarmStart};
 use crate::resolution::load::Loads;
@@ -138,8 +138,8 @@ pub(crate) fn solve(
         }
         if solver.impacts.len() > 0 {
             let (kicks, SolveTables { bodies, contacts, graph, .. }) = (&solver.kicks, &mut *tables);
-            let which = (class.effort, scheme.width);
-            solver.impacts.run(&mut ImpactScene { bodies, contacts, kicks, graph, h, which });
+            let width = scheme.width;
+            solver.impacts.run(&mut ImpactScene { bodies, contacts, kicks, graph, h, width });
         }
         match class.effort {
             Effort::Direct => solver.direct.solve(tables.graph, &mut tables.bodies.states, Aim::Push, h),
@@ -346,19 +346,18 @@ impl Solver {
         self.followers.clear();
         self.handovers.clear();
         self.newcomers.clear();
-        tables.graph.for_each_lively(effort, (contacts, bodies), &mut self.newcomers, |index| {
-            let contact = &contacts[index];
-            if contact.restitution > 0.0 {
-                let accelerations =
-                    contact.slots.map(|slot| self.kicks.acceleration(bodies.motions[slot as usize].row));
-                let threshold = bounce_threshold(scheme.restitution_threshold, contact, accelerations, h);
-                self.impacts.add(index, contact, tables.graph, threshold);
-            }
-            self.followers.consider(index, contact, bodies, scheme.dt);
-            if effort == Effort::Direct {
-                return;
-            }
-            self.handovers.consider(index, contact, bodies);
+        let Self { kicks, impacts, followers, handovers, newcomers, .. } = self;
+        let how = (&*kicks, scheme.restitution_threshold, h);
+        tables.graph.for_each_block(effort, (contacts, bodies), |place, block, indices| {
+            newcomers.consider(place, block);
+            impacts.consider(place, block, how);
+            block.lively().for_each(|place| {
+                let (index, contact) = (indices[place], &contacts[indices[place]]);
+                followers.consider(index, contact, bodies, scheme.dt);
+                if effort != Effort::Direct {
+                    handovers.consider(index, contact, bodies);
+                }
+            });
         });
         self.followers.mark(tables.graph);
         self.handovers.group();

@@ -2,7 +2,7 @@
 
 use crate::compute::{COLUMN, Width};
 use crate::resolution::constraint_graph::passes::pass_over;
-use crate::resolution::constraint_graph::{Colour, ConstraintGraph, SECTION};
+use crate::resolution::constraint_graph::{BlockPlace, Colour, ConstraintGraph, SECTION};
 use crate::resolution::contact_block::ContactBlock;
 use crate::resolution::kernel::Kernel;
 
@@ -15,7 +15,7 @@ const NEWCOMER_SWEEPS: u32 = 4;
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Newcomers {
     /// Blocks of the graph with some of them, by colour and number in it, in the order in which they are solved.
-    pub(super) blocks: Vec<(u32, usize)>,
+    blocks: Vec<BlockPlace>,
     /// Scratch: places of those that begin to in this substep, in the same order.
     loaded: Vec<(u32, u32)>,
     /// Scratch: copies of them, colour by colour, so that lanes are full of them. What a colour names its contacts by is
@@ -26,6 +26,13 @@ pub(crate) struct Newcomers {
 impl Newcomers {
     pub(crate) fn clear(&mut self) {
         self.blocks.clear();
+    }
+
+    /// Takes up a block of the graph, if it has some.
+    pub(crate) fn consider(&mut self, place: BlockPlace, block: &ContactBlock) {
+        if block.has_newcomers() {
+            self.blocks.push(place);
+        }
     }
 
     /// Sweeps over those that the last sweep has found to begin to bear load; returns their places.

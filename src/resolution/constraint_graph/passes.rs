@@ -26,14 +26,11 @@ impl ConstraintGraph {
         bodies: &Bodies,
         scale: f32,
     ) {
-        let mut first_block = 0;
         for colour in self.section_mut(effort) {
-            colour.first_block = first_block;
             let count = colour.contacts.len().div_ceil(COLUMN);
             if count == 0 && colour.blocks.is_empty() {
                 continue;
             }
-            first_block += count;
             // Made only where there are not as many yet: a block is large.
             colour.blocks.resize_with(count, ContactBlock::default);
             colour.ends.resize_with(count, BlockEnd::default);

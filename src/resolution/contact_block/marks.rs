@@ -32,7 +32,7 @@ impl Marks {
     }
 
     /// Whether any is marked.
-    pub(super) fn any(self) -> bool {
+    pub(crate) fn any(self) -> bool {
         self.0 != 0
     }
 

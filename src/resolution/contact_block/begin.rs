@@ -1,0 +1,120 @@
+//! The begin of the step: contacts made into the constraints of a block.
+
+use crate::body::{Bodies, Motion, NONE};
+use crate::collision::{Contact, Contacts, ManifoldPoint};
+use crate::compute::{COLUMN, Column, Lane, RowPairs};
+use crate::resolution::constraint::THERE;
+use crate::resolution::contact_block::{ContactBlock, Fit, Marks};
+use crate::resolution::handover::circle_on_ground;
+
+impl ContactBlock {
+    /// Takes over some contacts, as many as there are places or less, as the step begins. Their impulses are
+    /// multiplied by `scale`, the length of a substep now over that of the substep they were found in. Effective
+    /// masses are still to be found.
+    pub(crate) fn fill(&mut self, indices: &[u32], contacts: &Contacts, bodies: &Bodies, scale: f32) {
+        self.rows = RowPairs::default();
+        self.is_special = false;
+        self.fit = Fit::ALL;
+        self.bouncy = Marks::default();
+        self.lively = Marks::default();
+        self.newcomers = Marks::default();
+        self.newly_loaded = Marks::default();
+        self.followers = NONE;
+        self.columns.special.awaits_impact = Default::default();
+        for (place, &index) in indices.iter().enumerate() {
+            self.put(place, &contacts[index], bodies, scale);
+        }
+        for place in indices.len()..COLUMN {
+            self.leave_empty(place);
+        }
+    }
+
+    /// What is left over from another contact bears nothing and moves nothing.
+    #[inline(always)]
+    fn leave_empty(&mut self, place: usize) {
+        let columns = &mut self.columns;
+        for inverse in [&mut columns.inverse_mass_a, &mut columns.inverse_mass_b] {
+            inverse.set(place, 0.0);
+        }
+        for (point, friction) in columns.points.iter_mut().zip(&mut columns.frictions) {
+            point.normal_k.set(place, 0.0);
+            point.normal_impulse.set(place, 0.0);
+            friction.impulse.set(place, 0.0);
+        }
+    }
+
+    #[inline(always)]
+    fn put(&mut self, place: usize, contact: &Contact, bodies: &Bodies, scale: f32) {
+        let [a, b] = contact.slots.map(|slot| &bodies.motions[slot as usize]);
+        self.rows.set(place, [a.row, b.row]);
+        let columns = &mut self.columns;
+        columns.inverse_mass_a.set(place, a.inverse_mass);
+        columns.inverse_mass_b.set(place, b.inverse_mass);
+        columns.inverse_inertia_a.set(place, a.inverse_inertia);
+        columns.inverse_inertia_b.set(place, b.inverse_inertia);
+        let special = &mut columns.special;
+        special.turns_a.set(place, if a.is_round { 0.0 } else { 1.0 });
+        special.turns_b.set(place, if b.is_round { 0.0 } else { 1.0 });
+        self.is_special |= a.is_round | b.is_round;
+        columns.friction.set(place, contact.friction);
+        columns.normal.store(place, contact.manifold.normal.into());
+        // A spin of 0 stays 0, and not -0, where nothing can change it.
+        let is_still = |motion: &Motion| {
+            motion.inverse_inertia == 0.0
+                && bodies.states[motion.row as usize].angular_velocity.to_bits() == 0
+        };
+        self.fit.is_still = self.fit.is_still && is_still(a) && is_still(b);
+        let points = contact.manifold.points();
+        let rubs = [0, 1].map(|index| self.put_point(index, place, points.get(index), scale));
+        self.fit.is_single &= points.len() < 2;
+        // What friction did before it ceased is still to be taken back.
+        self.fit.is_smooth &= contact.friction == 0.0 && rubs == [false; 2];
+        let begins = !contact.is_loaded() && points.len() == 2 && contact.friction > 0.0;
+        self.newcomers.set(place, begins);
+        let is_on_ground = circle_on_ground([a, b]).is_some();
+        self.bouncy.set(place, contact.restitution > 0.0);
+        self.lively.set(place, contact.follows || is_on_ground);
+    }
+
+    /// Takes over a point, or that there is none; returns whether friction has acted at it.
+    #[inline(always)]
+    fn put_point(&mut self, index: usize, place: usize, point: Option<&ManifoldPoint>, scale: f32) -> bool {
+        let none = ManifoldPoint::default();
+        let (k, point) = point.map_or((0.0, &none), |point| (THERE, point));
+        let (to, friction) = (&mut self.columns.points[index], &mut self.columns.frictions[index]);
+        to.anchor_a.store(place, point.anchor_a.into());
+        to.anchor_b.store(place, point.anchor_b.into());
+        to.separation.set(place, point.separation);
+        to.normal_k.set(place, k);
+        to.normal_impulse.set(place, scale * point.normal_impulse);
+        friction.impulse.set(place, scale * point.tangent_impulse);
+        // The warm start of a block whose contacts have one point each finds that of the first only.
+        friction.normal_share.set(place, 0.0);
+        point.tangent_impulse != 0.0
+    }
+
+    /// Finds the effective masses.
+    #[inline(always)]
+    pub(crate) fn find_masses<L: Lane>(&mut self, place: usize) {
+        if self.fit.is_single {
+            self.columns.coupling = Column::default();
+            self.columns.frictions[1].mass = Column::default();
+            self.find_masses_of::<L, 1>(place);
+        } else {
+            self.find_masses_of::<L, 2>(place);
+        }
+    }
+
+    #[inline(always)]
+    fn find_masses_of<L: Lane, const POINTS: usize>(&mut self, place: usize) {
+        let mut constraint = self.load::<L>(place);
+        constraint.find_masses::<POINTS>();
+        for index in 0..POINTS {
+            constraint.points[index].normal_k.store(&mut self.columns.points[index].normal_k, place);
+            constraint.frictions[index].mass.store(&mut self.columns.frictions[index].mass, place);
+        }
+        if POINTS == 2 {
+            constraint.coupling.store(&mut self.columns.coupling, place);
+        }
+    }
+}
