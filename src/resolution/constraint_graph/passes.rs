@@ -2,9 +2,11 @@
 //!
 //! The contacts of a colour move no body in common, so that several threads may each have some of its blocks.
 
+use std::sync::Mutex;
+
 use crate::body::{Bodies, Effort};
 use crate::collision::{Contact, Contacts, SharedContacts};
-use crate::compute::{self, BodyState, COLUMN, Crew, Job, Lane, Width, all_lines};
+use crate::compute::{self, BodyState, COLUMN, Crew, Job, Lane, Width, all_lines, lock};
 use crate::resolution::constraint::StepResidual;
 use crate::resolution::constraint_graph::{COLOURS, Colour, ConstraintGraph};
 use crate::resolution::contact_block::{BlockEnd, ContactBlock, ContactEnds};
@@ -51,25 +53,25 @@ impl ConstraintGraph {
         contacts: &mut Contacts,
         loads: &mut Loads,
     ) -> StepResidual {
+        let residual = Mutex::new(StepResidual::default());
         for colour in self.section_mut(effort).iter_mut().filter(|colour| !colour.is_empty()) {
             let count = colour.blocks.len();
             let (of_colour, measure, contacts) = (&colour.contacts, loads.measure(), &contacts.shared());
             let places = ((0..count), (&colour.blocks[..], &mut colour.ends[..]));
             crew.run(places, FINISH_COST, |(numbers, (blocks, ends))| {
                 let first = numbers.start;
-                compute::run(width, Finish { first, of_colour, blocks, ends, states, contacts, measure });
+                let residual = &residual;
+                compute::run(width, Finish { first, of_colour, blocks, ends, states, contacts, measure, residual });
             });
         }
-        let mut residual = StepResidual::default();
         for colour in self.section(effort).iter().filter(|colour| !colour.is_empty()) {
             for (number, end) in colour.ends.iter().enumerate() {
-                residual = residual.max(end.residual);
                 let indices = part(&colour.contacts, number);
                 end.lasting.for_each(|place| loads.lasting.push(indices[place]));
                 end.changing.for_each(|place| contacts.note_change(indices[place]));
             }
         }
-        residual
+        *lock(&residual)
     }
 
     /// Does something to every constraint of an effort, colour by colour: as many at a time as the width says, but
@@ -197,6 +199,8 @@ struct Finish<'a> {
     states: &'a [BodyState],
     contacts: &'a SharedContacts<'a>,
     measure: LoadMeasure,
+    /// What is left wrong.
+    residual: &'a Mutex<StepResidual>,
 }
 
 impl Job for Finish<'_> {
@@ -213,6 +217,8 @@ impl Job for Finish<'_> {
             }
             *end = write_back(block, &ends, indices, self.contacts, self.measure);
         }
+        let mut residual = lock(self.residual);
+        *residual = residual.max(ends.residual());
     }
 }
 
@@ -225,7 +231,7 @@ fn write_back(
     contacts: &SharedContacts<'_>,
     measure: LoadMeasure,
 ) -> BlockEnd {
-    let mut end = BlockEnd { residual: ends.residual(indices.len()), ..BlockEnd::default() };
+    let mut end = BlockEnd::default();
     for (place, &index) in indices.iter().enumerate() {
         contacts.change(index, |contact| {
             block.finish(place, ends, contact);

@@ -3,14 +3,14 @@
 use crate::body::{Bodies, Motion, NONE};
 use crate::collision::{Contact, Contacts, ManifoldPoint};
 use crate::compute::{COLUMN, Column, Lane, RowPairs};
-use crate::resolution::constraint::THERE;
+use crate::resolution::constraint::{ConstraintPoint, THERE};
 use crate::resolution::contact_block::{ContactBlock, Fit, Marks};
 use crate::resolution::handover::circle_on_ground;
 
 impl ContactBlock {
-    /// Takes over some contacts, as many as there are places or less, as the step begins. Their impulses are
-    /// multiplied by `scale`, the length of a substep now over that of the substep they were found in. Effective
-    /// masses are still to be found.
+    /// Takes over some contacts, as many as there are places or less, sorted by their kind, as the step begins. Their
+    /// impulses are multiplied by `scale`, the length of a substep now over that of the substep they were found in.
+    /// Effective masses are still to be found.
     pub(crate) fn fill(&mut self, indices: &[u32], contacts: &Contacts, bodies: &Bodies, scale: f32) {
         self.rows = RowPairs::default();
         self.is_special = false;
@@ -20,7 +20,20 @@ impl ContactBlock {
         self.newcomers = Marks::default();
         self.newly_loaded = Marks::default();
         self.followers = NONE;
-        self.columns.special.awaits_impact = Default::default();
+        let columns = &mut self.columns;
+        columns.special.awaits_impact = Default::default();
+        columns.points[0].normal_k = Column::splat(THERE);
+        for friction in &mut columns.frictions {
+            // The warm start of a block whose contacts have one point each finds that of the first only.
+            friction.normal_share = Column::default();
+        }
+        // Those of one point come first.
+        let last = indices.last().map(|&index| &contacts[index]);
+        self.fit.is_single = last.is_none_or(|last| last.manifold.points().len() < 2);
+        if self.fit.is_single {
+            self.columns.points[1] = ConstraintPoint::default();
+            self.columns.frictions[1].impulse = Column::default();
+        }
         for (place, &index) in indices.iter().enumerate() {
             self.put(place, &contacts[index], bodies, scale);
         }
@@ -65,32 +78,33 @@ impl ContactBlock {
         };
         self.fit.is_still = self.fit.is_still && is_still(a) && is_still(b);
         let points = contact.manifold.points();
-        let rubs = [0, 1].map(|index| self.put_point(index, place, points.get(index), scale));
-        self.fit.is_single &= points.len() < 2;
+        let Some(first) = points.first() else { return self.leave_empty(place) };
+        self.put_point(0, place, first, scale);
         // What friction did before it ceased is still to be taken back.
-        self.fit.is_smooth &= contact.friction == 0.0 && rubs == [false; 2];
-        let begins = !contact.is_loaded() && points.len() == 2 && contact.friction > 0.0;
-        self.newcomers.set(place, begins);
-        let is_on_ground = circle_on_ground([a, b]).is_some();
+        let mut is_smooth = contact.friction == 0.0 && first.tangent_impulse == 0.0;
+        if !self.fit.is_single {
+            let none = ManifoldPoint::default();
+            let (k, second) = points.get(1).map_or((0.0, &none), |point| (THERE, point));
+            self.columns.points[1].normal_k.set(place, k);
+            self.put_point(1, place, second, scale);
+            is_smooth &= second.tangent_impulse == 0.0;
+            let begins = !contact.is_loaded() && points.len() == 2 && contact.friction > 0.0;
+            self.newcomers.set(place, begins);
+        }
+        self.fit.is_smooth &= is_smooth;
         self.bouncy.set(place, contact.restitution > 0.0);
-        self.lively.set(place, contact.follows || is_on_ground);
+        self.lively.set(place, contact.follows || circle_on_ground([a, b]).is_some());
     }
 
-    /// Takes over a point, or that there is none; returns whether friction has acted at it.
+    /// Takes over a point.
     #[inline(always)]
-    fn put_point(&mut self, index: usize, place: usize, point: Option<&ManifoldPoint>, scale: f32) -> bool {
-        let none = ManifoldPoint::default();
-        let (k, point) = point.map_or((0.0, &none), |point| (THERE, point));
+    fn put_point(&mut self, index: usize, place: usize, point: &ManifoldPoint, scale: f32) {
         let (to, friction) = (&mut self.columns.points[index], &mut self.columns.frictions[index]);
         to.anchor_a.store(place, point.anchor_a.into());
         to.anchor_b.store(place, point.anchor_b.into());
         to.separation.set(place, point.separation);
-        to.normal_k.set(place, k);
         to.normal_impulse.set(place, scale * point.normal_impulse);
         friction.impulse.set(place, scale * point.tangent_impulse);
-        // The warm start of a block whose contacts have one point each finds that of the first only.
-        friction.normal_share.set(place, 0.0);
-        point.tangent_impulse != 0.0
     }
 
     /// Finds the effective masses.

@@ -1,7 +1,7 @@
 //! The end of the step: what it did to the contacts of a block, written back into them.
 
 use crate::collision::Contact;
-use crate::compute::{BodyState, Column, Lane, LaneVec2};
+use crate::compute::{BodyState, COLUMN, Column, Lane, LaneVec2};
 use crate::resolution::constraint::StepResidual;
 use crate::resolution::contact_block::{ContactBlock, Marks};
 
@@ -12,7 +12,6 @@ pub(crate) struct BlockEnd {
     pub(crate) lasting: Marks,
     /// Contacts that may have begun or ceased to touch.
     pub(crate) changing: Marks,
-    pub(crate) residual: StepResidual,
 }
 
 /// One of the points of sixteen contacts at the end of the step.
@@ -24,13 +23,14 @@ struct PointEnds {
     anchor_b: LaneVec2<Column>,
 }
 
-/// Sixteen contacts at the end of the step.
+/// Sixteen contacts at the end of the step, and the worst of all that were looked at so far.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct ContactEnds {
     points: [PointEnds; 2],
     /// Greatest k λ of the points, m/s.
     pub(crate) load: Column,
-    /// Deepest overlap, m, and largest speed with which a touching point still approaches, m/s.
+    /// By place, of all blocks so far: deepest overlap, m, and largest speed with which a touching point still approaches,
+    /// m/s.
     penetration: Column,
     approach_speed: Column,
     /// Those with a point that touches or bears load.
@@ -38,10 +38,9 @@ pub(crate) struct ContactEnds {
 }
 
 impl ContactEnds {
-    /// What is left wrong of the first `count` contacts.
-    #[inline(always)]
-    pub(crate) fn residual(&self, count: usize) -> StepResidual {
-        (0..count).fold(StepResidual::default(), |residual, place| {
+    /// What is left wrong of the contacts of all blocks so far.
+    pub(crate) fn residual(&self) -> StepResidual {
+        (0..COLUMN).fold(StepResidual::default(), |residual, place| {
             let (penetration, approach_speed) = (self.penetration.get(place), self.approach_speed.get(place));
             residual.max(StepResidual { penetration, approach_speed })
         })
@@ -69,7 +68,9 @@ impl ContactBlock {
         let zero = L::splat(0.0);
         let constraint = self.load::<L>(place);
         let [a, b] = self.gather(states, place);
-        let (mut load, mut penetration, mut approach_speed, mut touching) = (zero, zero, zero, 0);
+        let mut penetration = L::load(&ends.penetration, place);
+        let mut approach_speed = L::load(&ends.approach_speed, place);
+        let (mut load, mut touching) = (zero, 0);
         for (index, end) in ends.points.iter_mut().enumerate().take(POINTS) {
             let point = &constraint.points[index];
             let is_there = point.normal_k.greater(zero);
