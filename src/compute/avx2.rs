@@ -302,6 +302,21 @@ impl Lane for F32x8 {
     }
 
     #[inline(always)]
+    fn store_velocities(states: &mut [BodyState], first: usize, state: &BodyState<Self>) {
+        let states: &mut [BodyState; 8] = states[first..].first_chunk_mut().expect("eight rows");
+        let BodyState { velocity, angular_velocity, padding, .. } = *state;
+        let pairs = transpose([velocity.x.0, velocity.y.0, angular_velocity.0, padding.0]);
+        for (place, pair) in pairs.into_iter().enumerate() {
+            // SAFETY: AVX2 is there, see the module. There are eight states, which begin with four numbers, aligned to 16
+            // bytes.
+            unsafe {
+                _mm_store_ps(states.as_mut_ptr().add(place).cast(), _mm256_castps256_ps128(pair));
+                _mm_store_ps(states.as_mut_ptr().add(place + 4).cast(), _mm256_extractf128_ps::<1>(pair));
+            }
+        }
+    }
+
+    #[inline(always)]
     fn gather(states: &(impl Rows + ?Sized), rows: &RowPairs, place: usize) -> [BodyState<Self>; 2] {
         let [a, b] = rows.part(states, place);
         // SAFETY: `part` has seen that the rows are there.

@@ -211,6 +211,26 @@ unsafe fn scatter(
     }
 }
 
+/// The first four numbers of the rows of bodies.
+#[inline(always)]
+fn velocity_numbers(state: &BodyState<F32x16>) -> [F32x16; 4] {
+    [state.velocity.x, state.velocity.y, state.angular_velocity, state.padding]
+}
+
+/// Writes four numbers of each of sixteen rows: the first four for `OFFSET` 0, the second four for 4.
+#[inline(always)]
+fn store_half<const OFFSET: usize>(states: &mut [BodyState; 16], numbers: [F32x16; 4]) {
+    const { assert!(OFFSET == 0 || OFFSET == 4) };
+    for (first, four) in transpose(numbers.map(|numbers| numbers.0)).into_iter().enumerate() {
+        for (number, quarter) in quarters(four).into_iter().enumerate() {
+            let row: *mut BodyState = &raw mut states[first + 4 * number];
+            // SAFETY: SSE is part of the target. A row is eight numbers, aligned to 32 bytes, of which the offset leaves
+            // four, aligned to 16.
+            unsafe { _mm_store_ps(row.cast::<f32>().add(OFFSET), quarter) }
+        }
+    }
+}
+
 /// Turns rows of four into columns, in each quarter on its own.
 #[inline(always)]
 fn transpose([r0, r1, r2, r3]: [__m512; 4]) -> [__m512; 4] {
@@ -313,20 +333,15 @@ impl Lane for F32x16 {
     #[inline(always)]
     fn store_rows(states: &mut [BodyState], first: usize, state: &BodyState<Self>) {
         let states: &mut [BodyState; 16] = states[first..].first_chunk_mut().expect("sixteen rows");
-        let BodyState { velocity, angular_velocity, padding, delta_position, delta_rotation } = *state;
-        let firsts = transpose([velocity.x.0, velocity.y.0, angular_velocity.0, padding.0]);
-        let seconds =
-            transpose([delta_position.x.0, delta_position.y.0, delta_rotation.c.0, delta_rotation.s.0]);
-        for (place, (first, second)) in firsts.into_iter().zip(seconds).enumerate() {
-            for (number, (first, second)) in quarters(first).into_iter().zip(quarters(second)).enumerate() {
-                let row: *mut f32 = states[place + 4 * number..].as_mut_ptr().cast();
-                // SAFETY: SSE is part of the target. A state is eight numbers, aligned to 32 bytes.
-                unsafe {
-                    _mm_store_ps(row, first);
-                    _mm_store_ps(row.add(4), second);
-                }
-            }
-        }
+        store_half::<0>(states, velocity_numbers(state));
+        let BodyState { delta_position, delta_rotation, .. } = *state;
+        store_half::<4>(states, [delta_position.x, delta_position.y, delta_rotation.c, delta_rotation.s]);
+    }
+
+    #[inline(always)]
+    fn store_velocities(states: &mut [BodyState], first: usize, state: &BodyState<Self>) {
+        let states: &mut [BodyState; 16] = states[first..].first_chunk_mut().expect("sixteen rows");
+        store_half::<0>(states, velocity_numbers(state));
     }
 
     #[inline(always)]

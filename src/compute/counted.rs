@@ -164,6 +164,10 @@ impl Lane for Counted {
         unreachable!("sweeps scatter rows")
     }
 
+    fn store_velocities(_: &mut [BodyState], _: usize, _: &BodyState<Self>) {
+        unreachable!("sweeps scatter rows")
+    }
+
     fn gather(_: &(impl Rows + ?Sized), _: &RowPairs, _: usize) -> [BodyState<Self>; 2] {
         note(0, 4 * HALF_ROW);
         [BodyState::at_rest(); 2]

@@ -61,6 +61,11 @@ pub(crate) trait Lane:
     /// # Panics
     /// If there are fewer rows.
     fn store_rows(states: &mut [BodyState], first: usize, state: &BodyState<Self>);
+    /// The same where only velocities have changed.
+    ///
+    /// # Panics
+    /// If there are fewer rows.
+    fn store_velocities(states: &mut [BodyState], first: usize, state: &BodyState<Self>);
 
     /// Reads the states of the pairs from `place` on, a multiple of `WIDTH`.
     ///
@@ -157,6 +162,12 @@ impl Lane for f32 {
     #[inline(always)]
     fn store_rows(states: &mut [BodyState], first: usize, state: &BodyState) {
         states[first] = *state;
+    }
+
+    #[inline(always)]
+    fn store_velocities(states: &mut [BodyState], first: usize, state: &BodyState) {
+        states[first].velocity = state.velocity;
+        states[first].angular_velocity = state.angular_velocity;
     }
 
     #[inline(always)]

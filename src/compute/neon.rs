@@ -220,6 +220,18 @@ impl Lane for F32x4 {
     }
 
     #[inline(always)]
+    fn store_velocities(states: &mut [BodyState], first: usize, state: &BodyState<Self>) {
+        let states: &mut [BodyState; 4] = states[first..].first_chunk_mut().expect("four rows");
+        let BodyState { velocity, angular_velocity, padding, .. } = *state;
+        let rows = transpose([velocity.x.0, velocity.y.0, angular_velocity.0, padding.0]);
+        for (state, numbers) in states.iter_mut().zip(rows) {
+            let row: *mut BodyState = &raw mut *state;
+            // SAFETY: NEON is part of the target; a state begins with four numbers, aligned to 16 bytes.
+            unsafe { vst1q_f32(row.cast(), numbers) }
+        }
+    }
+
+    #[inline(always)]
     fn gather(states: &(impl Rows + ?Sized), rows: &RowPairs, place: usize) -> [BodyState<Self>; 2] {
         let [a, b] = rows.part(states, place);
         // SAFETY: `part` has seen that the rows are there.

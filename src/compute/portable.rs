@@ -127,13 +127,20 @@ impl Lane for F32x4 {
 
     #[inline(always)]
     fn store_rows(states: &mut [BodyState], first: usize, state: &BodyState<Self>) {
+        Self::store_velocities(states, first, state);
         for (number, to) in states[first..first + 4].iter_mut().enumerate() {
-            to.velocity = LaneVec2 { x: state.velocity.x.0[number], y: state.velocity.y.0[number] };
-            to.angular_velocity = state.angular_velocity.0[number];
             let LaneVec2 { x, y } = state.delta_position;
             to.delta_position = LaneVec2 { x: x.0[number], y: y.0[number] };
             let LaneRot { c, s } = state.delta_rotation;
             to.delta_rotation = LaneRot { c: c.0[number], s: s.0[number] };
+        }
+    }
+
+    #[inline(always)]
+    fn store_velocities(states: &mut [BodyState], first: usize, state: &BodyState<Self>) {
+        for (number, to) in states[first..first + 4].iter_mut().enumerate() {
+            to.velocity = LaneVec2 { x: state.velocity.x.0[number], y: state.velocity.y.0[number] };
+            to.angular_velocity = state.angular_velocity.0[number];
         }
     }
 

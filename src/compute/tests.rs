@@ -246,6 +246,15 @@ impl Job for Rows {
                 let expected = if is_written { state } else { &BodyState::REST };
                 assert_eq!(numbers(found), numbers(expected), "row {row}");
             }
+            copy.fill(BodyState::REST);
+            L::store_velocities(&mut copy, first, &loaded);
+            for (row, (found, state)) in copy.iter().zip(&states).enumerate() {
+                let is_written = (first..first + L::WIDTH).contains(&row);
+                let BodyState { velocity, angular_velocity, .. } =
+                    *if is_written { state } else { &BodyState::REST };
+                let expected = BodyState { velocity, angular_velocity, ..BodyState::REST };
+                assert_eq!(numbers(found), numbers(&expected), "row {row}");
+            }
         }
     }
 }

@@ -190,14 +190,23 @@ impl Divide for Integrate<'_> {
 }
 
 impl Integrate<'_> {
-    /// Moves some rows of a lane on; the others stay as they are.
+    /// Moves some rows of a lane on; the others stay as they are. What does not drift is neither read nor written but for
+    /// its velocity.
     #[inline(always)]
     fn together<L: Lane>(&mut self, rows: Range<usize>) {
+        match self.advance.drift {
+            Some(h) => self.advance_rows::<L, true>(rows, h),
+            None => self.advance_rows::<L, false>(rows, 0.0),
+        }
+    }
+
+    #[inline(always)]
+    fn advance_rows<L: Lane, const DRIFTS: bool>(&mut self, rows: Range<usize>, h: f32) {
         let first = rows.start / L::WIDTH * L::WIDTH;
         let (column, place) = (&mut self.columns[first / COLUMN], first % COLUMN);
         let before = L::load_rows(self.states, first);
         let mut state = before;
-        if let Some(h) = self.advance.drift {
+        if DRIFTS {
             drift(&mut state, h);
         }
         let mut this = column.load::<L>(place);
@@ -221,7 +230,11 @@ impl Integrate<'_> {
         if self.advance.kick.is_some() || self.advance.shares {
             column.carry.store(place, this.carry);
         }
-        L::store_rows(self.states, first, &state);
+        if DRIFTS {
+            L::store_rows(self.states, first, &state);
+        } else {
+            L::store_velocities(self.states, first, &state);
+        }
     }
 
     /// Compiled once, and not within every width.

@@ -61,7 +61,10 @@ impl ConstraintGraph {
             crew.run(places, FINISH_COST, |(numbers, (blocks, ends))| {
                 let first = numbers.start;
                 let residual = &residual;
-                compute::run(width, Finish { first, of_colour, blocks, ends, states, contacts, measure, residual });
+                compute::run(
+                    width,
+                    Finish { first, of_colour, blocks, ends, states, contacts, measure, residual },
+                );
             });
         }
         for colour in self.section(effort).iter().filter(|colour| !colour.is_empty()) {
