@@ -126,7 +126,7 @@ impl<K: Kernel> Job for Pass<'_, K> {
         }
         // One of its own stays in registers, whatever is written through it.
         let kernel = &self.kernel.clone();
-        for Colour { contacts, blocks, .. } in colours {
+        for Colour { contacts, blocks, .. } in colours.iter_mut().filter(|colour| !colour.is_empty()) {
             BlockPass { contacts: contacts.len(), blocks, kernel }.run::<L>();
         }
     }
