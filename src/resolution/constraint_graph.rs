@@ -11,7 +11,7 @@ mod passes;
 
 use crate::body::{Bodies, Effort};
 use crate::collision::{Contacts, Kind};
-use crate::compute::COLUMN;
+use crate::compute::{COLUMN, WIDTHS};
 use crate::resolution::constraint::ContactConstraint;
 pub(crate) use crate::resolution::constraint_graph::newcomers::Newcomers;
 use crate::resolution::constraint_graph::passes::part;
@@ -80,6 +80,17 @@ impl ConstraintGraph {
         let overflow = |section: &[Colour]| section[OVERFLOW].contacts.len();
         let sections = || self.colours.chunks(SECTION);
         (sections().map(used).max().unwrap_or_default(), sections().map(overflow).sum())
+    }
+
+    /// How many lanes of each of the [`WIDTHS`] the contacts of an effort take.
+    pub(crate) fn lanes(&self, effort: Effort) -> [usize; 3] {
+        let mut lanes = [0; 3];
+        for colour in self.section(effort) {
+            for (lanes, width) in lanes.iter_mut().zip(WIDTHS) {
+                *lanes += colour.contacts.len().div_ceil(width);
+            }
+        }
+        lanes
     }
 
     fn section(&self, effort: Effort) -> &[Colour] {

@@ -193,9 +193,9 @@ impl Settings {
         self.tick_seconds() as f32 / self.substeps as f32
     }
 
-    /// What the solver needs to know for a step with this effort of so many bodies or contacts, where the last step had
-    /// plain substeps of length `last_substep`, s; 0 if there was none.
-    pub(crate) fn scheme(&self, effort: Effort, count: usize, last_substep: f32) -> Scheme {
+    /// What the solver needs to know for a step with this effort that takes so many [`lanes`](crate::resolution::lanes),
+    /// where the last step had plain substeps of length `last_substep`, s; 0 if there was none.
+    pub(crate) fn scheme(&self, effort: Effort, lanes: [usize; 3], last_substep: f32) -> Scheme {
         Scheme {
             dt: self.tick_seconds() as f32,
             substeps: self.substeps * effort.substep_factor(),
@@ -212,7 +212,7 @@ impl Settings {
             },
             restitution_threshold: self.restitution_threshold,
             limits: SpeedLimits { speed: self.max_speed, spin: self.max_spin },
-            width: self.lanes.width_for(count),
+            width: self.lanes.width_for(lanes),
             fitted_kernels: self.fitted_kernels,
         }
     }
