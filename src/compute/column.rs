@@ -39,6 +39,21 @@ impl Column {
         self.0[place % COLUMN] = value;
     }
 
+    /// The greatest of the numbers, none of them NaN: of halves, of halves of these, and so on.
+    #[inline(always)]
+    pub(crate) fn greatest(&self) -> f32 {
+        let mut numbers = self.0;
+        let mut half = COLUMN / 2;
+        while half > 0 {
+            for place in 0..half {
+                let other = numbers[place + half];
+                numbers[place] = if other > numbers[place] { other } else { numbers[place] };
+            }
+            half /= 2;
+        }
+        numbers[0]
+    }
+
     /// The `N` numbers from `place` on, a multiple of `N`, which divides [`COLUMN`].
     #[inline(always)]
     pub(super) fn part<const N: usize>(&self, place: usize) -> &[f32; N] {

@@ -54,12 +54,13 @@ pub(crate) struct Colour {
 pub(crate) struct ConstraintGraph {
     /// For each effort the colours, then the overflow.
     colours: Vec<Colour>,
-    len: usize,
+    /// By effort: how many contacts there are.
+    lens: [usize; Effort::ALL.len()],
 }
 
 impl Default for ConstraintGraph {
     fn default() -> Self {
-        Self { colours: vec![Colour::default(); Effort::ALL.len() * SECTION], len: 0 }
+        Self { colours: vec![Colour::default(); Effort::ALL.len() * SECTION], lens: Default::default() }
     }
 }
 
@@ -71,14 +72,20 @@ impl ConstraintGraph {
 
     /// How many contacts there are.
     pub(crate) fn len(&self) -> usize {
-        self.len
+        self.lens.iter().sum()
     }
 
     /// How many colours have contacts, and how many contacts overflow.
     pub(crate) fn occupancy(&self) -> (usize, usize) {
         let used = |section: &[Colour]| section[..COLOURS].iter().filter(|colour| !colour.is_empty()).count();
         let overflow = |section: &[Colour]| section[OVERFLOW].contacts.len();
-        let sections = || self.colours.chunks(SECTION);
+        let sections = || {
+            self.colours
+                .chunks(SECTION)
+                .zip(self.lens)
+                .filter(|&(_, len)| len > 0)
+                .map(|(section, _)| section)
+        };
         (sections().map(used).max().unwrap_or_default(), sections().map(overflow).sum())
     }
 
@@ -176,7 +183,7 @@ impl ConstraintGraph {
         }
         let number = effort as usize * SECTION + colour;
         entered.push(number as u32, index, contacts);
-        self.len += 1;
+        self.lens[effort as usize] += 1;
     }
 
     /// Moves a contact of the graph to where those of its kind are.
@@ -221,7 +228,7 @@ impl ConstraintGraph {
                 left.bodies.remove(slot);
             }
         }
-        self.len -= 1;
+        self.lens[colour as usize / SECTION] -= 1;
     }
 
     /// A block.
@@ -316,10 +323,10 @@ impl ConstraintGraph {
                 }
             }
         }
-        if found == self.len {
+        if found == self.len() {
             Ok(())
         } else {
-            Err(format!("the graph counts {} of {found} contacts", self.len))
+            Err(format!("the graph counts {} of {found} contacts", self.len()))
         }
     }
 }

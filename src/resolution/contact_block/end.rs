@@ -1,7 +1,7 @@
 //! The end of the step: what it did to the contacts of a block, written back into them.
 
 use crate::collision::Contact;
-use crate::compute::{BodyState, COLUMN, Column, Lane, LaneVec2};
+use crate::compute::{BodyState, Column, Lane, LaneVec2};
 use crate::resolution::constraint::StepResidual;
 use crate::resolution::contact_block::{ContactBlock, Marks};
 
@@ -40,10 +40,10 @@ pub(crate) struct ContactEnds {
 impl ContactEnds {
     /// What is left wrong of the contacts of all blocks so far.
     pub(crate) fn residual(&self) -> StepResidual {
-        (0..COLUMN).fold(StepResidual::default(), |residual, place| {
-            let (penetration, approach_speed) = (self.penetration.get(place), self.approach_speed.get(place));
-            residual.max(StepResidual { penetration, approach_speed })
-        })
+        StepResidual {
+            penetration: self.penetration.greatest(),
+            approach_speed: self.approach_speed.greatest(),
+        }
     }
 }
 
