@@ -93,11 +93,11 @@ pub(crate) struct Solver {
     direct: DirectSolver,
 }
 
-/// How long it takes to pass over a lane of contacts, and over one of bodies: what counts is which part of the other it is.
+/// What it costs to pass over a lane of contacts, and over one of bodies, as parts of each other, no unit.
 const CONTACTS_COST: usize = 5;
 const BODIES_COST: usize = 3;
 
-/// How many lanes of each of the [`WIDTHS`] the bodies and contacts of an effort take, in shares of the time they take.
+/// How many lanes of each of the [`WIDTHS`] the contacts and bodies of an effort take, each as often as it costs.
 pub(crate) fn lanes(class: &EffortClass<'_>, graph: &ConstraintGraph) -> [usize; 3] {
     let (contacts, bodies) =
         (graph.lanes(class.effort), WIDTHS.map(|width| class.rows.len().div_ceil(width)));

@@ -305,13 +305,12 @@ impl BroadPhase {
                 }
                 true
             };
-            match proxy.home {
-                Home::Absent => true,
-                Home::Fixed(_) => self.movable.query(proxy.fat, meet),
-                Home::Movable(leaf) => {
-                    self.movable.query_around(leaf, &mut meet) && self.fixed.query(proxy.fat, meet)
-                }
-            };
+            if let Home::Movable(leaf) = proxy.home {
+                self.movable.query_around(leaf, &mut meet);
+                self.fixed.query(proxy.fat, meet);
+            } else {
+                self.movable.query(proxy.fat, meet);
+            }
         }
         report(&met[..count]);
     }
