@@ -286,10 +286,8 @@ impl Lane for F32x8 {
     #[inline(always)]
     fn store_rows(states: &mut [BodyState], first: usize, state: &BodyState<Self>) {
         let states: &mut [BodyState; 8] = states[first..].first_chunk_mut().expect("eight rows");
-        let BodyState { velocity, angular_velocity, padding, delta_position, delta_rotation } = *state;
-        let firsts = transpose([velocity.x.0, velocity.y.0, angular_velocity.0, padding.0]);
-        let seconds =
-            transpose([delta_position.x.0, delta_position.y.0, delta_rotation.c.0, delta_rotation.s.0]);
+        let firsts = transpose(state.first_numbers().map(|numbers| numbers.0));
+        let seconds = transpose(state.second_numbers().map(|numbers| numbers.0));
         for (place, (first, second)) in firsts.into_iter().zip(seconds).enumerate() {
             // SAFETY: AVX2 is there, see the module. There are eight states of eight numbers, aligned to 32 bytes.
             unsafe {
@@ -304,8 +302,7 @@ impl Lane for F32x8 {
     #[inline(always)]
     fn store_velocities(states: &mut [BodyState], first: usize, state: &BodyState<Self>) {
         let states: &mut [BodyState; 8] = states[first..].first_chunk_mut().expect("eight rows");
-        let BodyState { velocity, angular_velocity, padding, .. } = *state;
-        let pairs = transpose([velocity.x.0, velocity.y.0, angular_velocity.0, padding.0]);
+        let pairs = transpose(state.first_numbers().map(|numbers| numbers.0));
         for (place, pair) in pairs.into_iter().enumerate() {
             // SAFETY: AVX2 is there, see the module. There are eight states, which begin with four numbers, aligned to 16
             // bytes.

@@ -211,12 +211,6 @@ unsafe fn scatter(
     }
 }
 
-/// The first four numbers of the rows of bodies.
-#[inline(always)]
-fn velocity_numbers(state: &BodyState<F32x16>) -> [F32x16; 4] {
-    [state.velocity.x, state.velocity.y, state.angular_velocity, state.padding]
-}
-
 /// Writes four numbers of each of sixteen rows: the first four for `OFFSET` 0, the second four for 4.
 #[inline(always)]
 fn store_half<const OFFSET: usize>(states: &mut [BodyState; 16], numbers: [F32x16; 4]) {
@@ -333,15 +327,14 @@ impl Lane for F32x16 {
     #[inline(always)]
     fn store_rows(states: &mut [BodyState], first: usize, state: &BodyState<Self>) {
         let states: &mut [BodyState; 16] = states[first..].first_chunk_mut().expect("sixteen rows");
-        store_half::<0>(states, velocity_numbers(state));
-        let BodyState { delta_position, delta_rotation, .. } = *state;
-        store_half::<4>(states, [delta_position.x, delta_position.y, delta_rotation.c, delta_rotation.s]);
+        store_half::<0>(states, state.first_numbers());
+        store_half::<4>(states, state.second_numbers());
     }
 
     #[inline(always)]
     fn store_velocities(states: &mut [BodyState], first: usize, state: &BodyState<Self>) {
         let states: &mut [BodyState; 16] = states[first..].first_chunk_mut().expect("sixteen rows");
-        store_half::<0>(states, velocity_numbers(state));
+        store_half::<0>(states, state.first_numbers());
     }
 
     #[inline(always)]

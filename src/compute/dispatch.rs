@@ -26,9 +26,6 @@ pub enum Lanes {
     Sixteen,
 }
 
-/// How many numbers lanes hold, apart from one.
-pub(crate) const WIDTHS: [usize; 3] = [4, 8, 16];
-
 /// A width that the processor has.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Width(Kind);
@@ -51,7 +48,7 @@ impl Width {
 }
 
 impl Lanes {
-    /// How many contacts it is on this processor: 1, 4, 8 or 16.
+    /// How many contacts it is on this processor: 1, 4, 8 or 16; at most, with [`Lanes::Auto`].
     ///
     /// ```
     /// use rustycs::Lanes;
@@ -70,13 +67,16 @@ impl Lanes {
         }
     }
 
-    /// The width to solve with: one that is asked for, or the fastest, given how many lanes of each of the [`WIDTHS`] it
-    /// takes. Where contacts wait for each other lanes are half empty, and a lane of eight numbers takes five eighths of the
-    /// time of one of sixteen; one of four takes as long as one of eight.
-    pub(crate) fn width_for(self, [fours, eights, sixteens]: [usize; 3]) -> Width {
+    /// The width to compute with where so many numbers at a time wait for no other, one of the `sizes` after the other: one
+    /// that is asked for, or the fastest. In small worlds lanes are half empty. Then those of eight are faster than those
+    /// of sixteen, if it does not take five thirds as many; one of four takes as long as one of eight.
+    pub(crate) fn width_for(self, sizes: impl Iterator<Item = usize>) -> Width {
+        let [fours, eights, sixteens] = sizes.fold([0; 3], |[fours, eights, sixteens], size| {
+            [fours + size.div_ceil(4), eights + size.div_ceil(8), sixteens + size.div_ceil(16)]
+        });
         let fastest = match self {
             Self::Auto if fours == eights => Self::Four,
-            Self::Auto if 5 * eights < 8 * sixteens => Self::Eight,
+            Self::Auto if 3 * eights < 5 * sixteens => Self::Eight,
             _ => self,
         };
         fastest.width()

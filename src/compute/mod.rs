@@ -52,7 +52,7 @@ pub(crate) use column::{COLUMN, Column, RowPairs};
 pub(crate) use counted::{Count, Counted, count};
 pub(crate) use crew::{Crew, Divide, MOST_THREADS, lock};
 pub use dispatch::Lanes;
-pub(crate) use dispatch::{Job, WIDTHS, Width, run};
+pub(crate) use dispatch::{Job, Width, run};
 pub(crate) use lane::Lane;
 use lane::each_alone;
 pub(crate) use prefetch::{all_lines, prefetch};

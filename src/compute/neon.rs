@@ -205,10 +205,8 @@ impl Lane for F32x4 {
     #[inline(always)]
     fn store_rows(states: &mut [BodyState], first: usize, state: &BodyState<Self>) {
         let states: &mut [BodyState; 4] = states[first..].first_chunk_mut().expect("four rows");
-        let BodyState { velocity, angular_velocity, padding, delta_position, delta_rotation } = *state;
-        let firsts = transpose([velocity.x.0, velocity.y.0, angular_velocity.0, padding.0]);
-        let seconds =
-            transpose([delta_position.x.0, delta_position.y.0, delta_rotation.c.0, delta_rotation.s.0]);
+        let firsts = transpose(state.first_numbers().map(|numbers| numbers.0));
+        let seconds = transpose(state.second_numbers().map(|numbers| numbers.0));
         for (state, (first, second)) in states.iter_mut().zip(firsts.into_iter().zip(seconds)) {
             let row: *mut BodyState = &raw mut *state;
             // SAFETY: NEON is part of the target; a state is eight numbers, aligned to 32 bytes.
@@ -222,8 +220,7 @@ impl Lane for F32x4 {
     #[inline(always)]
     fn store_velocities(states: &mut [BodyState], first: usize, state: &BodyState<Self>) {
         let states: &mut [BodyState; 4] = states[first..].first_chunk_mut().expect("four rows");
-        let BodyState { velocity, angular_velocity, padding, .. } = *state;
-        let rows = transpose([velocity.x.0, velocity.y.0, angular_velocity.0, padding.0]);
+        let rows = transpose(state.first_numbers().map(|numbers| numbers.0));
         for (state, numbers) in states.iter_mut().zip(rows) {
             let row: *mut BodyState = &raw mut *state;
             // SAFETY: NEON is part of the target; a state begins with four numbers, aligned to 16 bytes.

@@ -63,6 +63,18 @@ impl<L: Lane> BodyState<L> {
         }
     }
 
+    /// The first four numbers of their rows.
+    #[inline(always)]
+    pub(super) fn first_numbers(&self) -> [L; 4] {
+        [self.velocity.x, self.velocity.y, self.angular_velocity, self.padding]
+    }
+
+    /// The second four.
+    #[inline(always)]
+    pub(super) fn second_numbers(&self) -> [L; 4] {
+        [self.delta_position.x, self.delta_position.y, self.delta_rotation.c, self.delta_rotation.s]
+    }
+
     /// As many bodies with these velocities, the first four numbers of their rows, that have not moved.
     #[inline(always)]
     pub(super) fn of_velocities([x, y, angular_velocity, padding]: [L; 4]) -> Self {

@@ -3,7 +3,7 @@
 use crate::compute::{self, BodyState, COLUMN, Column, Job, Lane, Width};
 use crate::resolution::constraint::ContactConstraint;
 use crate::resolution::constraint_graph::{BlockPlace, ConstraintGraph};
-use crate::resolution::contact_block::{ContactBlock, Marks};
+use crate::resolution::contact_block::ContactBlock;
 
 /// An approach slower than this many substeps' gain of speed, by forces or by the load of the contact, is no
 /// impact: a body that rests gains half a substep's before its support is applied, and a bounce that slow would
@@ -37,7 +37,6 @@ pub(crate) struct Watched {
 #[derive(Clone, Debug)]
 struct WatchedBlock {
     place: BlockPlace,
-    which: Marks,
     /// Speed of approach from which each bounces, m/s; infinite for those that never do.
     thresholds: Column,
 }
@@ -58,27 +57,26 @@ impl Watched {
         (self.blocks.len() * COLUMN) as u32
     }
 
-    /// Watches the contacts of a block that may bounce, each from a `threshold` on, m/s. Blocks come in the order in which
-    /// they are solved.
+    /// Watches the contacts of a block that may bounce, each from the `threshold` of its place on, m/s. Blocks come in the
+    /// order in which they are solved.
     pub(crate) fn watch(
         &mut self,
         place: BlockPlace,
         block: &ContactBlock,
-        mut threshold: impl FnMut(usize) -> f32,
+        threshold: impl Fn(usize) -> f32,
     ) {
-        let which = block.bouncy();
         let mut thresholds = Column::splat(f32::INFINITY);
-        which.for_each(|place| {
+        block.bouncy().for_each(|place| {
             thresholds.set(place, threshold(place));
             self.len += 1;
         });
-        self.blocks.push(WatchedBlock { place, which, thresholds });
+        self.blocks.push(WatchedBlock { place, thresholds });
     }
 
     /// Numbers and places in the constraint graph of all.
     pub(crate) fn iter(&self) -> impl Iterator<Item = (u32, (u32, u32))> + Clone {
         (0..self.end())
-            .filter(|&number| self.block_of(number).which.get(number as usize % COLUMN))
+            .filter(|&number| self.threshold(number) < f32::INFINITY)
             .map(|number| (number, self.graph_place(number)))
     }
 

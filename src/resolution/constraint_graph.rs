@@ -11,7 +11,7 @@ mod passes;
 
 use crate::body::{Bodies, Effort};
 use crate::collision::{Contacts, Kind};
-use crate::compute::{COLUMN, WIDTHS};
+use crate::compute::COLUMN;
 use crate::resolution::constraint::ContactConstraint;
 pub(crate) use crate::resolution::constraint_graph::newcomers::Newcomers;
 use crate::resolution::constraint_graph::passes::part;
@@ -79,25 +79,14 @@ impl ConstraintGraph {
     pub(crate) fn occupancy(&self) -> (usize, usize) {
         let used = |section: &[Colour]| section[..COLOURS].iter().filter(|colour| !colour.is_empty()).count();
         let overflow = |section: &[Colour]| section[OVERFLOW].contacts.len();
-        let sections = || {
-            self.colours
-                .chunks(SECTION)
-                .zip(self.lens)
-                .filter(|&(_, len)| len > 0)
-                .map(|(section, _)| section)
-        };
+        let is_used = |effort: &Effort| self.lens[*effort as usize] > 0;
+        let sections = || Effort::ALL.into_iter().filter(is_used).map(|effort| self.section(effort));
         (sections().map(used).max().unwrap_or_default(), sections().map(overflow).sum())
     }
 
-    /// How many lanes of each of the [`WIDTHS`] the contacts of an effort take.
-    pub(crate) fn lanes(&self, effort: Effort) -> [usize; 3] {
-        let mut lanes = [0; 3];
-        for colour in self.section(effort) {
-            for (lanes, width) in lanes.iter_mut().zip(WIDTHS) {
-                *lanes += colour.contacts.len().div_ceil(width);
-            }
-        }
-        lanes
+    /// How many contacts each colour of an effort has.
+    pub(crate) fn sizes(&self, effort: Effort) -> impl Iterator<Item = usize> {
+        self.section(effort).iter().map(|colour| colour.contacts.len())
     }
 
     fn section(&self, effort: Effort) -> &[Colour] {
@@ -124,25 +113,26 @@ impl ConstraintGraph {
         mut look: impl FnMut(BlockPlace, &ContactBlock, &[u32]),
     ) {
         for (colour_number, colour) in self.in_order(effort) {
-            let for_each_lively = |number: usize, prefetch: &dyn Fn(u32)| {
+            let prefetch_lively = |number: usize, prefetch: &dyn Fn(u32)| {
                 let Some(block) = colour.blocks.get(number) else { return };
                 let indices = part(&colour.contacts, number);
                 block.lively().for_each(|place| prefetch(indices[place]));
             };
             for (number, block) in colour.blocks.iter().enumerate() {
                 // Two blocks take about as long as memory does.
-                for_each_lively(number + 2, &|index| contacts.prefetch(index));
-                for_each_lively(number + 1, &|index| contacts.prefetch_bodies(index, bodies));
+                prefetch_lively(number + 2, &|index| contacts.prefetch(index));
+                prefetch_lively(number + 1, &|index| contacts.prefetch_bodies(index, bodies));
                 look((colour_number, number), block, part(&colour.contacts, number));
             }
         }
     }
 
-    /// Calls `visit` with the places of the contacts of a block, colour and number in it, that the last sweep has found
-    /// to begin to bear load.
-    fn newly_loaded(&self, (colour, number): BlockPlace, mut visit: impl FnMut((u32, u32))) {
-        let marks = self.colours[colour as usize].blocks[number].newly_loaded();
-        marks.for_each(|place| visit((colour, (number * COLUMN + place) as u32)));
+    /// Calls `visit` with the places of the contacts of a block that the last sweep has found to begin to bear load.
+    fn newly_loaded(&self, place: BlockPlace, mut visit: impl FnMut((u32, u32))) {
+        let (colour, number) = place;
+        self.block_at(place)
+            .newly_loaded()
+            .for_each(|place| visit((colour, (number * COLUMN + place) as u32)));
     }
 
     /// Indices of all contacts of an effort, in the order in which they are solved.
@@ -231,7 +221,7 @@ impl ConstraintGraph {
         self.lens[colour as usize / SECTION] -= 1;
     }
 
-    /// A block.
+    /// The block at its place of the graph.
     #[inline(always)]
     pub(crate) fn block_at(&self, (colour, number): BlockPlace) -> &ContactBlock {
         &self.colours[colour as usize].blocks[number]
@@ -242,7 +232,7 @@ impl ConstraintGraph {
         self.colours[colour as usize].contacts[place as usize]
     }
 
-    /// Gives the contacts of a block, its colour and its number in it, that follow the surface a name.
+    /// Gives the contacts of a block that follow the surface a name.
     pub(crate) fn set_followers(&mut self, (colour, number): BlockPlace, followers: u32) {
         self.colours[colour as usize].blocks[number].followers = followers;
     }

@@ -21,7 +21,7 @@
 //! something is pressed, not struck, and what still moves there is for the sweeps. A dense pile whose contacts
 //! all bounced would never bear its weight.
 //!
-//! Cost: one look at every contact per substep, in lanes; a closer one at the few that approach fast, and a heap of
+//! Cost: one look at every contact with restitution per substep, in lanes; a closer one at the few that approach fast, and a heap of
 //! those that meet. Nothing where no contact has restitution.
 
 use crate::body::{Bodies, NONE};
@@ -93,14 +93,14 @@ pub(crate) struct Impacts {
     watched: Watched,
     /// Those that were looked at closely in this step.
     contacts: Vec<BouncyContact>,
-    /// By number: which of them it is, `NONE` if it is none.
+    /// By number: where it is among them, `NONE` where it is not.
     places: Vec<u32>,
     /// Numbers of the contacts that need a closer look at the start of a substep.
     to_look_at: Vec<u32>,
     /// Numbers of contacts that have been waiting for their impact; some may wait no longer.
     waiting: Vec<u32>,
-    /// Numbers of contacts that bounced in this substep, each as often as it did.
-    met: Vec<u32>,
+    /// Places of contacts that bounced in this substep, each as often as it did.
+    met: Vec<usize>,
     queue: ImpactQueue,
     neighbours: Neighbours,
     neighbours_are_built: bool,
@@ -166,8 +166,8 @@ impl Impacts {
     /// Contacts that bounced in this step, with the greatest speed of their impacts, m/s; in the order in which they are
     /// solved.
     pub(crate) fn bounced(&self) -> impl Iterator<Item = (u32, f32)> {
-        let by_number = self.places.iter().filter_map(|&place| self.contacts.get(place as usize));
-        by_number
+        let in_order = self.places.iter().filter_map(|&place| self.contacts.get(place as usize));
+        in_order
             .filter(|bouncy| bouncy.greatest_speed > 0.0)
             .map(|bouncy| (bouncy.contact, bouncy.greatest_speed))
     }
@@ -176,13 +176,13 @@ impl Impacts {
     pub(crate) fn run(&mut self, scene: &mut ImpactScene<'_>) {
         self.last_impact.resize(scene.bodies.row_count(), 0.0);
         self.places.resize(self.watched.end() as usize, NONE);
-        for number in self.met.drain(..) {
-            self.contacts[self.places[number as usize] as usize].impacts = 0;
+        for place in self.met.drain(..) {
+            self.contacts[place].impacts = 0;
         }
         self.look_at_all(scene);
         while let Some((expected, number)) = self.queue.pop() {
             // Impacts since may have hastened, delayed or cancelled it.
-            let approaching = self.bouncy(number).approaching(scene);
+            let approaching = self.contacts[self.place_of(number)].approaching(scene);
             let Some(time) = self.upcoming(number, approaching, scene) else { continue };
             if time > expected {
                 self.queue.push(time, number);
@@ -209,13 +209,13 @@ impl Impacts {
         self.to_look_at = to_look_at;
     }
 
-    /// A contact that was looked at before.
-    fn bouncy(&self, number: u32) -> &BouncyContact {
-        &self.contacts[self.places[number as usize] as usize]
+    /// Where a contact is among those that were looked at.
+    fn place_of(&self, number: u32) -> usize {
+        self.places[number as usize] as usize
     }
 
-    /// Which of those that were looked at a contact is, from now on if not before.
-    fn look_up(&mut self, number: u32, scene: &ImpactScene<'_>) -> usize {
+    /// The same, from now on if it was not before.
+    fn take_up(&mut self, number: u32, scene: &ImpactScene<'_>) -> usize {
         let place = &mut self.places[number as usize];
         if *place == NONE {
             *place = self.contacts.len() as u32;
@@ -238,7 +238,7 @@ impl Impacts {
     /// Queues the next impact of a contact, if it comes within this substep, and tells the sweeps to leave
     /// alone the points that approach fast but are still apart.
     fn expect(&mut self, number: u32, scene: &mut ImpactScene<'_>) {
-        let place = self.look_up(number, scene);
+        let place = self.take_up(number, scene);
         let bouncy = &mut self.contacts[place];
         let approaching = bouncy.approaching(scene);
         let waits = approaching.map(|point| point.is_some_and(|point| point.separation > 0.0));
@@ -265,7 +265,7 @@ impl Impacts {
         if approaching == [None; 2] {
             return None;
         }
-        let bouncy = self.bouncy(number);
+        let bouncy = &self.contacts[self.place_of(number)];
         let acceleration = bouncy.acceleration(scene);
         let time_of = |point: Option<Approach>| {
             point.and_then(|point| time_of_impact(point.separation, point.speed, acceleration, scene.h))
@@ -278,9 +278,10 @@ impl Impacts {
 
     /// Looks at two bodies at the time they should meet, and lets them bounce if they do.
     fn meet(&mut self, number: u32, time: f32, scene: &mut ImpactScene<'_>) {
-        let bouncy = &mut self.contacts[self.places[number as usize] as usize];
+        let place = self.place_of(number);
+        let bouncy = &mut self.contacts[place];
         bouncy.impacts += 1;
-        self.met.push(number);
+        self.met.push(place);
         let there = bouncy.states_at(time, scene);
         let contact = &scene.contacts[bouncy.contact];
         let manifold = manifold_in(contact, scene.bodies, [&there[0], &there[1]]);

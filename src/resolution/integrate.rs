@@ -190,23 +190,23 @@ impl Divide for Integrate<'_> {
 }
 
 impl Integrate<'_> {
-    /// Moves some rows of a lane on; the others stay as they are. What does not drift is neither read nor written but for
-    /// its velocity.
+    /// Moves some rows of a lane on; the others stay as they are.
     #[inline(always)]
     fn together<L: Lane>(&mut self, rows: Range<usize>) {
+        // Asked for once, so that nothing is read and written but velocities where bodies do not drift.
         match self.advance.drift {
-            Some(h) => self.advance_rows::<L, true>(rows, h),
-            None => self.advance_rows::<L, false>(rows, 0.0),
+            Some(h) => self.advance_rows::<L>(rows, Some(h)),
+            None => self.advance_rows::<L>(rows, None),
         }
     }
 
     #[inline(always)]
-    fn advance_rows<L: Lane, const DRIFTS: bool>(&mut self, rows: Range<usize>, h: f32) {
+    fn advance_rows<L: Lane>(&mut self, rows: Range<usize>, drift_time: Option<f32>) {
         let first = rows.start / L::WIDTH * L::WIDTH;
         let (column, place) = (&mut self.columns[first / COLUMN], first % COLUMN);
         let before = L::load_rows(self.states, first);
         let mut state = before;
-        if DRIFTS {
+        if let Some(h) = drift_time {
             drift(&mut state, h);
         }
         let mut this = column.load::<L>(place);
@@ -230,7 +230,7 @@ impl Integrate<'_> {
         if self.advance.kick.is_some() || self.advance.shares {
             column.carry.store(place, this.carry);
         }
-        if DRIFTS {
+        if drift_time.is_some() {
             L::store_rows(self.states, first, &state);
         } else {
             L::store_velocities(self.states, first, &state);

@@ -32,4 +32,4 @@ pub(crate) use islands::Islands;
 #[cfg(feature = "report")]
 pub(crate) use kernel::work_of_a_substep;
 pub(crate) use load::{Loads, begins_at_rest};
-pub(crate) use solver::{Acceleration, Scheme, SolveTables, Solver, lanes, solve};
+pub(crate) use solver::{Acceleration, Scheme, SolveTables, Solver, solve};

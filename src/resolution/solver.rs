@@ -5,7 +5,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 use crate::body::{Bodies, Effort};
 use crate::collision::Contacts;
-use crate::compute::{BodyState, Crew, Shared, WIDTHS, Width};
+use crate::compute::{BodyState, Crew, Shared, Width};
 use crate::math::Vec2;
 use crate::resolution::constraint::StepResidual;
 use crate::resolution::constraint_graph::{ConstraintGraph, Newcomers};
@@ -91,17 +91,6 @@ pub(crate) struct Solver {
     handovers: Handovers,
     newcomers: Newcomers,
     direct: DirectSolver,
-}
-
-/// What it costs to pass over a lane of contacts, and over one of bodies, as parts of each other, no unit.
-const CONTACTS_COST: usize = 5;
-const BODIES_COST: usize = 3;
-
-/// How many lanes of each of the [`WIDTHS`] the contacts and bodies of an effort take, each as often as it costs.
-pub(crate) fn lanes(class: &EffortClass<'_>, graph: &ConstraintGraph) -> [usize; 3] {
-    let (contacts, bodies) =
-        (graph.lanes(class.effort), WIDTHS.map(|width| class.rows.len().div_ceil(width)));
-    [0, 1, 2].map(|width| CONTACTS_COST * contacts[width] + BODIES_COST * bodies[width])
 }
 
 /// The tables that a step changes.

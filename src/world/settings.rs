@@ -193,9 +193,14 @@ impl Settings {
         self.tick_seconds() as f32 / self.substeps as f32
     }
 
-    /// What the solver needs to know for a step with this effort that takes so many [`lanes`](crate::resolution::lanes),
-    /// where the last step had plain substeps of length `last_substep`, s; 0 if there was none.
-    pub(crate) fn scheme(&self, effort: Effort, lanes: [usize; 3], last_substep: f32) -> Scheme {
+    /// What the solver needs to know for a step with this effort, that computes with so many bodies or contacts after each
+    /// other, where the last step had plain substeps of length `last_substep`, s; 0 if there was none.
+    pub(crate) fn scheme(
+        &self,
+        effort: Effort,
+        sizes: impl Iterator<Item = usize>,
+        last_substep: f32,
+    ) -> Scheme {
         Scheme {
             dt: self.tick_seconds() as f32,
             substeps: self.substeps * effort.substep_factor(),
@@ -212,7 +217,7 @@ impl Settings {
             },
             restitution_threshold: self.restitution_threshold,
             limits: SpeedLimits { speed: self.max_speed, spin: self.max_spin },
-            width: self.lanes.width_for(lanes),
+            width: self.lanes.width_for(sizes),
             fitted_kernels: self.fitted_kernels,
         }
     }

@@ -6,7 +6,7 @@ use crate::body::{Bodies, BodyId, BodyType, Effort, Forcing, Motion, NONE};
 use crate::collision::{AHEAD, Refresh, refresh};
 use crate::compute::{BodyState, Shared};
 use crate::math::{Rot, Vec2};
-use crate::resolution::{EffortTables, SolveTables, StepResidual, begins_at_rest, lanes, solve};
+use crate::resolution::{EffortTables, SolveTables, StepResidual, begins_at_rest, solve};
 use crate::world::World;
 use crate::world::attractor::Field;
 use crate::world::events::{ContactEvent, HitEvent};
@@ -212,7 +212,8 @@ impl World {
                 solver.impacts.clear();
                 continue;
             }
-            let scheme = settings.scheme(effort, lanes(&class, graph), self.last_substep);
+            let sizes = graph.sizes(effort).chain([class.rows.len()]);
+            let scheme = settings.scheme(effort, sizes, self.last_substep);
             let mut tables = SolveTables { bodies, contacts, graph, loads: &mut self.loads, crew };
             let residual = solve(solver, &scheme, &class, &mut tables, &field);
             self.residual = self.residual.max(residual);

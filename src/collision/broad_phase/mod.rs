@@ -303,14 +303,17 @@ impl BroadPhase {
                         count = 0;
                     }
                 }
-                true
             };
-            if let Home::Movable(leaf) = proxy.home {
+            let other_tree = if let Home::Movable(leaf) = proxy.home {
                 self.movable.query_around(leaf, &mut meet);
-                self.fixed.query(proxy.fat, meet);
+                &self.fixed
             } else {
-                self.movable.query(proxy.fat, meet);
-            }
+                &self.movable
+            };
+            other_tree.query(proxy.fat, |other| {
+                meet(other);
+                true
+            });
         }
         report(&met[..count]);
     }

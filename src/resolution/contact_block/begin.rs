@@ -78,6 +78,7 @@ impl ContactBlock {
         };
         self.fit.is_still = self.fit.is_still && is_still(a) && is_still(b);
         let points = contact.manifold.points();
+        debug_assert!(points.len() < 2 || !self.fit.is_single, "those of one point come first");
         let Some(first) = points.first() else { return self.leave_empty(place) };
         self.put_point(0, place, first, scale);
         // What friction did before it ceased is still to be taken back.

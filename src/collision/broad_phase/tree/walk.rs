@@ -51,32 +51,33 @@ impl Tree {
         self.query_pending(&mut pending, aabb, &mut visit)
     }
 
-    /// The same for the box of a leaf, without the leaf.
+    /// Calls `visit` with the value of each other leaf whose box meets that of `leaf`.
     ///
     /// It goes up from the leaf, and down from siblings only: what is above the leaf meets its box in any case.
     #[inline]
-    pub(crate) fn query_around(&self, leaf: u32, mut visit: impl FnMut(u32) -> bool) -> bool {
+    pub(crate) fn query_around(&self, leaf: u32, mut visit: impl FnMut(u32)) {
         let mut pending = Pending::new();
+        let mut visit = |value| {
+            visit(value);
+            true
+        };
         let mut place = self.leaf_places[leaf as usize];
         let aabb = self.node(place).aabb;
         while place != ROOT {
             let sibling = self.node(place ^ 1);
             if sibling.aabb.overlaps(aabb) {
-                if !sibling.is_leaf() {
+                if sibling.is_leaf() {
+                    visit(sibling.value);
+                } else {
                     pending.push(sibling.link);
-                    if !self.query_pending(&mut pending, aabb, &mut visit) {
-                        return false;
-                    }
-                } else if !visit(sibling.value) {
-                    return false;
+                    self.query_pending(&mut pending, aabb, &mut visit);
                 }
             }
             place = sibling.parent;
         }
-        true
     }
 
-    /// The same for the leaves at and below the pairs that are pending.
+    /// Does what [`query`](Self::query) does for the leaves at and below the pairs that are pending.
     #[inline(always)]
     fn query_pending(&self, pending: &mut Pending, aabb: Aabb, visit: &mut impl FnMut(u32) -> bool) -> bool {
         while let Some(pair) = pending.pop() {
