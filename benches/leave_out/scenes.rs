@@ -103,7 +103,7 @@ impl Crowd {
     }
 }
 
-/// Boxes in stacks of three on a floor, at rest.
+/// 600 boxes in stacks of three on a floor, at rest.
 fn stacks(settings: Settings, middle: f32, world: Option<World>) -> World {
     let mut world = world.unwrap_or_else(|| World::new(settings));
     if world.forces().next().is_none() {
@@ -351,6 +351,27 @@ fn in_lanes(lanes: Lanes) -> World {
     let crowd = crowd();
     Crowd { settings: Settings { lanes, ..crowd.settings.clone() }, ..crowd }.build()
 }
+
+/// Thirty boxes in five towers, of which no more than five contacts are solved at a time.
+fn towers(lanes: Lanes) -> World {
+    let mut world =
+        with_gravity(World::new(Settings { lanes, sleep: false, adaptive: false, ..Settings::default() }));
+    put(&mut world, Body::fixed(Shape::aabb(20.0, 1.0)).at([0.0, -0.5]));
+    for index in 0..30_i16 {
+        let place = [1.5 * f32::from(index % 5 - 2), 0.5 + f32::from(index / 5)];
+        put(&mut world, Body::dynamic(Shape::obb(1.0, 1.0)).at(place));
+    }
+    world
+}
+
+/// Widths of lanes, one first, in a small world.
+pub(crate) const FEW_LANES: &[(&str, Build)] = &[
+    ("towers: one", || towers(Lanes::One)),
+    ("towers: four", || towers(Lanes::Four)),
+    ("towers: eight", || towers(Lanes::Eight)),
+    ("towers: sixteen", || towers(Lanes::Sixteen)),
+    ("towers: found at run time", || towers(Lanes::Auto)),
+];
 
 /// Widths of lanes, one first.
 pub(crate) const LANES: &[(&str, Build)] = &[

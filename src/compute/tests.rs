@@ -222,6 +222,16 @@ fn a_gathered_state_is_that_of_its_row() {
     at_every_width(Gather);
 }
 
+#[test]
+fn the_greatest_number_of_a_column_is_found_wherever_it_stands() {
+    for place in 0..COLUMN {
+        let mut column = Column::default();
+        column.set((place + 5) % COLUMN, 1.0);
+        column.set(place, 2.0);
+        assert_eq!(column.greatest(), 2.0, "at {place}");
+    }
+}
+
 /// Turns rows into lanes and back.
 #[derive(Clone, Copy)]
 struct Rows;

@@ -328,7 +328,9 @@ mod tests {
     #[test]
     fn rows_in_lanes_move_as_one_by_one_and_others_stay() {
         // One by one, parts of lanes and whole ones, up to the last body's row and not so far.
-        for (rows, count) in [(1..2, 2), (1..9, 9), (1..16, 16), (1..50, 50), (2..50, 50), (1..41, 50)] {
+        let parts = [(1..2, 2), (1..9, 9), (1..16, 16), (1..50, 50), (2..50, 50), (1..41, 50)];
+        let all = parts.into_iter().flat_map(|part| [Some(0.01), None].map(|drift| (part.clone(), drift)));
+        for ((rows, count), drift) in all {
             let moved = [Lanes::One, Lanes::Four, Lanes::Eight, Lanes::Sixteen].map(|lanes| {
                 let of_row = |row: usize| match row {
                     row if row == 0 || row >= count => BodyState::REST,
@@ -345,7 +347,7 @@ mod tests {
                 let acceleration = Vec2::new(0.0, -9.81).into();
                 kicks.fill(&crew, rows.clone(), |_| Kick { acceleration, ..Kick::default() });
                 let limits = SpeedLimits { speed: 1e6, spin: 1e6 };
-                let advance = Advance { drift: Some(0.01), kick: Some(0.005), shares: true };
+                let advance = Advance { drift, kick: Some(0.005), shares: true };
                 let means = (&crew, lanes.width());
                 integrate(means, rows.clone(), (&mut states, &mut kicks, &shares), advance, limits);
                 let carries: Vec<_> = (0..count).map(|row| kicks.carry(row)).collect();
@@ -354,8 +356,9 @@ mod tests {
                     assert_eq!(stays(&states), stays(&shares), "row {row}");
                     assert!(carries.get(row).is_none_or(|&carry| carry == Vec2::ZERO), "row {row}");
                 }
-                let LaneRot { s, .. } = states[rows.end - 1].delta_rotation;
-                assert!(s > 0.0, "the last row has moved");
+                let BodyState { velocity, delta_rotation: LaneRot { s, .. }, .. } = states[rows.end - 1];
+                assert!(velocity.y < -6.0, "the last row has got its share and its kick");
+                assert_eq!(s > 0.0, drift.is_some(), "the last row has turned");
                 format!("{states:?} {carries:?}")
             });
             assert!(moved.iter().all(|other| *other == moved[0]), "rows {rows:?}");

@@ -121,7 +121,7 @@ fn what_was_run(rows: &[Row], text: &mut String) {
     circumstances(versions, text);
     _ = writeln!(
         text,
-        "- rustycs asks the processor what lanes it has, and solves {} contacts at a time here.",
+        "- rustycs asks the processor what lanes it has, and solves up to {} contacts at a time here.",
         Lanes::Auto.count()
     );
     let when = goes(rows.iter().map(|row| row.begun.as_str()));
