@@ -11,7 +11,7 @@
 use core::arch::x86_64::*;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
-use crate::compute::{BodyState, Column, Lane, RowPairs, Rows, Shared, each_alone};
+use crate::compute::{BodyState, Column, Lane, RowPairs, RowPlace, Rows, Shared, each_alone};
 use crate::math::trig;
 
 #[derive(Clone, Copy, Debug)]
@@ -101,15 +101,19 @@ fn sin_cos_of_small(angles: __m128) -> [__m128; 2] {
 /// # Safety
 /// `states` has both rows.
 #[inline(always)]
-unsafe fn load_pair<const OFFSET: usize>(states: &(impl Rows + ?Sized), low: u32, high: u32) -> __m256 {
+unsafe fn load_pair<const OFFSET: usize>(
+    states: &(impl Rows + ?Sized),
+    low: RowPlace,
+    high: RowPlace,
+) -> __m256 {
     const { assert!(OFFSET == 0 || OFFSET == 4) };
-    states.note_read(low as usize);
-    states.note_read(high as usize);
+    states.note_read(low.row() as usize);
+    states.note_read(high.row() as usize);
     // SAFETY: AVX2 is there, see the module. The rows are, says the caller and checks the line above in debug. A row
     // is eight numbers, aligned to 32 bytes, of which the offset leaves four, aligned to 16.
     unsafe {
-        let low = states.first_row().add(low as usize).cast::<f32>().add(OFFSET);
-        let high = states.first_row().add(high as usize).cast::<f32>().add(OFFSET);
+        let low = low.of(states.first_row()).add(OFFSET);
+        let high = high.of(states.first_row()).add(OFFSET);
         _mm256_insertf128_ps::<1>(_mm256_castps128_ps256(_mm_load_ps(low)), _mm_load_ps(high))
     }
 }
@@ -119,7 +123,10 @@ unsafe fn load_pair<const OFFSET: usize>(states: &(impl Rows + ?Sized), low: u32
 /// # Safety
 /// `states` has the rows.
 #[inline(always)]
-unsafe fn gather_half<const OFFSET: usize>(states: &(impl Rows + ?Sized), rows: &[u32; 8]) -> [F32x8; 4] {
+unsafe fn gather_half<const OFFSET: usize>(
+    states: &(impl Rows + ?Sized),
+    rows: &[RowPlace; 8],
+) -> [F32x8; 4] {
     // SAFETY: the rows are there, says the caller; `load_pair` checks it in debug.
     let pairs = unsafe {
         [
@@ -136,7 +143,7 @@ unsafe fn gather_half<const OFFSET: usize>(states: &(impl Rows + ?Sized), rows: 
 /// # Safety
 /// `states` has the rows.
 #[inline(always)]
-unsafe fn gather(states: &(impl Rows + ?Sized), rows: &[u32; 8]) -> BodyState<F32x8> {
+unsafe fn gather(states: &(impl Rows + ?Sized), rows: &[RowPlace; 8]) -> BodyState<F32x8> {
     // SAFETY: the rows are there, says the caller; `load_pair` checks it in debug.
     unsafe { BodyState::of_numbers(gather_half::<0>(states, rows), gather_half::<4>(states, rows)) }
 }
@@ -144,7 +151,7 @@ unsafe fn gather(states: &(impl Rows + ?Sized), rows: &[u32; 8]) -> BodyState<F3
 /// # Safety
 /// `states` has the rows.
 #[inline(always)]
-unsafe fn gather_velocities(states: &(impl Rows + ?Sized), rows: &[u32; 8]) -> BodyState<F32x8> {
+unsafe fn gather_velocities(states: &(impl Rows + ?Sized), rows: &[RowPlace; 8]) -> BodyState<F32x8> {
     // SAFETY: the rows are there, says the caller; `load_pair` checks it in debug.
     BodyState::of_velocities(unsafe { gather_half::<0>(states, rows) })
 }
@@ -154,7 +161,12 @@ unsafe fn gather_velocities(states: &(impl Rows + ?Sized), rows: &[u32; 8]) -> B
 /// # Safety
 /// `states` has the rows.
 #[inline(always)]
-unsafe fn scatter(states: &Shared<'_, BodyState>, rows: &[u32; 8], state: &BodyState<F32x8>, moves: Mask8) {
+unsafe fn scatter(
+    states: &Shared<'_, BodyState>,
+    rows: &[RowPlace; 8],
+    state: &BodyState<F32x8>,
+    moves: Mask8,
+) {
     // SAFETY: AVX2 is there, see the module.
     let moves = unsafe { _mm256_movemask_ps(moves.0) };
     if moves == 0 {
@@ -165,17 +177,17 @@ unsafe fn scatter(states: &Shared<'_, BodyState>, rows: &[u32; 8], state: &BodyS
     // Usually all of them move: then eight jumps are saved.
     let all_move = moves == 0xFF;
     for (place, pair) in pairs.into_iter().enumerate() {
-        let (low, high) = (rows[place] as usize, rows[place + 4] as usize);
+        let (low, high) = (rows[place], rows[place + 4]);
         // SAFETY: AVX2 is there, see the module. The rows are, says the caller and checks `note_write` in debug. A
         // row begins with four numbers, aligned to 16 bytes.
         unsafe {
             if all_move || moves & 1 << place != 0 {
-                states.note_write(low);
-                _mm_store_ps(states.as_mut_ptr().add(low).cast(), _mm256_castps256_ps128(pair));
+                states.note_write(low.row() as usize);
+                _mm_store_ps(low.of(states.as_mut_ptr()).cast_mut(), _mm256_castps256_ps128(pair));
             }
             if all_move || moves & 1 << (place + 4) != 0 {
-                states.note_write(high);
-                _mm_store_ps(states.as_mut_ptr().add(high).cast(), _mm256_extractf128_ps::<1>(pair));
+                states.note_write(high.row() as usize);
+                _mm_store_ps(high.of(states.as_mut_ptr()).cast_mut(), _mm256_extractf128_ps::<1>(pair));
             }
         }
     }
@@ -280,7 +292,7 @@ impl Lane for F32x8 {
     fn load_rows(states: &[BodyState], first: usize) -> BodyState<Self> {
         let states: &[BodyState; 8] = states[first..].first_chunk().expect("eight rows");
         // SAFETY: these are the rows of eight states.
-        unsafe { gather(&states[..], &[0, 1, 2, 3, 4, 5, 6, 7]) }
+        unsafe { gather(&states[..], const { &RowPlace::first() }) }
     }
 
     #[inline(always)]

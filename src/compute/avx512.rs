@@ -11,7 +11,7 @@
 use core::arch::x86_64::*;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
-use crate::compute::{BodyState, Column, Lane, RowPairs, Rows, Shared, each_alone};
+use crate::compute::{BodyState, Column, Lane, RowPairs, RowPlace, Rows, Shared, each_alone};
 use crate::math::trig;
 
 #[derive(Clone, Copy, Debug)]
@@ -117,12 +117,12 @@ fn quarters(numbers: __m512) -> [__m128; 4] {
 /// # Safety
 /// `states` has the row.
 #[inline(always)]
-unsafe fn load_quarter<const OFFSET: usize>(states: &(impl Rows + ?Sized), row: u32) -> __m128 {
+unsafe fn load_quarter<const OFFSET: usize>(states: &(impl Rows + ?Sized), row: RowPlace) -> __m128 {
     const { assert!(OFFSET == 0 || OFFSET == 4) };
-    states.note_read(row as usize);
+    states.note_read(row.row() as usize);
     // SAFETY: the row is there, says the caller and checks the line above in debug. It is eight numbers, aligned to 32
     // bytes, of which the offset leaves four, aligned to 16.
-    unsafe { _mm_load_ps(states.first_row().add(row as usize).cast::<f32>().add(OFFSET)) }
+    unsafe { _mm_load_ps(row.of(states.first_row()).add(OFFSET)) }
 }
 
 /// The same of four rows, one after every fourth, from `first` on.
@@ -132,7 +132,7 @@ unsafe fn load_quarter<const OFFSET: usize>(states: &(impl Rows + ?Sized), row: 
 #[inline(always)]
 unsafe fn load_four<const OFFSET: usize>(
     states: &(impl Rows + ?Sized),
-    rows: &[u32; 16],
+    rows: &[RowPlace; 16],
     first: usize,
 ) -> __m512 {
     // SAFETY: AVX-512 is there, see the module. The rows are, says the caller; `load_quarter` checks it in debug.
@@ -149,7 +149,10 @@ unsafe fn load_four<const OFFSET: usize>(
 /// # Safety
 /// `states` has the rows.
 #[inline(always)]
-unsafe fn gather_half<const OFFSET: usize>(states: &(impl Rows + ?Sized), rows: &[u32; 16]) -> [F32x16; 4] {
+unsafe fn gather_half<const OFFSET: usize>(
+    states: &(impl Rows + ?Sized),
+    rows: &[RowPlace; 16],
+) -> [F32x16; 4] {
     // SAFETY: the rows are there, says the caller; `load_quarter` checks it in debug.
     let fours = unsafe {
         [
@@ -166,7 +169,7 @@ unsafe fn gather_half<const OFFSET: usize>(states: &(impl Rows + ?Sized), rows: 
 /// # Safety
 /// `states` has the rows.
 #[inline(always)]
-unsafe fn gather(states: &(impl Rows + ?Sized), rows: &[u32; 16]) -> BodyState<F32x16> {
+unsafe fn gather(states: &(impl Rows + ?Sized), rows: &[RowPlace; 16]) -> BodyState<F32x16> {
     // SAFETY: the rows are there, says the caller; `load_quarter` checks it in debug.
     unsafe { BodyState::of_numbers(gather_half::<0>(states, rows), gather_half::<4>(states, rows)) }
 }
@@ -174,7 +177,7 @@ unsafe fn gather(states: &(impl Rows + ?Sized), rows: &[u32; 16]) -> BodyState<F
 /// # Safety
 /// `states` has the rows.
 #[inline(always)]
-unsafe fn gather_velocities(states: &(impl Rows + ?Sized), rows: &[u32; 16]) -> BodyState<F32x16> {
+unsafe fn gather_velocities(states: &(impl Rows + ?Sized), rows: &[RowPlace; 16]) -> BodyState<F32x16> {
     // SAFETY: the rows are there, says the caller; `load_quarter` checks it in debug.
     BodyState::of_velocities(unsafe { gather_half::<0>(states, rows) })
 }
@@ -186,7 +189,7 @@ unsafe fn gather_velocities(states: &(impl Rows + ?Sized), rows: &[u32; 16]) -> 
 #[inline(always)]
 unsafe fn scatter(
     states: &Shared<'_, BodyState>,
-    rows: &[u32; 16],
+    rows: &[RowPlace; 16],
     state: &BodyState<F32x16>,
     moves: Mask16,
 ) {
@@ -201,11 +204,11 @@ unsafe fn scatter(
         for (number, quarter) in quarters(four).into_iter().enumerate() {
             let place = first + 4 * number;
             if all_move || moves & 1 << place != 0 {
-                let row = rows[place] as usize;
-                states.note_write(row);
+                let row = rows[place];
+                states.note_write(row.row() as usize);
                 // SAFETY: SSE is part of the target. The row is there, says the caller and checks the line above in
                 // debug. It begins with four numbers, aligned to 16 bytes.
-                unsafe { _mm_store_ps(states.as_mut_ptr().add(row).cast(), quarter) }
+                unsafe { _mm_store_ps(row.of(states.as_mut_ptr()).cast_mut(), quarter) }
             }
         }
     }
@@ -321,7 +324,7 @@ impl Lane for F32x16 {
     fn load_rows(states: &[BodyState], first: usize) -> BodyState<Self> {
         let states: &[BodyState; 16] = states[first..].first_chunk().expect("sixteen rows");
         // SAFETY: these are the rows of sixteen states.
-        unsafe { gather(&states[..], &[0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15]) }
+        unsafe { gather(&states[..], const { &RowPlace::first() }) }
     }
 
     #[inline(always)]

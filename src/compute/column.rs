@@ -3,7 +3,7 @@
 //! A column has a place for as many numbers as the widest lane, whatever lane is in use. A narrower lane takes it
 //! in parts, so that the layout, and all code that looks at one place only, know nothing of lanes.
 
-use crate::compute::Rows;
+use crate::compute::{BodyState, Rows};
 
 /// How many numbers a column holds: as many as the widest lane.
 pub(crate) const COLUMN: usize = 16;
@@ -70,14 +70,57 @@ impl Column {
     }
 }
 
-/// Which rows of [`BodyState`](crate::compute::BodyState) sixteen pairs of bodies have.
+/// Where a row of [`BodyState`] begins, in steps of eight bytes: a processor multiplies by eight as it loads, but not by
+/// the 32 bytes of a row.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
+pub(super) struct RowPlace(u32);
+
+/// So long is a step.
+const STEP: usize = 8;
+
+/// And so many of them a row.
+const STEPS: u32 = (size_of::<BodyState>() / STEP) as u32;
+
+impl RowPlace {
+    /// That of a row. Those from 2³⁰ on have one in common, as there are not as many.
+    #[inline(always)]
+    pub(super) const fn new(row: u32) -> Self {
+        Self(row.saturating_mul(STEPS))
+    }
+
+    /// Those of the first `N` rows.
+    #[inline(always)]
+    pub(super) const fn first<const N: usize>() -> [Self; N] {
+        let mut all = [Self(0); N];
+        let mut row = 0;
+        while row < N {
+            all[row] = Self::new(row as u32);
+            row += 1;
+        }
+        all
+    }
+
+    /// Its number.
+    #[inline(always)]
+    pub(super) const fn row(self) -> u32 {
+        self.0 / STEPS
+    }
+
+    /// Its numbers, where `first` is the first row.
+    #[inline(always)]
+    pub(super) const fn of(self, first: *const BodyState) -> *const f32 {
+        first.cast::<[u8; STEP]>().wrapping_add(self.0 as usize).cast()
+    }
+}
+
+/// Which rows of [`BodyState`] sixteen pairs of bodies have.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct RowPairs {
-    a: [u32; COLUMN],
-    b: [u32; COLUMN],
+    a: [RowPlace; COLUMN],
+    b: [RowPlace; COLUMN],
     /// No row is greater: what a lane that reads many rows at once has to compare.
-    greatest: u32,
+    greatest: RowPlace,
 }
 
 impl RowPairs {
@@ -85,13 +128,14 @@ impl RowPairs {
     #[inline(always)]
     pub(crate) fn get(&self, place: usize) -> [u32; 2] {
         debug_assert!(place < COLUMN);
-        [self.a[place % COLUMN], self.b[place % COLUMN]]
+        [self.a[place % COLUMN].row(), self.b[place % COLUMN].row()]
     }
 
     /// Writes the rows of the pair at `place`, below [`COLUMN`].
     #[inline(always)]
-    pub(crate) fn set(&mut self, place: usize, [a, b]: [u32; 2]) {
+    pub(crate) fn set(&mut self, place: usize, rows: [u32; 2]) {
         debug_assert!(place < COLUMN);
+        let [a, b] = rows.map(RowPlace::new);
         self.a[place % COLUMN] = a;
         self.b[place % COLUMN] = b;
         self.greatest = self.greatest.max(a).max(b);
@@ -102,9 +146,13 @@ impl RowPairs {
     /// # Panics
     /// If there is no such row.
     #[inline(always)]
-    pub(super) fn part<const N: usize>(&self, states: &(impl Rows + ?Sized), place: usize) -> [&[u32; N]; 2] {
+    pub(super) fn part<const N: usize>(
+        &self,
+        states: &(impl Rows + ?Sized),
+        place: usize,
+    ) -> [&[RowPlace; N]; 2] {
         let count = states.row_count();
-        assert!((self.greatest as usize) < count, "a row beyond the {count} there are");
+        assert!((self.greatest.row() as usize) < count, "a row beyond the {count} there are");
         [part_of(&self.a, place), part_of(&self.b, place)]
     }
 }

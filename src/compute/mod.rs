@@ -47,6 +47,7 @@ use portable as four;
 #[cfg(target_arch = "x86_64")]
 use sse2 as four;
 
+use column::RowPlace;
 pub(crate) use column::{COLUMN, Column, RowPairs};
 #[cfg(feature = "report")]
 pub(crate) use counted::{Count, Counted, count};

@@ -5,7 +5,7 @@
 use core::arch::aarch64::*;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
-use crate::compute::{BodyState, Column, Lane, RowPairs, Rows, Shared, each_alone};
+use crate::compute::{BodyState, Column, Lane, RowPairs, RowPlace, Rows, Shared, each_alone};
 
 #[derive(Clone, Copy, Debug)]
 #[repr(transparent)]
@@ -47,12 +47,12 @@ impl Neg for F32x4 {
 /// # Safety
 /// `states` has the row.
 #[inline(always)]
-unsafe fn load_half<const OFFSET: usize>(states: &(impl Rows + ?Sized), row: u32) -> float32x4_t {
+unsafe fn load_half<const OFFSET: usize>(states: &(impl Rows + ?Sized), row: RowPlace) -> float32x4_t {
     const { assert!(OFFSET == 0 || OFFSET == 4) };
-    states.note_read(row as usize);
+    states.note_read(row.row() as usize);
     // SAFETY: NEON is part of the target. The row is there, says the caller and checks the line above in debug. It is
     // eight numbers, aligned to 32 bytes, of which the offset leaves four, aligned to 16.
-    unsafe { vld1q_f32(states.first_row().add(row as usize).cast::<f32>().add(OFFSET)) }
+    unsafe { vld1q_f32(row.of(states.first_row()).add(OFFSET)) }
 }
 
 /// Four numbers of each of four rows, as four lanes.
@@ -60,7 +60,10 @@ unsafe fn load_half<const OFFSET: usize>(states: &(impl Rows + ?Sized), row: u32
 /// # Safety
 /// `states` has the rows.
 #[inline(always)]
-unsafe fn gather_half<const OFFSET: usize>(states: &(impl Rows + ?Sized), rows: &[u32; 4]) -> [F32x4; 4] {
+unsafe fn gather_half<const OFFSET: usize>(
+    states: &(impl Rows + ?Sized),
+    rows: &[RowPlace; 4],
+) -> [F32x4; 4] {
     // SAFETY: the rows are there, says the caller; `load_half` checks it in debug.
     let halves = unsafe {
         [
@@ -77,7 +80,7 @@ unsafe fn gather_half<const OFFSET: usize>(states: &(impl Rows + ?Sized), rows: 
 /// # Safety
 /// `states` has the rows.
 #[inline(always)]
-unsafe fn gather(states: &(impl Rows + ?Sized), rows: &[u32; 4]) -> BodyState<F32x4> {
+unsafe fn gather(states: &(impl Rows + ?Sized), rows: &[RowPlace; 4]) -> BodyState<F32x4> {
     // SAFETY: the rows are there, says the caller; `load_half` checks it in debug.
     unsafe { BodyState::of_numbers(gather_half::<0>(states, rows), gather_half::<4>(states, rows)) }
 }
@@ -85,7 +88,7 @@ unsafe fn gather(states: &(impl Rows + ?Sized), rows: &[u32; 4]) -> BodyState<F3
 /// # Safety
 /// `states` has the rows.
 #[inline(always)]
-unsafe fn gather_velocities(states: &(impl Rows + ?Sized), rows: &[u32; 4]) -> BodyState<F32x4> {
+unsafe fn gather_velocities(states: &(impl Rows + ?Sized), rows: &[RowPlace; 4]) -> BodyState<F32x4> {
     // SAFETY: the rows are there, says the caller; `load_half` checks it in debug.
     BodyState::of_velocities(unsafe { gather_half::<0>(states, rows) })
 }
@@ -95,19 +98,24 @@ unsafe fn gather_velocities(states: &(impl Rows + ?Sized), rows: &[u32; 4]) -> B
 /// # Safety
 /// `states` has the rows.
 #[inline(always)]
-unsafe fn scatter(states: &Shared<'_, BodyState>, rows: &[u32; 4], state: &BodyState<F32x4>, moves: Mask4) {
+unsafe fn scatter(
+    states: &Shared<'_, BodyState>,
+    rows: &[RowPlace; 4],
+    state: &BodyState<F32x4>,
+    moves: Mask4,
+) {
     let mut writes = [0; 4];
     // SAFETY: NEON is part of the target; there is room for four numbers.
     unsafe { vst1q_u32(writes.as_mut_ptr(), moves.0) };
     let padding = F32x4::splat(0.0);
     let halves = transpose([state.velocity.x.0, state.velocity.y.0, state.angular_velocity.0, padding.0]);
     for (place, half) in halves.into_iter().enumerate() {
-        let row = rows[place] as usize;
+        let row = rows[place];
         if writes[place] != 0 {
-            states.note_write(row);
+            states.note_write(row.row() as usize);
             // SAFETY: NEON is part of the target. The row is there, says the caller and checks the line above in
             // debug. It begins with four numbers, aligned to 16 bytes.
-            unsafe { vst1q_f32(states.as_mut_ptr().add(row).cast(), half) }
+            unsafe { vst1q_f32(row.of(states.as_mut_ptr()).cast_mut(), half) }
         }
     }
 }
@@ -199,7 +207,7 @@ impl Lane for F32x4 {
     fn load_rows(states: &[BodyState], first: usize) -> BodyState<Self> {
         let states: &[BodyState; 4] = states[first..].first_chunk().expect("four rows");
         // SAFETY: these are the rows of four states.
-        unsafe { gather(&states[..], &[0, 1, 2, 3]) }
+        unsafe { gather(&states[..], const { &RowPlace::first() }) }
     }
 
     #[inline(always)]

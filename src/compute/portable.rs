@@ -2,7 +2,9 @@
 
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
-use crate::compute::{BodyState, Column, Lane, LaneRot, LaneVec2, RowPairs, Rows, Shared, each_alone};
+use crate::compute::{
+    BodyState, Column, Lane, LaneRot, LaneVec2, RowPairs, RowPlace, Rows, Shared, each_alone,
+};
 
 #[derive(Clone, Copy, Debug)]
 #[repr(C, align(16))]
@@ -43,8 +45,8 @@ impl Neg for F32x4 {
 }
 
 #[inline(always)]
-fn gather(states: &(impl Rows + ?Sized), rows: &[u32; 4]) -> BodyState<F32x4> {
-    let states = rows.map(|row| states.row(row));
+fn gather(states: &(impl Rows + ?Sized), rows: &[RowPlace; 4]) -> BodyState<F32x4> {
+    let states = rows.map(|row| states.row(row.row()));
     let lane = |number: fn(&BodyState) -> f32| F32x4(states.each_ref().map(number));
     let velocities = [
         lane(|state| state.velocity.x),
@@ -122,7 +124,7 @@ impl Lane for F32x4 {
 
     #[inline(always)]
     fn load_rows(states: &[BodyState], first: usize) -> BodyState<Self> {
-        gather(&states[first..], &[0, 1, 2, 3])
+        gather(&states[first..], const { &RowPlace::first() })
     }
 
     #[inline(always)]
@@ -170,7 +172,7 @@ impl Lane for F32x4 {
     ) {
         for ((rows, state), moves) in rows.part::<4>(states, place).into_iter().zip(pair).zip(moves) {
             for (number, &row) in rows.iter().enumerate().filter(|&(number, _)| moves[number]) {
-                states.change(row as usize, |to| {
+                states.change(row.row() as usize, |to| {
                     to.velocity = LaneVec2 { x: state.velocity.x.0[number], y: state.velocity.y.0[number] };
                     to.angular_velocity = state.angular_velocity.0[number];
                 });

@@ -19,15 +19,16 @@ use crate::compute::Lane;
 /// no load is ever dropped.
 #[inline(always)]
 pub(crate) fn solve_pair<L: Lane>(a11: L, a12: L, a22: L, q: [L; 2]) -> [L; 2] {
-    let zero = L::splat(0.0);
-    let inverse_determinant = L::splat(1.0) / (a11 * a22 - a12 * a12);
+    let (zero, one) = (L::splat(0.0), L::splat(1.0));
+    let inverse_determinant = one / (a11 * a22 - a12 * a12);
     let both =
         [(a12 * q[1] - a22 * q[0]) * inverse_determinant, (a12 * q[0] - a11 * q[1]) * inverse_determinant];
 
-    let first = (zero - q[0] / a11).max(zero);
-    let second = (zero - q[1] / a22).max(zero);
-    let left_at_second = (q[1] + a12 * first) / a22;
-    let left_at_first = (q[0] + a12 * second) / a11;
+    let [inverse_a11, inverse_a22] = [one / a11, one / a22];
+    let first = (zero - q[0] * inverse_a11).max(zero);
+    let second = (zero - q[1] * inverse_a22).max(zero);
+    let left_at_second = (q[1] + a12 * first) * inverse_a22;
+    let left_at_first = (q[0] + a12 * second) * inverse_a11;
     let prefer_first = left_at_second.greater(left_at_first);
 
     let both_press = L::both(both[0].greater(zero), both[1].greater(zero));

@@ -30,6 +30,8 @@ pub(crate) struct ConstraintPoint<C> {
     pub(crate) anchor_b: LaneVec2<C>,
     /// Separation at the start of the step, m.
     pub(crate) separation: C,
+    /// Separation where the bodies are now, m, as the first sweep after they moved has found it.
+    pub(crate) separation_now: C,
     /// Inverse effective mass k along the normal, 1/kg; 0 for a point that is not there.
     pub(crate) normal_k: C,
     /// Impulse along the normal in this substep, N s, 0 or more.
@@ -130,6 +132,12 @@ impl<L: Lane> Special<L> {
 const LARGEST_COUPLING: f32 = 0.9995;
 
 impl<L: Lane> ConstraintPoint<L> {
+    /// Moments r × d about the centres of the two bodies: of a direction its lever arms, m.
+    #[inline(always)]
+    pub(crate) fn arms(&self, direction: LaneVec2<L>) -> [L; 2] {
+        [self.anchor_a.cross(direction), self.anchor_b.cross(direction)]
+    }
+
     /// Velocity of b against a at the point, m/s.
     #[inline(always)]
     pub(crate) fn relative_velocity(&self, a: &BodyState<L>, b: &BodyState<L>) -> LaneVec2<L> {
@@ -139,7 +147,47 @@ impl<L: Lane> ConstraintPoint<L> {
     }
 }
 
+/// What acts on b, and its opposite on a.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Action<L> {
+    /// N s.
+    pub(crate) impulse: LaneVec2<L>,
+    /// Its moments about the centres of a and b, N m s.
+    pub(crate) moments: [L; 2],
+}
+
+impl<L: Lane> Action<L> {
+    /// An impulse, N s, at a point.
+    #[inline(always)]
+    pub(crate) fn at(point: &ConstraintPoint<L>, impulse: LaneVec2<L>) -> Self {
+        Self { impulse, moments: point.arms(impulse) }
+    }
+
+    /// So many times as much.
+    #[inline(always)]
+    pub(crate) fn times(self, factor: L) -> Self {
+        let [a, b] = self.moments;
+        Self { impulse: self.impulse * factor, moments: [a * factor, b * factor] }
+    }
+
+    /// Both together.
+    #[inline(always)]
+    pub(crate) fn and(self, other: Self) -> Self {
+        let ([a, b], [other_a, other_b]) = (self.moments, other.moments);
+        Self { impulse: self.impulse + other.impulse, moments: [a + other_a, b + other_b] }
+    }
+}
+
 impl<L: Lane> ContactConstraint<L> {
+    /// What a unit impulse at a point with the `first` arms does to the speed at one with the `second`, along the same
+    /// direction, 1/kg.
+    #[inline(always)]
+    pub(crate) fn response(&self, first: [L; 2], second: [L; 2]) -> L {
+        let mass = self.inverse_mass_a + self.inverse_mass_b;
+        mass + self.inverse_inertia_a * (first[0] * second[0])
+            + self.inverse_inertia_b * (first[1] * second[1])
+    }
+
     /// Separation of a point now, m.
     #[inline(always)]
     pub(crate) fn separation(&self, point: &ConstraintPoint<L>, a: &BodyState<L>, b: &BodyState<L>) -> L {
@@ -150,17 +198,6 @@ impl<L: Lane> ContactConstraint<L> {
             tip_b = tip_b + turned_b;
         }
         point.separation + self.normal.dot(tip_b - tip_a)
-    }
-
-    /// Velocity of b against a at a point, m/s.
-    #[inline(always)]
-    pub(crate) fn relative_velocity(
-        &self,
-        point: &ConstraintPoint<L>,
-        a: &BodyState<L>,
-        b: &BodyState<L>,
-    ) -> LaneVec2<L> {
-        if self.is_still { b.velocity - a.velocity } else { point.relative_velocity(a, b) }
     }
 
     /// How far the turning of the two bodies has carried the anchors of a point, m.
@@ -177,20 +214,19 @@ impl<L: Lane> ContactConstraint<L> {
         ]
     }
 
-    /// Applies `impulse`, N s, to b and its opposite to a, at a point.
+    /// Gives b what acts on it, and a the opposite.
     #[inline(always)]
     pub(crate) fn apply(
         &self,
-        point: &ConstraintPoint<L>,
-        impulse: LaneVec2<L>,
+        Action { impulse, moments: [moment_a, moment_b] }: Action<L>,
         a: &mut BodyState<L>,
         b: &mut BodyState<L>,
     ) {
         a.velocity = a.velocity - impulse * self.inverse_mass_a;
         b.velocity = b.velocity + impulse * self.inverse_mass_b;
         if !self.is_still {
-            a.angular_velocity = a.angular_velocity - self.inverse_inertia_a * point.anchor_a.cross(impulse);
-            b.angular_velocity = b.angular_velocity + self.inverse_inertia_b * point.anchor_b.cross(impulse);
+            a.angular_velocity = a.angular_velocity - self.inverse_inertia_a * moment_a;
+            b.angular_velocity = b.angular_velocity + self.inverse_inertia_b * moment_b;
         }
     }
 }
@@ -201,28 +237,24 @@ impl<L: Lane> ContactConstraint<L> {
     #[inline(always)]
     pub(crate) fn find_masses<const POINTS: usize>(&mut self) {
         let zero = L::splat(0.0);
-        let mass = self.inverse_mass_a + self.inverse_mass_b;
-        let [i_a, i_b] = [self.inverse_inertia_a, self.inverse_inertia_b];
-        let k = |first: [L; 2], second: [L; 2]| {
-            mass + i_a * (first[0] * second[0]) + i_b * (first[1] * second[1])
-        };
         let tangent = self.normal.perp();
-        let is_there = [0, 1].map(|index| self.points[index].normal_k.greater(zero));
+        let [first, second] = &self.points;
+        let is_there = [first.normal_k.greater(zero), second.normal_k.greater(zero)];
         let mut arms = [[zero; 2]; 2];
         for index in 0..POINTS {
-            let point = &mut self.points[index];
-            let arm = [point.anchor_a.cross(self.normal), point.anchor_b.cross(self.normal)];
-            let tangent_arm = [point.anchor_a.cross(tangent), point.anchor_b.cross(tangent)];
+            let point = &self.points[index];
+            let (arm, tangent_arm) = (point.arms(self.normal), point.arms(tangent));
             arms[index] = arm;
-            point.normal_k = L::select(is_there[index], k(arm, arm), zero);
-            self.frictions[index].mass =
-                L::select(is_there[index], L::splat(1.0) / k(tangent_arm, tangent_arm), zero);
+            self.points[index].normal_k = L::select(is_there[index], self.response(arm, arm), zero);
+            let tangent_k = self.response(tangent_arm, tangent_arm);
+            self.frictions[index].mass = L::select(is_there[index], L::splat(1.0) / tangent_k, zero);
         }
         if POINTS < 2 {
             return;
         }
-        let limit = L::splat(LARGEST_COUPLING) * (k(arms[0], arms[0]) * k(arms[1], arms[1])).sqrt();
-        let coupling = limit.min((-limit).max(k(arms[0], arms[1])));
+        let limit = L::splat(LARGEST_COUPLING)
+            * (self.response(arms[0], arms[0]) * self.response(arms[1], arms[1])).sqrt();
+        let coupling = limit.min((-limit).max(self.response(arms[0], arms[1])));
         self.coupling = L::select(L::both(is_there[0], is_there[1]), coupling, zero);
     }
 }
@@ -266,20 +298,27 @@ impl<L: Lane> ContactConstraint<L> {
         chosen
     }
 
-    /// Adds what the share of the contact at its first `POINTS` points gives the bodies, times `factor`. Before the
-    /// sweep after the move, the impulse along the tangent is the share.
+    /// The share of the warm start that its first `POINTS` points have. Before the sweep after the move, the impulse along
+    /// the tangent is the share; `is_smooth` says that it is 0.
     #[inline(always)]
-    pub(crate) fn add_share<const POINTS: usize>(
-        &self,
-        factor: L,
-        a: &mut BodyState<L>,
-        b: &mut BodyState<L>,
-    ) {
-        for (point, friction) in self.points.iter().zip(&self.frictions).take(POINTS) {
-            let normal = self.normal * (factor * friction.normal_share);
-            let tangent = self.normal.perp() * (factor * friction.impulse);
-            self.apply(point, normal + tangent, a, b);
+    pub(crate) fn share<const POINTS: usize>(&self, is_smooth: bool) -> Action<L> {
+        let tangent = if is_smooth { None } else { Some(self.normal.perp()) };
+        let mut share = self.share_of(0, tangent);
+        for index in 1..POINTS {
+            share = share.and(self.share_of(index, tangent));
         }
+        share
+    }
+
+    /// The same of one of the points.
+    #[inline(always)]
+    fn share_of(&self, index: usize, tangent: Option<LaneVec2<L>>) -> Action<L> {
+        let (point, friction) = (&self.points[index], &self.frictions[index]);
+        let mut impulse = self.normal * friction.normal_share;
+        if let Some(tangent) = tangent {
+            impulse = impulse + tangent * friction.impulse;
+        }
+        Action::at(point, impulse)
     }
 }
 
@@ -310,13 +349,14 @@ impl ContactConstraint<f32> {
     /// Blows along the normal, N s per point, and then the friction of each, at most µ times as strong.
     pub(crate) fn strike(&self, blows: [f32; 2], [a, b]: &mut [BodyState; 2]) {
         for (point, blow) in self.points.iter().zip(blows) {
-            self.apply(point, self.normal * blow, a, b);
+            self.apply(Action::at(point, self.normal * blow), a, b);
         }
         let tangent = self.normal.perp();
         for ((point, blow), friction) in self.points.iter().zip(blows).zip(&self.frictions) {
             let slip = tangent.dot(point.relative_velocity(a, b));
             let limit = self.friction * blow;
-            self.apply(point, tangent * (-friction.mass * slip).clamp(-limit, limit), a, b);
+            let impulse = (-friction.mass * slip).clamp(-limit, limit);
+            self.apply(Action::at(point, tangent * impulse), a, b);
         }
     }
 }

@@ -39,9 +39,9 @@ pub(crate) struct ContactBlock {
 
 const _: () = {
     let columns = core::mem::offset_of!(ContactBlock, columns);
-    // Twenty-four cache lines, then thirty-two.
-    assert!(columns + core::mem::offset_of!(ContactConstraint<Column>, friction) == 24 * 64);
-    assert!(columns + core::mem::offset_of!(ContactConstraint<Column>, special) <= 32 * 64);
+    // Twenty-six cache lines, then thirty-four.
+    assert!(columns + core::mem::offset_of!(ContactConstraint<Column>, friction) == 26 * 64);
+    assert!(columns + core::mem::offset_of!(ContactConstraint<Column>, special) <= 34 * 64);
 };
 
 /// What none of the contacts of a block needs, so that kernels may leave it out without a bit of difference.
@@ -138,6 +138,18 @@ impl ContactBlock {
             self.columns.store_geometry::<L, 1>(place, constraint);
         } else {
             self.columns.store_geometry::<L, 2>(place, constraint);
+        }
+    }
+
+    /// Writes the separations where the bodies are now, of the first points.
+    #[inline(always)]
+    pub(crate) fn store_separations<L: Lane, const POINTS: usize>(
+        &mut self,
+        place: usize,
+        constraint: &ContactConstraint<L>,
+    ) {
+        for (to, point) in self.columns.points.iter_mut().zip(&constraint.points).take(POINTS) {
+            point.separation_now.store(&mut to.separation_now, place);
         }
     }
 
@@ -280,6 +292,7 @@ impl ContactConstraint<Column> {
         self.friction.set(place, constraint.friction);
         self.store_geometry::<f32, 2>(place, constraint);
         for (to, point) in self.points.iter_mut().zip(&constraint.points) {
+            to.separation_now.set(place, point.separation_now);
             to.normal_impulse.set(place, point.normal_impulse);
         }
         for (to, friction) in self.frictions.iter_mut().zip(&constraint.frictions) {
@@ -349,6 +362,7 @@ impl ConstraintPoint<Column> {
             anchor_a: self.anchor_a.load(place),
             anchor_b: self.anchor_b.load(place),
             separation: L::load(&self.separation, place),
+            separation_now: L::load(&self.separation_now, place),
             normal_k: L::load(&self.normal_k, place),
             normal_impulse: L::load(&self.normal_impulse, place),
         }
@@ -375,6 +389,7 @@ mod tests {
                 anchor_a: LaneVec2 { x: next(), y: next() },
                 anchor_b: LaneVec2 { x: next(), y: next() },
                 separation: next(),
+                separation_now: next(),
                 normal_k: next(),
                 normal_impulse: next(),
             }),

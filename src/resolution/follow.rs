@@ -151,8 +151,8 @@ impl Follow<'_> {
         if let Some(shares) = &self.shares {
             let [mut a, mut b] = block.gather_velocities::<L>(shares, place);
             let one = L::select(follows, L::splat(1.0), L::splat(0.0));
-            before.add_share::<POINTS>(-one, &mut a, &mut b);
-            after.add_share::<POINTS>(one, &mut a, &mut b);
+            before.apply(before.share::<POINTS>(false).times(-one), &mut a, &mut b);
+            after.apply(after.share::<POINTS>(false).times(one), &mut a, &mut b);
             block.scatter(shares, place, &[a, b]);
         }
     }
@@ -168,7 +168,7 @@ pub(crate) fn add_shares<const N: usize>(
     let mut pair = rows.map(|row| shares[row as usize]);
     let [a, b] = &mut pair;
     for (constraint, factor) in constraints {
-        constraint.add_share::<2>(factor, a, b);
+        constraint.apply(constraint.share::<2>(false).times(factor), a, b);
     }
     for (row, share) in rows.into_iter().zip(pair) {
         if row != GROUND_ROW {

@@ -172,8 +172,8 @@ impl Impacts {
             .map(|bouncy| (bouncy.contact, bouncy.greatest_speed))
     }
 
-    /// Lets everything bounce that meets within this substep, in the order of time.
-    pub(crate) fn run(&mut self, scene: &mut ImpactScene<'_>) {
+    /// Lets everything bounce that meets within this substep, in the order of time. Whether that has moved any body.
+    pub(crate) fn run(&mut self, scene: &mut ImpactScene<'_>) -> bool {
         self.last_impact.resize(scene.bodies.row_count(), 0.0);
         self.places.resize(self.watched.end() as usize, NONE);
         for place in self.met.drain(..) {
@@ -190,9 +190,11 @@ impl Impacts {
                 self.meet(number, expected, scene);
             }
         }
+        let have_moved = !self.hit_rows.is_empty();
         for row in self.hit_rows.drain(..) {
             self.last_impact[row as usize] = 0.0;
         }
+        have_moved
     }
 
     /// Expects the impacts of all contacts, looking closer at those that approach fast enough, and at those that were

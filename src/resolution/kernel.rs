@@ -2,9 +2,10 @@
 //!
 //! This is where a step spends its time: per substep each contact is warm started once and swept twice.
 
-use crate::compute::{BodyState, Lane, LaneVec2, Shared};
+use crate::compute::{BodyState, Lane, Shared};
 #[cfg(feature = "report")]
 use crate::compute::{Count, Counted, count};
+use crate::resolution::axis::Axis;
 use crate::resolution::block::solve_pair;
 use crate::resolution::constraint::ContactConstraint;
 use crate::resolution::contact_block::{ContactBlock, Fit};
@@ -62,20 +63,14 @@ impl WarmStart<'_> {
     ) {
         let mut constraint = ContactConstraint { is_still, ..block.load::<L>(place) };
         let [mut a, mut b] = block.gather_velocities(&self.shares, place);
-        let normal = constraint.normal;
-        let tangent = normal.perp();
         let part = L::splat(self.part);
-        for index in 0..POINTS {
-            let (point, friction) = (&mut constraint.points[index], &mut constraint.frictions[index]);
+        for (point, friction) in constraint.points.iter_mut().zip(&mut constraint.frictions).take(POINTS) {
             point.normal_impulse = point.normal_impulse * part;
             friction.normal_share = point.normal_impulse;
-            let mut impulse = normal * point.normal_impulse;
-            if !is_smooth {
-                friction.impulse = friction.impulse * part;
-                impulse = impulse + tangent * friction.impulse;
-            }
-            constraint.apply(&constraint.points[index], impulse, &mut a, &mut b);
+            friction.impulse = friction.impulse * part;
         }
+        let share = constraint.share::<POINTS>(is_smooth);
+        constraint.apply(share, &mut a, &mut b);
         block.store_normal_impulses::<L, POINTS>(place, &constraint);
         if !is_smooth {
             block.store_friction_impulses::<L, POINTS>(place, &constraint);
@@ -113,6 +108,8 @@ impl Sweep {
 pub(crate) struct SweepOver<'a> {
     pub(crate) states: Shared<'a, BodyState>,
     pub(crate) kind: Sweep,
+    /// Whether bodies have moved since separations were found.
+    pub(crate) have_moved: bool,
     /// One over the length of the substep, 1/s.
     pub(crate) per_substep: f32,
     /// Whether what no contact of a block needs is left out.
@@ -159,34 +156,91 @@ impl SweepOver<'_> {
         kind: Sweep,
         is_still: bool,
     ) {
-        let mut constraint = ContactConstraint { is_still, ..block.load::<L>(place) };
-        if kind.counts_share {
-            for (point, friction) in constraint.points.iter_mut().zip(&mut constraint.frictions).take(POINTS)
-            {
-                point.normal_impulse = point.normal_impulse + friction.normal_share;
-                friction.impulse = friction.impulse + friction.impulse;
-            }
+        if self.have_moved {
+            self.find_separations::<L, POINTS>(block, place, is_still);
         }
-        let [mut a, mut b] = block.gather(&self.states, place);
-        if kind.block && POINTS == 2 {
-            solve_normals_together(&mut constraint, &mut a, &mut b, kind.biased, self.per_substep);
-        } else {
-            for index in 0..POINTS {
-                solve_normal(&mut constraint, index, &mut a, &mut b, kind.biased, self.per_substep);
-            }
-        }
-        block.store_normal_impulses::<L, POINTS>(place, &constraint);
+        let mut states = block.gather_velocities(&self.states, place);
+        self.solve_normals::<L, POINTS>(block, place, kind, is_still, &mut states);
         if POINTS == 2 && block.has_newcomers() {
-            block.note_newly_loaded(place, &constraint);
+            block.note_newly_loaded(place, &block.load::<L>(place));
         }
         if kind.friction {
-            for index in 0..POINTS {
-                solve_friction(&mut constraint, index, &mut a, &mut b);
-            }
-            block.store_friction_impulses::<L, POINTS>(place, &constraint);
+            solve_frictions::<L, POINTS>(block, place, kind, is_still, &mut states);
         }
-        block.scatter(&self.states, place, &[a, b]);
+        block.scatter(&self.states, place, &states);
     }
+
+    #[inline(always)]
+    fn solve_normals<L: Lane, const POINTS: usize>(
+        &self,
+        block: &mut ContactBlock,
+        place: usize,
+        kind: Sweep,
+        is_still: bool,
+        [a, b]: &mut [BodyState<L>; 2],
+    ) {
+        let mut constraint = ContactConstraint { is_still, ..block.load::<L>(place) };
+        if kind.counts_share {
+            for (point, friction) in constraint.points.iter_mut().zip(&constraint.frictions).take(POINTS) {
+                point.normal_impulse = point.normal_impulse + friction.normal_share;
+            }
+        }
+        let axis = Axis::<L, POINTS>::new(&constraint, constraint.normal);
+        let speeds = axis.speeds(&constraint, a, b);
+        let mut changes = [L::splat(0.0); POINTS];
+        if kind.block && POINTS == 2 {
+            changes = solve_normals_together(&mut constraint, speeds, kind.biased, self.per_substep);
+        } else {
+            for index in 0..POINTS {
+                let vn = axis.speed_after(index, speeds, &constraint, changes);
+                changes[index] = solve_normal(&mut constraint, index, vn, kind.biased, self.per_substep);
+            }
+        }
+        axis.apply(&constraint, changes, a, b);
+        block.store_normal_impulses::<L, POINTS>(place, &constraint);
+    }
+
+    /// Finds how far the points are apart where the bodies are now. It is so until they move again.
+    #[inline(always)]
+    fn find_separations<L: Lane, const POINTS: usize>(
+        &self,
+        block: &mut ContactBlock,
+        place: usize,
+        is_still: bool,
+    ) {
+        let mut constraint = ContactConstraint { is_still, ..block.load::<L>(place) };
+        let [a, b] = block.gather(&self.states, place);
+        for index in 0..POINTS {
+            let separation = constraint.separation(&constraint.points[index], &a, &b);
+            constraint.points[index].separation_now = separation;
+        }
+        block.store_separations::<L, POINTS>(place, &constraint);
+    }
+}
+
+#[inline(always)]
+fn solve_frictions<L: Lane, const POINTS: usize>(
+    block: &mut ContactBlock,
+    place: usize,
+    kind: Sweep,
+    is_still: bool,
+    [a, b]: &mut [BodyState<L>; 2],
+) {
+    let mut constraint = ContactConstraint { is_still, ..block.load::<L>(place) };
+    if kind.counts_share {
+        for friction in constraint.frictions.iter_mut().take(POINTS) {
+            friction.impulse = friction.impulse + friction.impulse;
+        }
+    }
+    let axis = Axis::<L, POINTS>::new(&constraint, constraint.normal.perp());
+    let speeds = axis.speeds(&constraint, a, b);
+    let mut changes = [L::splat(0.0); POINTS];
+    for index in 0..POINTS {
+        let slip = axis.speed_after(index, speeds, &constraint, changes);
+        changes[index] = solve_friction(&mut constraint, index, slip);
+    }
+    axis.apply(&constraint, changes, a, b);
+    block.store_friction_impulses::<L, POINTS>(place, &constraint);
 }
 
 /// vn + bias of a point, m/s, and its leak.
@@ -194,14 +248,12 @@ impl SweepOver<'_> {
 fn violation<L: Lane>(
     constraint: &ContactConstraint<L>,
     index: usize,
-    a: &BodyState<L>,
-    b: &BodyState<L>,
+    vn: L,
     biased: bool,
     per_substep: f32,
 ) -> (L, L) {
     let point = &constraint.points[index];
-    let separation = constraint.separation(point, a, b) + constraint.special.awaits_impact[index];
-    let vn = constraint.normal.dot(constraint.relative_velocity(point, a, b));
+    let separation = point.separation_now + constraint.special.awaits_impact[index];
     if biased {
         let leak = leak(separation, point.normal_k, point.normal_impulse);
         (vn + bias(separation, L::splat(per_substep)), leak)
@@ -217,18 +269,18 @@ fn k_or_one<L: Lane>(k: L) -> (L, L::Mask) {
     (L::select(is_there, k, L::splat(1.0)), is_there)
 }
 
+/// Two points together; returns by how much their impulses change, N s.
 #[inline(always)]
-fn solve_normals_together<L: Lane>(
+fn solve_normals_together<L: Lane, const POINTS: usize>(
     constraint: &mut ContactConstraint<L>,
-    a: &mut BodyState<L>,
-    b: &mut BodyState<L>,
+    speeds: [L; POINTS],
     biased: bool,
     per_substep: f32,
-) {
+) -> [L; POINTS] {
     let zero = L::splat(0.0);
     let one = L::splat(1.0);
-    let (violation_1, leak_1) = violation(constraint, 0, a, b, biased, per_substep);
-    let (violation_2, leak_2) = violation(constraint, 1, a, b, biased, per_substep);
+    let (violation_1, leak_1) = violation(constraint, 0, speeds[0], biased, per_substep);
+    let (violation_2, leak_2) = violation(constraint, 1, speeds[1], biased, per_substep);
     let [point_1, point_2] = &constraint.points;
     let before = [point_1.normal_impulse, point_2.normal_impulse];
     let (k11, first_is_there) = k_or_one(point_1.normal_k);
@@ -241,51 +293,45 @@ fn solve_normals_together<L: Lane>(
     ];
     let [x1, x2] = solve_pair(k11 * (one + leak_1), k12, k22 * (one + leak_2), q);
     let after = [L::select(first_is_there, x1, zero), L::select(second_is_there, x2, zero)];
-    for index in 0..2 {
-        let impulse = constraint.normal * (after[index] - before[index]);
+    let mut changes = [zero; POINTS];
+    for index in 0..POINTS {
         constraint.points[index].normal_impulse = after[index];
-        constraint.apply(&constraint.points[index], impulse, a, b);
+        changes[index] = after[index] - before[index];
     }
+    changes
 }
 
-/// One point on its own: λ = (k λ₀ - (vn + bias)) / (k (1 + leak)), 0 or more.
+/// One point on its own: λ = (k λ₀ - (vn + bias)) / (k (1 + leak)), 0 or more. Returns by how much it changes, N s.
 #[inline(always)]
 fn solve_normal<L: Lane>(
     constraint: &mut ContactConstraint<L>,
     index: usize,
-    a: &mut BodyState<L>,
-    b: &mut BodyState<L>,
+    vn: L,
     biased: bool,
     per_substep: f32,
-) {
+) -> L {
     let zero = L::splat(0.0);
-    let (violation, leak) = violation(constraint, index, a, b, biased, per_substep);
+    let (violation, leak) = violation(constraint, index, vn, biased, per_substep);
     let point = &constraint.points[index];
     let before = point.normal_impulse;
     let (k, is_there) = k_or_one(point.normal_k);
-    let wanted = (k * before - violation) / (k * (L::splat(1.0) + leak));
+    // By the inverse, as two points together: a contact of one gets the same either way.
+    let one = L::splat(1.0);
+    let wanted = (k * before - violation) * (one / (k * (one + leak)));
     let after = L::select(is_there, wanted.max(zero), zero);
     constraint.points[index].normal_impulse = after;
-    constraint.apply(&constraint.points[index], constraint.normal * (after - before), a, b);
+    after - before
 }
 
-/// Friction of one point: stops the slip, with at most µ times the normal impulse (Coulomb).
+/// Friction of one point: stops the slip, with at most µ times the normal impulse (Coulomb). Returns by how much the
+/// impulse changes, N s.
 #[inline(always)]
-fn solve_friction<L: Lane>(
-    constraint: &mut ContactConstraint<L>,
-    index: usize,
-    a: &mut BodyState<L>,
-    b: &mut BodyState<L>,
-) {
-    let point = &constraint.points[index];
-    let tangent: LaneVec2<L> = constraint.normal.perp();
-    let slip = tangent.dot(constraint.relative_velocity(point, a, b));
-    let limit = constraint.friction * point.normal_impulse;
+fn solve_friction<L: Lane>(constraint: &mut ContactConstraint<L>, index: usize, slip: L) -> L {
+    let limit = constraint.friction * constraint.points[index].normal_impulse;
     let friction = &mut constraint.frictions[index];
     let before = friction.impulse;
-    let after = (before - friction.mass * slip).min(limit).max(-limit);
-    friction.impulse = after;
-    constraint.apply(&constraint.points[index], tangent * (after - before), a, b);
+    friction.impulse = (before - friction.mass * slip).min(limit).max(-limit);
+    friction.impulse - before
 }
 
 /// What a substep does for one contact of two points with friction: a warm start and two sweeps.
@@ -297,9 +343,9 @@ pub(crate) fn work_of_a_substep() -> Count {
         let start = WarmStart { shares: Shared::new(&mut rows), part: 0.5, is_fitted };
         start.run::<Counted>(&mut block, 0);
         let states = Shared::new(&mut rows);
-        let main = SweepOver { states, kind: Sweep::MAIN, per_substep: 1.0, is_fitted };
+        let main = SweepOver { states, kind: Sweep::MAIN, have_moved: false, per_substep: 1.0, is_fitted };
         main.run::<Counted>(&mut block, 0);
-        SweepOver { kind: Sweep::RELAX, ..main }.run::<Counted>(&mut block, 0);
+        SweepOver { kind: Sweep::RELAX, have_moved: true, ..main }.run::<Counted>(&mut block, 0);
     })
 }
 
@@ -312,11 +358,14 @@ mod tests {
         let (mut block, mut shares) = (ContactBlock::default(), [BodyState::REST]);
         let start = WarmStart { shares: Shared::new(&mut shares), part: 0.5, is_fitted: true };
         let found = count(|| start.run::<Counted>(&mut block, 0));
-        // Per body: an impulse times 1/m, added to v (2 + 2); r × impulse (3), times 1/I, added to w.
-        let apply = 2 * (2 + 2 + 3 + 1 + 1);
-        // Per point: both impulses times the part, times their directions (2 + 2), summed (2), applied. The direction of the
-        // tangent is a negation; whether each body moves is a comparison.
-        assert_eq!(found.operations, 2 * (2 + 4 + 2 + apply) + 1 + 2);
+        // Per point: both impulses times the part, times their directions (2 + 2), summed (2); r × that for two bodies (3 + 3).
+        let point = 2 + 4 + 2 + 6;
+        // Of the two points the impulses (2) and the moments (1 + 1) are summed.
+        let sum = 2 + 2;
+        // Per body: the impulse times 1/m, added to v (2 + 2); the moment times 1/I, added to w; whether it moves.
+        let body = 2 + 2 + 1 + 1 + 1;
+        // The direction of the tangent is a negation.
+        assert_eq!(found.operations, 1 + 2 * point + sum + 2 * body);
         // Numbers: of each body 1/m, 1/I, and 1/m once more; the normal; per point two anchors and two impulses. Written: per
         // point two impulses and the share. Half rows of two bodies, to and fro.
         let numbers = 2 * 3 + 2 + 2 * (4 + 2) + 2 * 3;

@@ -4,6 +4,7 @@
 //! impacts as a stage of their own. [`solve`] is the substep loop; read it first.
 
 mod approach;
+mod axis;
 mod block;
 mod constraint;
 mod constraint_graph;

@@ -136,14 +136,16 @@ pub(crate) fn solve(
             let kick = Some(scheme.kick_time());
             solver.integrate(scheme, class, tables, Advance { kick, ..Advance::NONE });
         }
+        // What a sweep after the move has found of where bodies are holds until they move again.
+        let mut have_moved = substep > 0 && scheme.relax_iterations == 0;
         if solver.impacts.len() > 0 {
             let (kicks, SolveTables { bodies, contacts, graph, .. }) = (&solver.kicks, &mut *tables);
             let width = scheme.width;
-            solver.impacts.run(&mut ImpactScene { bodies, contacts, kicks, graph, h, width });
+            have_moved |= solver.impacts.run(&mut ImpactScene { bodies, contacts, kicks, graph, h, width });
         }
         match class.effort {
             Effort::Direct => solver.direct.solve(tables.graph, &mut tables.bodies.states, Aim::Push, h),
-            _ => solver.sweep_before_move(scheme, class, tables, late_kick),
+            _ => solver.sweep_before_move(scheme, class, tables, (late_kick, have_moved)),
         }
         solver.move_on(scheme, class, tables, acceleration);
         match class.effort {
@@ -174,10 +176,16 @@ impl Scheme {
         Sweep { biased: false, friction: true, ..self.main_sweep() }
     }
 
-    /// A sweep of this kind.
-    fn sweep_over<'a>(&self, states: &'a mut [BodyState], kind: Sweep) -> SweepOver<'a> {
+    /// A sweep of this kind; `have_moved` says whether bodies have since the last.
+    fn sweep_over<'a>(&self, states: &'a mut [BodyState], kind: Sweep, have_moved: bool) -> SweepOver<'a> {
         let per_substep = 1.0 / self.substep_time();
-        SweepOver { states: Shared::new(states), kind, per_substep, is_fitted: self.fitted_kernels }
+        SweepOver {
+            states: Shared::new(states),
+            kind,
+            have_moved,
+            per_substep,
+            is_fitted: self.fitted_kernels,
+        }
     }
 
     /// What of the last impulses is applied before the move, and again after it where the kick is split.
@@ -231,20 +239,21 @@ impl Solver {
         effort != Effort::Direct && self.impacts.len() == 0 && self.handovers.is_empty()
     }
 
-    /// Contacts by sweeps, before the bodies move; first their `kick`, s, if they have not had it.
+    /// Contacts by sweeps, before the bodies move; first their `kick`, s, if they have not had it. `have_moved` says that
+    /// they have since the last sweep.
     fn sweep_before_move(
         &mut self,
         scheme: &Scheme,
         class: &EffortClass<'_>,
         tables: &mut SolveTables<'_>,
-        kick: Option<f32>,
+        (kick, have_moved): (Option<f32>, bool),
     ) {
         let h = scheme.substep_time();
         self.handovers.hold_back(tables.graph, &tables.bodies.states, h);
         self.warm_start(scheme, class, tables, kick);
         let SolveTables { bodies, contacts, graph, crew, .. } = tables;
         let states = &mut bodies.states;
-        let sweep = scheme.sweep_over(states, scheme.main_sweep());
+        let sweep = scheme.sweep_over(states, scheme.main_sweep(), have_moved);
         for _ in 0..scheme.iterations {
             graph.for_each(crew, (class.effort, scheme.width), &sweep);
         }
@@ -263,11 +272,11 @@ impl Solver {
         let relax = scheme.relax_sweep();
         for iteration in 0..scheme.relax_iterations {
             let kind = Sweep { counts_share: scheme.split_kick && iteration == 0, ..relax };
-            let sweep = scheme.sweep_over(states, kind);
+            let sweep = scheme.sweep_over(states, kind, iteration == 0);
             graph.for_each(tables.crew, (class.effort, scheme.width), &sweep);
         }
         if scheme.relax_iterations > 0 {
-            self.newcomers.sweep(graph, scheme.width, &scheme.sweep_over(states, relax));
+            self.newcomers.sweep(graph, scheme.width, &scheme.sweep_over(states, relax, false));
         }
     }
 
@@ -387,7 +396,7 @@ impl Solver {
     /// on a slope would go down freely for half a substep. It counts as a share of a warm start.
     fn grip_newcomers(&mut self, scheme: &Scheme, graph: &mut ConstraintGraph, states: &mut [BodyState]) {
         let kind = Sweep { friction: true, ..scheme.main_sweep() };
-        let sweep = scheme.sweep_over(states, kind);
+        let sweep = scheme.sweep_over(states, kind, false);
         for &place in self.newcomers.sweep(graph, scheme.width, &sweep) {
             let constraint = graph.constraint(place);
             add_shares([(&constraint, 1.0)], graph.moved_rows(place), &mut self.shares);

@@ -125,6 +125,8 @@ impl ContactBlock {
         let mut constraint = self.load::<L>(place);
         constraint.find_masses::<POINTS>();
         for index in 0..POINTS {
+            let columns = &mut self.columns.points[index];
+            constraint.points[index].separation.store(&mut columns.separation_now, place);
             constraint.points[index].normal_k.store(&mut self.columns.points[index].normal_k, place);
             constraint.frictions[index].mass.store(&mut self.columns.frictions[index].mass, place);
         }
