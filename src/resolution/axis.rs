@@ -23,7 +23,7 @@ impl<L: Lane, const POINTS: usize> Axis<L, POINTS> {
     pub(crate) fn new(constraint: &ContactConstraint<L>, direction: LaneVec2<L>) -> Self {
         let mut arms = [[L::splat(0.0); 2]; POINTS];
         for (arms, point) in arms.iter_mut().zip(&constraint.points) {
-            *arms = point.arms(direction);
+            *arms = point.moments(direction);
         }
         Self { direction, arms }
     }

@@ -134,7 +134,7 @@ const LARGEST_COUPLING: f32 = 0.9995;
 impl<L: Lane> ConstraintPoint<L> {
     /// Moments r × d about the centres of the two bodies: of a direction its lever arms, m.
     #[inline(always)]
-    pub(crate) fn arms(&self, direction: LaneVec2<L>) -> [L; 2] {
+    pub(crate) fn moments(&self, direction: LaneVec2<L>) -> [L; 2] {
         [self.anchor_a.cross(direction), self.anchor_b.cross(direction)]
     }
 
@@ -160,7 +160,7 @@ impl<L: Lane> Action<L> {
     /// An impulse, N s, at a point.
     #[inline(always)]
     pub(crate) fn at(point: &ConstraintPoint<L>, impulse: LaneVec2<L>) -> Self {
-        Self { impulse, moments: point.arms(impulse) }
+        Self { impulse, moments: point.moments(impulse) }
     }
 
     /// So many times as much.
@@ -243,7 +243,7 @@ impl<L: Lane> ContactConstraint<L> {
         let mut arms = [[zero; 2]; 2];
         for index in 0..POINTS {
             let point = &self.points[index];
-            let (arm, tangent_arm) = (point.arms(self.normal), point.arms(tangent));
+            let (arm, tangent_arm) = (point.moments(self.normal), point.moments(tangent));
             arms[index] = arm;
             self.points[index].normal_k = L::select(is_there[index], self.response(arm, arm), zero);
             let tangent_k = self.response(tangent_arm, tangent_arm);
