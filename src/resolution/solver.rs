@@ -339,7 +339,7 @@ impl Solver {
         if has_damping.into_inner() {
             let rows = class.rows.clone().map(|row| (row, forcing_of(row)));
             let is_moved = |row: usize| bodies.is_dynamic(bodies.slot_of_row[row]);
-            let damped = rows.filter(|&(row, forcing)| is_moved(row) && is_damped(forcing));
+            let damped = rows.filter(|&(row, forcing)| is_damped(forcing) && is_moved(row));
             self.damped.add(damped, scheme.kick_time());
         }
         if varies {
