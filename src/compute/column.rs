@@ -102,13 +102,13 @@ impl RowPlace {
 
     /// Its number.
     #[inline(always)]
-    pub(super) const fn row(self) -> u32 {
+    pub(super) fn row(self) -> u32 {
         self.0 / STEPS
     }
 
     /// Its numbers, where `first` is the first row.
     #[inline(always)]
-    pub(super) const fn of(self, first: *const BodyState) -> *const f32 {
+    pub(super) fn of(self, first: *const BodyState) -> *const f32 {
         first.cast::<[u8; STEP]>().wrapping_add(self.0 as usize).cast()
     }
 }
