@@ -4,7 +4,7 @@ use core::ops::Range;
 
 use crate::body::Forcing;
 use crate::compute::{BodyState, Crew, Width};
-use crate::resolution::integrate::{Advance, Kicks, SpeedLimits, integrate};
+use crate::resolution::integrate::{Advance, Kicks, Shares, SpeedLimits, integrate};
 
 /// Up to one in so many counts as a few. By instructions, the share of a body on its own costs as much as those of some
 /// 25 bodies together.
@@ -72,12 +72,12 @@ impl Damped {
         let is_few = self.rows.len() <= rows.len() / ONE_IN;
         let late = Advance { shares: advance.shares, ..Advance::NONE };
         self.shares.clear();
-        if is_few && advance.shares {
+        if is_few && advance.shares != Shares::Left {
             let put_off =
                 |damping: &Damping| std::mem::replace(&mut shares[damping.row as usize], BodyState::REST);
             self.shares.extend(self.rows.iter().map(put_off));
         }
-        let first = Advance { shares: is_few && advance.shares, ..advance };
+        let first = if is_few { advance } else { Advance { shares: Shares::Left, ..advance } };
         integrate(means, rows.clone(), (states, kicks, shares), first, limits);
         for &Damping { row, linear, angular } in &self.rows {
             let state = &mut states[row as usize];

@@ -15,7 +15,7 @@ use crate::resolution::effort::EffortClass;
 use crate::resolution::follow::{Followers, add_shares};
 use crate::resolution::handover::{HandoverScene, Handovers};
 use crate::resolution::impacts::{ImpactScene, Impacts};
-use crate::resolution::integrate::{Advance, Kick, Kicks, SpeedLimits, drift};
+use crate::resolution::integrate::{Advance, Kick, Kicks, Shares, SpeedLimits, drift};
 use crate::resolution::kernel::{Sweep, SweepOver, WarmStart};
 use crate::resolution::load::Loads;
 use crate::resolution::projection::Project;
@@ -73,8 +73,7 @@ pub(crate) trait Acceleration: Sync {
     fn at(&self, bodies: &Bodies, slot: u32, delta: Vec2) -> Vec2;
 }
 
-/// What it costs to forget the share of a warm start of a body, and to write its carry back, ns.
-const FILL_COST: usize = 1;
+/// What it costs to write the carry of a body back, ns.
 const CARRY_COST: usize = 3;
 
 /// Buffers of the solver for one effort, kept from step to step.
@@ -211,6 +210,7 @@ impl Solver {
     ) {
         let is_direct = class.effort == Effort::Direct;
         let has_shares = scheme.split_kick && !is_direct;
+        let last_shares = if has_shares { Shares::UsedUp } else { Shares::Left };
         let kick = scheme.split_kick.then_some(scheme.kick_time());
         let h = scheme.substep_time();
         for &(_, row) in class.kinematic {
@@ -218,7 +218,7 @@ impl Solver {
         }
         let needs_poses = acceleration.varies() || !self.followers.is_empty();
         if !(needs_poses || is_direct) {
-            self.integrate(scheme, class, tables, Advance { drift: Some(h), kick, shares: has_shares });
+            self.integrate(scheme, class, tables, Advance { drift: Some(h), kick, shares: last_shares });
             return;
         }
         self.integrate(scheme, class, tables, Advance { drift: Some(h), ..Advance::NONE });
@@ -231,7 +231,7 @@ impl Solver {
         if is_direct {
             self.direct.restore_free(&mut tables.bodies.states);
         }
-        self.integrate(scheme, class, tables, Advance { drift: None, kick, shares: has_shares });
+        self.integrate(scheme, class, tables, Advance { drift: None, kick, shares: last_shares });
     }
 
     /// Whether contacts are solved by sweeps and nothing else.
@@ -384,12 +384,12 @@ impl Solver {
         kick: Option<f32>,
     ) {
         self.shares.resize(tables.bodies.states.len(), BodyState::REST);
-        let shares = &mut self.shares[class.rows.clone()];
-        tables.crew.run(shares, FILL_COST, |shares| shares.fill(BodyState::REST));
+        debug_assert!(!self.shares.iter().any(BodyState::is_moving), "all were used up");
         let (part, is_fitted) = (scheme.warm_part(), scheme.fitted_kernels);
         let start = WarmStart { shares: Shared::new(&mut self.shares), part, is_fitted };
         tables.graph.for_each(tables.crew, (class.effort, scheme.width), &start);
-        self.integrate(scheme, class, tables, Advance { kick, shares: true, ..Advance::NONE });
+        let shares = if scheme.split_kick { Shares::Added } else { Shares::UsedUp };
+        self.integrate(scheme, class, tables, Advance { kick, shares, ..Advance::NONE });
     }
 
     /// Gives the contacts that begin to bear load friction before the move: there is none to start from, and a box set
