@@ -18,6 +18,10 @@ use crate::compute::owners;
 /// anything that is not divided.
 const LOOKS_FOR_WORK: u32 = 10_000;
 
+/// So often a thread looks for the next step before it sleeps, about 40 µs: waking it would take as long, and steps often
+/// follow each other, as where a rollback makes up for some.
+const LOOKS_FOR_STEP: u32 = 2000;
+
 /// So often the caller looks whether the parts of others are done: they are soon, or their thread has been interrupted.
 const LOOKS_FOR_END: u32 = 1000;
 
@@ -28,90 +32,45 @@ const DISMISSED: u8 = 2;
 
 type Work = dyn Fn(usize) + Sync + 'static;
 
-/// What one thread writes and another reads again and again: two cache lines of its own, as they are fetched in pairs.
+/// What is written again and again, apart from what other threads look at: in two cache lines of its own, as they are
+/// fetched in pairs.
 #[repr(align(128))]
 #[derive(Debug)]
 struct Apart<T>(T);
 
-/// What the threads share.
-struct Board {
-    /// One bit for each part that nobody has taken up.
-    unclaimed: Apart<AtomicU64>,
-    /// How many parts are not done.
-    undone: Apart<AtomicUsize>,
-    /// The work on a part. It is there as long as a part is not done.
-    work: UnsafeCell<*const Work>,
-    /// Counts the stretches of work.
-    stretch: AtomicU64,
-    /// `RESTING`, `AT_WORK` or `DISMISSED`.
-    duty: Apart<AtomicU8>,
-    /// How a part failed.
-    panic: Mutex<Option<Box<dyn Any + Send>>>,
+/// A stretch of work, which has a number.
+#[derive(Clone, Copy)]
+struct Task {
+    work: *const Work,
+    number: u64,
 }
 
-// SAFETY: all but `work` is made for several threads. `work` is written by `Board::run` while no part is unclaimed or
-// undone, and read by those who have claimed a part and not done it yet; what it points at is `Sync`.
-unsafe impl Sync for Board {}
-// SAFETY: as above.
-unsafe impl Send for Board {}
+/// What one thread is to do: all of it comes in the cache line that it looks at.
+struct Post {
+    /// One bit for each of its parts that nobody has taken up.
+    unclaimed: AtomicU64,
+    /// What they are parts of. It is there as long as one of them is not done.
+    task: UnsafeCell<Task>,
+}
 
-impl Board {
+// SAFETY: `task` is written by `Board::run` while no part of this post is unclaimed or undone, and read by those who have
+// claimed a part of it and not done it yet; what it points at is `Sync`.
+unsafe impl Sync for Post {}
+// SAFETY: as above.
+unsafe impl Send for Post {}
+
+impl Post {
     fn new() -> Self {
         let nothing: &'static Work = &|_| ();
-        Self {
-            unclaimed: Apart(AtomicU64::new(0)),
-            undone: Apart(AtomicUsize::new(0)),
-            work: UnsafeCell::new(nothing),
-            stretch: AtomicU64::new(0),
-            duty: Apart(AtomicU8::new(RESTING)),
-            panic: Mutex::new(None),
-        }
+        Self { unclaimed: AtomicU64::new(0), task: UnsafeCell::new(Task { work: nothing, number: 0 }) }
     }
 
-    /// Does work on each of some parts; returns when all of them are done.
-    fn run(&self, parts: usize, work: &(dyn Fn(usize) + Sync), own: u64) {
-        let is_free = self.undone.0.compare_exchange(0, parts, Ordering::Acquire, Ordering::Relaxed).is_ok();
-        assert!(is_free && (1..=64).contains(&parts), "one stretch of work at a time, in 1 to 64 parts");
-        debug_assert_eq!(self.unclaimed.0.load(Ordering::Relaxed), 0);
-        self.stretch.fetch_add(1, Ordering::Relaxed);
-        // SAFETY: of the type only the lifetime changes. The work is used by those who have claimed a part and not done
-        // it yet, and this function returns when all parts are done. No part is unclaimed or undone, as the two checks
-        // above say, so nobody reads it now.
-        unsafe {
-            *self.work.get() = core::mem::transmute::<&(dyn Fn(usize) + Sync), &'static Work>(work);
-        }
-        self.unclaimed.0.store(u64::MAX >> (64 - parts), Ordering::Release);
-        self.help(own);
-        let mut looks = 0;
-        while self.undone.0.load(Ordering::Acquire) > 0 {
-            wait(&mut looks, LOOKS_FOR_END);
-        }
-        if let Some(panic) = lock(&self.panic).take() {
-            resume_unwind(panic);
-        }
-    }
-
-    /// Does parts until all are taken, those in `own` first.
-    fn help(&self, own: u64) {
-        while let Some(part) = self.claim(own) {
-            // SAFETY: this part has been claimed and is not done, so that the work is there.
-            let work = unsafe { &**self.work.get() };
-            let stretch = self.stretch.load(Ordering::Relaxed);
-            if let Err(panic) =
-                catch_unwind(AssertUnwindSafe(|| owners::in_part(stretch, part, || work(part))))
-            {
-                *lock(&self.panic) = Some(panic);
-            }
-            self.undone.0.fetch_sub(1, Ordering::Release);
-        }
-    }
-
-    /// Takes up a part: one of `own`, or else the last one of another thread.
-    fn claim(&self, own: u64) -> Option<usize> {
-        let mut left = self.unclaimed.0.load(Ordering::Relaxed);
+    /// Takes up a part: the first one for the thread whose post it is, the last one for another.
+    fn claim(&self, is_own: bool) -> Option<usize> {
+        let mut left = self.unclaimed.load(Ordering::Relaxed);
         while left != 0 {
-            let part = if left & own != 0 { (left & own).trailing_zeros() } else { left.ilog2() };
-            let before = self.unclaimed.0.fetch_and(!(1 << part), Ordering::Acquire);
+            let part = if is_own { left.trailing_zeros() } else { left.ilog2() };
+            let before = self.unclaimed.fetch_and(!(1 << part), Ordering::Acquire);
             if before & 1 << part != 0 {
                 return Some(part as usize);
             }
@@ -119,18 +78,98 @@ impl Board {
         }
         None
     }
+}
+
+/// What the threads share.
+struct Board {
+    /// By thread, the caller's first.
+    posts: Box<[Apart<Post>]>,
+    /// How many parts are not done.
+    undone: Apart<AtomicUsize>,
+    /// Counts the stretches of work.
+    stretches: Apart<AtomicU64>,
+    /// `RESTING`, `AT_WORK` or `DISMISSED`.
+    duty: Apart<AtomicU8>,
+    /// How a part failed.
+    panic: Apart<Mutex<Option<Box<dyn Any + Send>>>>,
+}
+
+impl Board {
+    /// For so many threads.
+    fn new(threads: usize) -> Self {
+        Self {
+            posts: (0..threads).map(|_| Apart(Post::new())).collect(),
+            undone: Apart(AtomicUsize::new(0)),
+            stretches: Apart(AtomicU64::new(0)),
+            duty: Apart(AtomicU8::new(RESTING)),
+            panic: Apart(Mutex::new(None)),
+        }
+    }
+
+    /// Does work on each of some parts, of which each of the first `threads` gets neighbours; returns when all of them are
+    /// done.
+    fn run(&self, threads: usize, parts: usize, work: &(dyn Fn(usize) + Sync)) {
+        let is_free = self.undone.0.compare_exchange(0, parts, Ordering::Acquire, Ordering::Relaxed).is_ok();
+        assert!(is_free && (1..=64).contains(&parts), "one stretch of work at a time, in 1 to 64 parts");
+        let number = self.stretches.0.fetch_add(1, Ordering::Relaxed);
+        // SAFETY: only the lifetime changes. The work is used by those who have claimed a part and not done it yet, and this
+        // function returns when all parts are done.
+        let work = unsafe { core::mem::transmute::<&(dyn Fn(usize) + Sync), &'static Work>(work) };
+        // The caller's last: it will look there at once, the others are to come.
+        for (thread, Apart(post)) in self.posts[..threads].iter().enumerate().rev() {
+            debug_assert_eq!(post.unclaimed.load(Ordering::Relaxed), 0);
+            // SAFETY: all parts of stretches before this one are done, as `undone` said, and this one has put none here yet.
+            unsafe {
+                *post.task.get() = Task { work, number };
+            }
+            let before = |thread: usize| u64::MAX.checked_shl((thread * parts / threads) as u32).unwrap_or(0);
+            post.unclaimed.store(before(thread) & !before(thread + 1), Ordering::Release);
+        }
+        self.help(0);
+        let mut looks = 0;
+        while self.undone.0.load(Ordering::Acquire) > 0 {
+            wait(&mut looks, LOOKS_FOR_END);
+        }
+        if let Some(panic) = lock(&self.panic.0).take() {
+            resume_unwind(panic);
+        }
+    }
+
+    /// Does parts until all are taken: those of a thread's own post first.
+    fn help(&self, thread: usize) {
+        let (before, from) = self.posts.split_at(thread);
+        for (place, Apart(post)) in from.iter().chain(before).enumerate() {
+            while let Some(part) = post.claim(place == 0) {
+                // SAFETY: this part has been claimed and is not done, so that the task and its work are there.
+                let (work, number) = unsafe {
+                    let Task { work, number } = *post.task.get();
+                    (&*work, number)
+                };
+                if let Err(panic) =
+                    catch_unwind(AssertUnwindSafe(|| owners::in_part(number, part, || work(part))))
+                {
+                    *lock(&self.panic.0) = Some(panic);
+                }
+                self.undone.0.fetch_sub(1, Ordering::Release);
+            }
+        }
+    }
 
     /// The life of a thread.
-    fn work_until_dismissed(&self, own: u64) {
-        let mut looks = 0;
+    fn work_until_dismissed(&self, thread: usize) {
+        let (mut looks, mut rested) = (0, 0);
         loop {
             match self.duty.0.load(Ordering::Acquire) {
                 DISMISSED => return,
-                AT_WORK if self.unclaimed.0.load(Ordering::Relaxed) != 0 => {
-                    self.help(own);
-                    looks = 0;
+                AT_WORK if self.posts[thread].0.unclaimed.load(Ordering::Relaxed) != 0 => {
+                    self.help(thread);
+                    (looks, rested) = (0, 0);
                 }
                 AT_WORK => wait(&mut looks, LOOKS_FOR_WORK),
+                _ if rested < LOOKS_FOR_STEP => {
+                    core::hint::spin_loop();
+                    rested += 1;
+                }
                 _ => thread::park(),
             }
         }
@@ -153,14 +192,12 @@ pub(super) struct Team {
     threads: Vec<JoinHandle<()>>,
     /// How many threads were asked for, the caller's among them: there may be fewer.
     asked_for: usize,
-    /// The parts that are for the caller.
-    own: u64,
     is_at_work: bool,
 }
 
 impl Default for Team {
     fn default() -> Self {
-        Self { board: Arc::new(Board::new()), threads: Vec::new(), asked_for: 1, own: 0, is_at_work: false }
+        Self { board: Arc::new(Board::new(1)), threads: Vec::new(), asked_for: 1, is_at_work: false }
     }
 }
 
@@ -210,30 +247,19 @@ impl Team {
         if self.is_at_work { 1 + self.threads.len() } else { 1 }
     }
 
-    /// Does work on each of some parts. Of as many as there are threads or more, each thread gets neighbours.
+    /// Does work on each of some parts, of which each thread gets neighbours.
     pub(super) fn run(&self, parts: usize, work: &(dyn Fn(usize) + Sync)) {
-        let threads = self.threads();
-        let (each, own) = (parts / threads, self.own);
-        if each > 1 && parts.is_multiple_of(threads) {
-            self.board.run(parts, &|part| work(part % threads * each + part / threads), own);
-        } else {
-            self.board.run(parts, work, own);
-        }
-    }
-
-    /// The parts that are for the thread with a number: every so many-th.
-    fn parts_for(&self, number: usize) -> u64 {
-        (number..64).step_by(self.asked_for).map(|part| 1 << part).sum()
+        self.board.run(self.threads(), parts, work);
     }
 
     fn hire(&mut self, threads: usize) {
         self.asked_for = threads;
-        self.own = self.parts_for(0);
+        self.board = Arc::new(Board::new(threads));
         for number in 1..threads {
-            let (board, own) = (Arc::clone(&self.board), self.parts_for(number));
+            let board = Arc::clone(&self.board);
             let thread = thread::Builder::new().name("rustycs".into());
             // Where there are no more threads to be had, as on the web, the caller does all there is to do.
-            let Ok(hired) = thread.spawn(move || board.work_until_dismissed(own)) else { break };
+            let Ok(hired) = thread.spawn(move || board.work_until_dismissed(number)) else { break };
             self.threads.push(hired);
         }
     }
@@ -244,7 +270,6 @@ impl Team {
             // Nothing of a thread's own can fail: what it works on is caught.
             _ = thread.join();
         }
-        self.board.duty.0.store(RESTING, Ordering::Release);
     }
 
     fn set_duty(&self, duty: u8) {
