@@ -3,7 +3,7 @@
 use crate::compute::{self, BodyState, COLUMN, Column, Job, Lane, Width};
 use crate::resolution::constraint::ContactConstraint;
 use crate::resolution::constraint_graph::{BlockPlace, ConstraintGraph};
-use crate::resolution::contact_block::ContactBlock;
+use crate::resolution::contact_block::Marks;
 
 /// An approach slower than this many substeps' gain of speed, by forces or by the load of the contact, is no
 /// impact: a body that rests gains half a substep's before its support is applied, and a bounce that slow would
@@ -59,14 +59,9 @@ impl Watched {
 
     /// Watches the contacts of a block that may bounce, each from the `threshold` of its place on, m/s. Blocks come in the
     /// order in which they are solved.
-    pub(crate) fn watch(
-        &mut self,
-        place: BlockPlace,
-        block: &ContactBlock,
-        threshold: impl Fn(usize) -> f32,
-    ) {
+    pub(crate) fn watch(&mut self, place: BlockPlace, bouncy: Marks, threshold: impl Fn(usize) -> f32) {
         let mut thresholds = Column::splat(f32::INFINITY);
-        block.bouncy().for_each(|place| {
+        bouncy.for_each(|place| {
             thresholds.set(place, threshold(place));
             self.len += 1;
         });

@@ -9,13 +9,14 @@
 mod newcomers;
 mod passes;
 
+use core::ops::Range;
+
 use crate::body::{Bodies, Effort};
 use crate::collision::{Contacts, Kind};
 use crate::compute::COLUMN;
 use crate::resolution::constraint::ContactConstraint;
 pub(crate) use crate::resolution::constraint_graph::newcomers::Newcomers;
-use crate::resolution::constraint_graph::passes::part;
-use crate::resolution::contact_block::{BlockEnd, ContactBlock};
+use crate::resolution::contact_block::{BlockEnd, BlockStart, ContactBlock};
 use crate::store::BitSet;
 
 /// How many colours there are. A body can be in one contact per colour; the few contacts of a very crowded
@@ -34,6 +35,11 @@ const SECTION: usize = COLOURS + 1;
 /// Where a block is in the graph: its colour, and its number in it.
 pub(crate) type BlockPlace = (u32, usize);
 
+/// The place in the graph of the contact at a place of a block.
+pub(crate) fn place_in((colour, number): BlockPlace, place: usize) -> (u32, u32) {
+    (colour, (number * COLUMN + place) as u32)
+}
+
 /// Contacts that share no movable body.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Colour {
@@ -45,6 +51,8 @@ pub(crate) struct Colour {
     ends_of_kinds: [usize; Kind::COUNT],
     /// The contacts as the solver sees them during a step, in the same order.
     blocks: Vec<ContactBlock>,
+    /// By block: what is special about its contacts as the step begins.
+    starts: Vec<BlockStart>,
     /// By block: what the step did to its contacts.
     ends: Vec<BlockEnd>,
 }
@@ -104,35 +112,17 @@ impl ConstraintGraph {
         (first + OVERFLOW as u32..).zip(overflow).chain((first..).zip(colours))
     }
 
-    /// Calls `look` with each block of an effort and the indices of its contacts, in the order in which they are solved.
-    /// Lively contacts are close by then.
-    pub(crate) fn for_each_block(
-        &self,
-        effort: Effort,
-        (contacts, bodies): (&Contacts, &Bodies),
-        mut look: impl FnMut(BlockPlace, &ContactBlock, &[u32]),
-    ) {
-        for (colour_number, colour) in self.in_order(effort) {
-            let prefetch_lively = |number: usize, prefetch: &dyn Fn(u32)| {
-                let Some(block) = colour.blocks.get(number) else { return };
-                let indices = part(&colour.contacts, number);
-                block.lively().for_each(|place| prefetch(indices[place]));
-            };
-            for (number, block) in colour.blocks.iter().enumerate() {
-                // Two blocks take about as long as memory does.
-                prefetch_lively(number + 2, &|index| contacts.prefetch(index));
-                prefetch_lively(number + 1, &|index| contacts.prefetch_bodies(index, bodies));
-                look((colour_number, number), block, part(&colour.contacts, number));
-            }
-        }
+    /// The blocks of an effort with what is special about their contacts as the step begins, in the order in which they are
+    /// solved.
+    pub(crate) fn starts(&self, effort: Effort) -> impl Iterator<Item = (BlockPlace, BlockStart)> {
+        self.in_order(effort).flat_map(|(number, colour)| {
+            colour.starts.iter().enumerate().map(move |(block, &start)| ((number, block), start))
+        })
     }
 
     /// Calls `visit` with the places of the contacts of a block that the last sweep has found to begin to bear load.
     fn newly_loaded(&self, place: BlockPlace, mut visit: impl FnMut((u32, u32))) {
-        let (colour, number) = place;
-        self.block_at(place)
-            .newly_loaded()
-            .for_each(|place| visit((colour, (number * COLUMN + place) as u32)));
+        self.block_at(place).newly_loaded().for_each(|of_block| visit(place_in(place, of_block)));
     }
 
     /// Indices of all contacts of an effort, in the order in which they are solved.
@@ -232,11 +222,6 @@ impl ConstraintGraph {
         self.colours[colour as usize].contacts[place as usize]
     }
 
-    /// Gives the contacts of a block that follow the surface a name.
-    pub(crate) fn set_followers(&mut self, (colour, number): BlockPlace, followers: u32) {
-        self.colours[colour as usize].blocks[number].followers = followers;
-    }
-
     fn block(&self, (colour, place): (u32, u32)) -> (&ContactBlock, usize) {
         (&self.colours[colour as usize].blocks[place as usize / COLUMN], place as usize % COLUMN)
     }
@@ -330,6 +315,12 @@ fn effort_of(bodies: &Bodies, slots: [u32; 2]) -> Effort {
 impl Colour {
     fn is_empty(&self) -> bool {
         self.contacts.is_empty()
+    }
+
+    /// Numbers of the blocks with contacts that follow the surface.
+    fn blocks_with_followers(&self) -> Range<usize> {
+        let [first, end] = [Kind::Single, Kind::DoubleFollower].map(|kind| self.ends_of_kinds[kind as usize]);
+        if first == end { 0..0 } else { first / COLUMN..end.div_ceil(COLUMN) }
     }
 
     /// Which kind of contacts stands at a place, as a number.

@@ -8,6 +8,7 @@ mod marks;
 use crate::compute::{BodyState, Column, GROUND_ROW, Lane, RowPairs, Rows, Shared};
 use crate::math::Vec2;
 use crate::resolution::constraint::{ConstraintPoint, ContactConstraint, PointFriction, Special};
+pub(crate) use crate::resolution::contact_block::begin::{Beginning, BlockStart};
 pub(crate) use crate::resolution::contact_block::end::{BlockEnd, ContactEnds};
 pub(crate) use crate::resolution::contact_block::marks::Marks;
 
@@ -23,10 +24,6 @@ pub(crate) struct ContactBlock {
     /// Whether any of the contacts has something special.
     is_special: bool,
     fit: Fit,
-    /// Contacts that may bounce.
-    bouncy: Marks,
-    /// Contacts that may follow the surface, or be handed over.
-    lively: Marks,
     /// Contacts of two points and with friction that bear no load as the step begins.
     newcomers: Marks,
     /// Contacts that bear load since the last sweep, and had no impulses to start this substep from; only in blocks with
@@ -65,16 +62,6 @@ impl ContactBlock {
     #[inline(always)]
     pub(crate) fn fit(&self) -> Fit {
         self.fit
-    }
-
-    /// The contacts that may bounce.
-    pub(crate) fn bouncy(&self) -> Marks {
-        self.bouncy
-    }
-
-    /// The contacts that may follow the surface, or be handed over.
-    pub(crate) fn lively(&self) -> Marks {
-        self.lively
     }
 
     /// Whether there are contacts that may begin to bear load.

@@ -7,7 +7,7 @@
 
 use crate::body::{Bodies, Effort};
 use crate::collision::{Contact, Contacts, Manifold, detect_within};
-use crate::compute::{BodyState, COLUMN, Column, Crew, GROUND_ROW, Lane, Shared, Width};
+use crate::compute::{BodyState, Column, Crew, GROUND_ROW, Lane, Shared, Width};
 use crate::math::{Rot, Vec2};
 use crate::resolution::constraint::ContactConstraint;
 use crate::resolution::constraint_graph::ConstraintGraph;
@@ -35,49 +35,35 @@ pub(crate) fn manifold_in(contact: &Contact, bodies: &Bodies, [a, b]: [&BodyStat
 /// Contacts that follow the surface within the step.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Followers {
-    /// Blocks of the constraint graph with contacts that follow in closed form: colour, and number in it.
-    blocks: Vec<(u32, usize)>,
-    /// By block: those contacts. Longer where there once were more blocks.
+    /// Those of some blocks of the constraint graph that follow in closed form, by what their block calls them. Longer where
+    /// there once were more.
     columns: Vec<Follower<Column>>,
+    /// How many blocks may have some.
+    block_count: usize,
     /// By index, and place in the graph: those whose manifold has to be found anew.
     found_anew: Vec<(u32, (u32, u32))>,
 }
 
 impl Followers {
-    pub(crate) fn clear(&mut self) {
-        self.blocks.clear();
+    /// Makes room for those of so many blocks.
+    pub(crate) fn reset(&mut self, block_count: usize) {
+        self.block_count = block_count;
+        self.columns.resize(self.columns.len().max(block_count), Follower::default());
         self.found_anew.clear();
     }
 
-    /// Takes up a contact, if it follows the surface. `dt` is the length of the step, s. Those of a block of the
-    /// constraint graph come one after the other.
-    pub(crate) fn consider(&mut self, index: u32, contact: &Contact, bodies: &Bodies, dt: f32) {
-        let (true, Some(graph_place)) = (contact.follows, contact.graph_place) else { return };
-        let Some(follower) = Follower::new(contact, bodies, dt) else {
-            self.found_anew.push((index, graph_place));
-            return;
-        };
-        let (colour, place) = (graph_place.0, graph_place.1 as usize);
-        let block = (colour, place / COLUMN);
-        if self.blocks.last() != Some(&block) {
-            match self.columns.get_mut(self.blocks.len()) {
-                Some(columns) => columns.clear(),
-                None => self.columns.push(Follower::default()),
-            }
-            self.blocks.push(block);
-        }
-        self.columns[self.blocks.len() - 1].set(place % COLUMN, &follower);
+    /// By what their block calls them: those that follow in closed form, to be taken up by several threads.
+    pub(crate) fn shared(&mut self) -> Shared<'_, Follower<Column>> {
+        Shared::new(&mut self.columns[..self.block_count])
     }
 
-    /// Tells the blocks of the graph which of their contacts follow.
-    pub(crate) fn mark(&self, graph: &mut ConstraintGraph) {
-        for (number, &block) in self.blocks.iter().enumerate() {
-            graph.set_followers(block, number as u32);
-        }
+    /// Takes up the contact at a place of the graph, which follows the surface, but not in closed form.
+    pub(crate) fn find_anew(&mut self, graph_place: (u32, u32), graph: &ConstraintGraph) {
+        self.found_anew.push((graph.contact_at(graph_place), graph_place));
     }
 
     pub(crate) fn is_empty(&self) -> bool {
-        self.blocks.is_empty() && self.found_anew.is_empty()
+        self.block_count == 0
     }
 
     /// Brings the constraints up to where the bodies are now, and turns their parts of `shares`: by row, what of the
@@ -101,7 +87,7 @@ impl Followers {
                 }
             }
         }
-        if !self.blocks.is_empty() {
+        if !self.is_empty() {
             let shares = (!shares.is_empty()).then(|| Shared::new(shares));
             let follow = Follow { columns: &self.columns, states: &bodies.states, shares };
             graph.for_each(crew, (effort, width), &follow);

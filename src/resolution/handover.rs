@@ -12,8 +12,8 @@
 //! Runs once per substep, on circles with two contacts with the ground or more.
 
 use crate::body::{Bodies, Motion};
-use crate::collision::{Contact, Contacts};
-use crate::compute::BodyState;
+use crate::collision::Contacts;
+use crate::compute::{BodyState, GROUND_ROW};
 use crate::resolution::constraint::{ContactConstraint, OUT_OF_REACH};
 use crate::resolution::constraint_graph::ConstraintGraph;
 use crate::resolution::follow::{add_shares, manifold_in};
@@ -57,13 +57,13 @@ pub(crate) struct HandoverScene<'a> {
     pub(crate) h: f32,
 }
 
-/// Which of two bodies is a circle that moves on the other, which does not, if one is.
+/// Whether one of two bodies is a circle that contacts move, and the other is not moved by them.
 #[inline(always)]
-pub(crate) fn circle_on_ground([a, b]: [&Motion; 2]) -> Option<usize> {
+pub(crate) fn is_circle_on_ground([a, b]: [&Motion; 2]) -> bool {
     match [a, b].map(|motion| motion.inverse_mass > 0.0) {
-        [true, false] => a.is_round.then_some(0),
-        [false, true] => b.is_round.then_some(1),
-        _ => None,
+        [true, false] => a.is_round,
+        [false, true] => b.is_round,
+        _ => false,
     }
 }
 
@@ -77,20 +77,16 @@ impl Handovers {
         self.pieces.is_empty()
     }
 
-    /// Takes up a contact of a circle with the ground.
-    pub(crate) fn consider(&mut self, index: u32, contact: &Contact, bodies: &Bodies) {
-        let Some(graph_place) = contact.graph_place else { return };
-        if let Some(circle) = circle_on_ground(contact.slots.map(|slot| &bodies.motions[slot as usize])) {
-            let rows = contact.slots.map(|slot| bodies.motions[slot as usize].row);
-            self.pieces.push(Piece {
-                rows,
-                circle,
-                contact: index,
-                graph_place,
-                is_ahead: false,
-                level: 0.0,
-            });
-        }
+    /// Takes up the contact of a circle with the ground at a place of the graph.
+    pub(crate) fn take_up(&mut self, graph_place: (u32, u32), graph: &ConstraintGraph) {
+        self.pieces.push(Piece {
+            rows: graph.rows(graph_place),
+            circle: usize::from(graph.moved_rows(graph_place)[0] == GROUND_ROW),
+            contact: graph.contact_at(graph_place),
+            graph_place,
+            is_ahead: false,
+            level: 0.0,
+        });
     }
 
     /// Keeps the circles that have two pieces of ground in reach.

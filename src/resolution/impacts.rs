@@ -32,7 +32,7 @@ use crate::resolution::approach::{RESTING_SUBSTEPS, Watched, approach};
 use crate::resolution::block::solve_pair;
 use crate::resolution::constraint::{ContactConstraint, OUT_OF_REACH};
 use crate::resolution::constraint_graph::{BlockPlace, ConstraintGraph};
-use crate::resolution::contact_block::ContactBlock;
+use crate::resolution::contact_block::Marks;
 use crate::resolution::follow::manifold_in;
 use crate::resolution::impact_queue::{ImpactQueue, Neighbours};
 use crate::resolution::integrate::{Kicks, drift, drift_until};
@@ -136,18 +136,16 @@ impl Impacts {
         self.count = 0;
     }
 
-    /// Takes up the contacts of a block that have restitution, if it has some. Blocks come in the order in which they are
+    /// Takes up the contacts of a block that have restitution. Blocks come in the order in which they are
     /// solved. With the kicks of the bodies, the setting of [`bounce_threshold`], and the length of the substep, s.
-    pub(crate) fn consider(
+    pub(crate) fn take_up_block(
         &mut self,
-        place: BlockPlace,
-        block: &ContactBlock,
+        (place, bouncy): (BlockPlace, Marks),
+        graph: &ConstraintGraph,
         (kicks, setting, h): (&Kicks, f32, f32),
     ) {
-        if !block.bouncy().any() {
-            return;
-        }
-        self.watched.watch(place, block, |place| {
+        let block = graph.block_at(place);
+        self.watched.watch(place, bouncy, |place| {
             let accelerations = block.rows(place).map(|row| kicks.acceleration(row));
             bounce_threshold(setting, block.normal(place), accelerations, h)
         });

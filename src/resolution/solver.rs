@@ -8,7 +8,8 @@ use crate::collision::Contacts;
 use crate::compute::{BodyState, Crew, Shared, Width};
 use crate::math::Vec2;
 use crate::resolution::constraint::StepResidual;
-use crate::resolution::constraint_graph::{ConstraintGraph, Newcomers};
+use crate::resolution::constraint_graph::{ConstraintGraph, Newcomers, place_in};
+use crate::resolution::contact_block::Beginning;
 use crate::resolution::damping::{Damped, is_damped};
 use crate::resolution::direct::{Aim, DirectSolver};
 use crate::resolution::effort::EffortClass;
@@ -291,8 +292,9 @@ impl Solver {
         self.prepare_kicks(scheme, class, tables, acceleration);
         let which = (class.effort, scheme.width);
         let SolveTables { bodies, contacts, graph, crew, .. } = &mut *tables;
-        graph.prepare(crew, which, contacts, bodies, scheme.impulse_scale);
-        self.gather_special(scheme, class.effort, tables);
+        let from = Beginning { contacts, bodies, impulse_scale: scheme.impulse_scale, dt: scheme.dt };
+        graph.prepare(crew, which, from, &mut self.followers);
+        self.gather_special(scheme, class.effort, graph);
         self.direct.clear();
         let mut start = 0;
         for &end in class.direct_ends {
@@ -347,28 +349,26 @@ impl Solver {
         }
     }
 
-    /// Takes up the contacts that may bounce, and those that follow the surface within the step.
-    fn gather_special(&mut self, scheme: &Scheme, effort: Effort, tables: &mut SolveTables<'_>) {
-        let (bodies, contacts) = (&*tables.bodies, &*tables.contacts);
+    /// Takes up the contacts of which something special is to be expected within the step.
+    fn gather_special(&mut self, scheme: &Scheme, effort: Effort, graph: &ConstraintGraph) {
         let h = scheme.substep_time();
         self.impacts.clear();
-        self.followers.clear();
         self.handovers.clear();
         self.newcomers.clear();
         let Self { kicks, impacts, followers, handovers, newcomers, .. } = self;
-        let how = (&*kicks, scheme.restitution_threshold, h);
-        tables.graph.for_each_block(effort, (contacts, bodies), |place, block, indices| {
-            newcomers.consider(place, block);
-            impacts.consider(place, block, how);
-            block.lively().for_each(|place| {
-                let (index, contact) = (indices[place], &contacts[indices[place]]);
-                followers.consider(index, contact, bodies, scheme.dt);
-                if effort != Effort::Direct {
-                    handovers.consider(index, contact, bodies);
-                }
-            });
-        });
-        self.followers.mark(tables.graph);
+        for (block, start) in graph.starts(effort) {
+            if start.newcomers.any() {
+                newcomers.take_up(block);
+            }
+            if start.bouncy.any() {
+                let how = (&*kicks, scheme.restitution_threshold, h);
+                impacts.take_up_block((block, start.bouncy), graph, how);
+            }
+            start.found_anew.for_each(|place| followers.find_anew(place_in(block, place), graph));
+            if effort != Effort::Direct {
+                start.on_ground.for_each(|place| handovers.take_up(place_in(block, place), graph));
+            }
+        }
         self.handovers.group();
     }
 

@@ -28,11 +28,9 @@ impl Newcomers {
         self.blocks.clear();
     }
 
-    /// Takes up a block of the graph, if it has some.
-    pub(crate) fn consider(&mut self, place: BlockPlace, block: &ContactBlock) {
-        if block.has_newcomers() {
-            self.blocks.push(place);
-        }
+    /// Takes up a block of the graph, which has some.
+    pub(crate) fn take_up(&mut self, place: BlockPlace) {
+        self.blocks.push(place);
     }
 
     /// Sweeps over those that the last sweep has found to begin to bear load; returns their places.

@@ -2,14 +2,17 @@
 //!
 //! The contacts of a colour move no body in common, so that several threads may each have some of its blocks.
 
+use core::ops::Range;
 use std::sync::Mutex;
 
-use crate::body::{Bodies, Effort};
+use crate::body::Effort;
 use crate::collision::{Contact, Contacts, SharedContacts};
-use crate::compute::{self, BodyState, COLUMN, Crew, Job, Lane, Width, all_lines, lock};
+use crate::compute::{self, BodyState, COLUMN, Column, Crew, Job, Lane, Shared, Width, all_lines, lock};
 use crate::resolution::constraint::StepResidual;
 use crate::resolution::constraint_graph::{COLOURS, Colour, ConstraintGraph};
-use crate::resolution::contact_block::{BlockEnd, ContactBlock, ContactEnds};
+use crate::resolution::contact_block::{Beginning, BlockEnd, BlockStart, ContactBlock, ContactEnds};
+use crate::resolution::follow::Followers;
+use crate::resolution::follower::Follower;
 use crate::resolution::kernel::Kernel;
 use crate::resolution::load::{LoadMeasure, Loads};
 
@@ -19,27 +22,33 @@ const SWEEP_COST: usize = 40;
 const FINISH_COST: usize = 200;
 
 impl ConstraintGraph {
-    /// Makes the constraints of a step from the contacts; stored impulses are multiplied by `scale`.
+    /// Makes the constraints of a step, and takes up those that follow the surface.
     pub(crate) fn prepare(
         &mut self,
         crew: &Crew,
         (effort, width): (Effort, Width),
-        contacts: &Contacts,
-        bodies: &Bodies,
-        scale: f32,
+        from: Beginning<'_>,
+        followers: &mut Followers,
     ) {
-        for colour in self.section_mut(effort) {
+        let section = self.section_mut(effort);
+        followers.reset(section.iter().map(|colour| colour.blocks_with_followers().len()).sum());
+        let (followers, mut first_name) = (&followers.shared(), 0);
+        for colour in section {
             let count = colour.contacts.len().div_ceil(COLUMN);
             if count == 0 && colour.blocks.is_empty() {
                 continue;
             }
             // Made only where there are not as many yet: a block is large.
             colour.blocks.resize_with(count, ContactBlock::default);
+            colour.starts.resize_with(count, BlockStart::default);
             colour.ends.resize_with(count, BlockEnd::default);
-            let of_colour = &colour.contacts;
-            crew.run((0..count, &mut colour.blocks[..]), PREPARE_COST, |(numbers, blocks)| {
+            let names = Names { first_name, blocks: colour.blocks_with_followers() };
+            first_name += names.blocks.len();
+            let (of_colour, names) = (&colour.contacts, &names);
+            let places = (0..count, (&mut colour.blocks[..], &mut colour.starts[..]));
+            crew.run(places, PREPARE_COST, |(numbers, (blocks, starts))| {
                 let first = numbers.start;
-                compute::run(width, Prepare { first, of_colour, blocks, contacts, bodies, scale });
+                compute::run(width, Prepare { first, of_colour, blocks, starts, from, names, followers });
             });
         }
     }
@@ -167,23 +176,45 @@ struct Prepare<'a> {
     /// Indices of the contacts of the colour.
     of_colour: &'a [u32],
     blocks: &'a mut [ContactBlock],
-    contacts: &'a Contacts,
-    bodies: &'a Bodies,
-    scale: f32,
+    starts: &'a mut [BlockStart],
+    from: Beginning<'a>,
+    names: &'a Names,
+    followers: &'a Shared<'a, Follower<Column>>,
+}
+
+/// What the blocks of a colour call those of their contacts that follow the surface.
+struct Names {
+    first_name: usize,
+    /// Numbers of the blocks with some.
+    blocks: Range<usize>,
+}
+
+impl Names {
+    fn of(&self, block: usize) -> Option<usize> {
+        self.blocks.contains(&block).then(|| self.first_name + block - self.blocks.start)
+    }
 }
 
 impl Job for Prepare<'_> {
     #[inline(always)]
     fn run<L: Lane>(self) {
-        for (number, block) in (self.first..).zip(self.blocks) {
+        let Beginning { contacts, bodies, .. } = self.from;
+        for (number, (block, start)) in (self.first..).zip(self.blocks.iter_mut().zip(self.starts)) {
             for &index in part(self.of_colour, number + 2) {
-                self.contacts.prefetch(index);
+                contacts.prefetch(index);
             }
             for &index in part(self.of_colour, number + 1) {
-                self.contacts.prefetch_bodies(index, self.bodies);
+                contacts.prefetch_bodies(index, bodies);
             }
             let indices = part(self.of_colour, number);
-            block.fill(indices, self.contacts, self.bodies, self.scale);
+            *start = block.fill(indices, self.from);
+            if let Some(name) = self.names.of(number) {
+                start.found_anew = self.followers.change(name, |followers| {
+                    block.take_up_followers((name as u32, followers), indices, self.from)
+                });
+            } else {
+                debug_assert!(!indices.iter().any(|&index| contacts[index].follows), "sorted by kind");
+            }
             for place in (0..indices.len()).step_by(L::WIDTH) {
                 block.find_masses::<L>(place);
             }

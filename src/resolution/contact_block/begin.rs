@@ -5,19 +5,40 @@ use crate::collision::{Contact, Contacts, ManifoldPoint};
 use crate::compute::{COLUMN, Column, Lane, RowPairs};
 use crate::resolution::constraint::{ConstraintPoint, THERE};
 use crate::resolution::contact_block::{ContactBlock, Fit, Marks};
-use crate::resolution::handover::circle_on_ground;
+use crate::resolution::follower::Follower;
+use crate::resolution::handover::is_circle_on_ground;
+
+/// What constraints are made from as a step begins.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Beginning<'a> {
+    pub(crate) contacts: &'a Contacts,
+    pub(crate) bodies: &'a Bodies,
+    /// Length of a substep now over that of the substep that impulses were found in, no unit: they are multiplied by it.
+    pub(crate) impulse_scale: f32,
+    /// Length of the step, s.
+    pub(crate) dt: f32,
+}
+
+/// What is special about the contacts of a block as a step begins.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct BlockStart {
+    /// Those that may bounce.
+    pub(crate) bouncy: Marks,
+    /// Those of a circle with what does not move.
+    pub(crate) on_ground: Marks,
+    /// Those that follow the surface, and not in closed form.
+    pub(crate) found_anew: Marks,
+    /// Those of two points and with friction that bear no load yet.
+    pub(crate) newcomers: Marks,
+}
 
 impl ContactBlock {
-    /// Takes over some contacts, as many as there are places or less, sorted by their kind, as the step begins. Their
-    /// impulses are multiplied by `scale`, the length of a substep now over that of the substep they were found in.
-    /// Effective masses are still to be found.
-    pub(crate) fn fill(&mut self, indices: &[u32], contacts: &Contacts, bodies: &Bodies, scale: f32) {
+    /// Takes over some contacts, as many as there are places or less, sorted by their kind. Effective masses are still to be
+    /// found, and who follows.
+    pub(crate) fn fill(&mut self, indices: &[u32], from: Beginning<'_>) -> BlockStart {
         self.rows = RowPairs::default();
         self.is_special = false;
         self.fit = Fit::ALL;
-        self.bouncy = Marks::default();
-        self.lively = Marks::default();
-        self.newcomers = Marks::default();
         self.newly_loaded = Marks::default();
         self.followers = NONE;
         let columns = &mut self.columns;
@@ -28,18 +49,46 @@ impl ContactBlock {
             friction.normal_share = Column::default();
         }
         // Those of one point come first.
-        let last = indices.last().map(|&index| &contacts[index]);
+        let last = indices.last().map(|&index| &from.contacts[index]);
         self.fit.is_single = last.is_none_or(|last| last.manifold.points().len() < 2);
         if self.fit.is_single {
             self.columns.points[1] = ConstraintPoint::default();
             self.columns.frictions[1].impulse = Column::default();
         }
+        let mut start = BlockStart::default();
         for (place, &index) in indices.iter().enumerate() {
-            self.put(place, &contacts[index], bodies, scale);
+            self.put(place, &from.contacts[index], from, &mut start);
         }
         for place in indices.len()..COLUMN {
             self.leave_empty(place);
         }
+        self.newcomers = start.newcomers;
+        start
+    }
+
+    /// Takes up those of the contacts that follow the surface; `name` is what the block calls its `followers`. Returns those
+    /// that do not in closed form.
+    pub(crate) fn take_up_followers(
+        &mut self,
+        (name, followers): (u32, &mut Follower<Column>),
+        indices: &[u32],
+        from: Beginning<'_>,
+    ) -> Marks {
+        let mut found_anew = Marks::default();
+        followers.clear();
+        for (place, &index) in indices.iter().enumerate() {
+            let contact = &from.contacts[index];
+            if !contact.follows {
+                continue;
+            }
+            if let Some(follower) = Follower::new(contact, from.bodies, from.dt) {
+                followers.set(place, &follower);
+                self.followers = name;
+            } else {
+                found_anew.set(place, true);
+            }
+        }
+        found_anew
     }
 
     /// What is left over from another contact bears nothing and moves nothing.
@@ -57,7 +106,8 @@ impl ContactBlock {
     }
 
     #[inline(always)]
-    fn put(&mut self, place: usize, contact: &Contact, bodies: &Bodies, scale: f32) {
+    fn put(&mut self, place: usize, contact: &Contact, from: Beginning<'_>, start: &mut BlockStart) {
+        let Beginning { bodies, impulse_scale: scale, .. } = from;
         let [a, b] = contact.slots.map(|slot| &bodies.motions[slot as usize]);
         self.rows.set(place, [a.row, b.row]);
         let columns = &mut self.columns;
@@ -90,11 +140,11 @@ impl ContactBlock {
             self.put_point(1, place, second, scale);
             is_smooth &= second.tangent_impulse == 0.0;
             let begins = !contact.is_loaded() && points.len() == 2 && contact.friction > 0.0;
-            self.newcomers.set(place, begins);
+            start.newcomers.set(place, begins);
         }
         self.fit.is_smooth &= is_smooth;
-        self.bouncy.set(place, contact.restitution > 0.0);
-        self.lively.set(place, contact.follows || circle_on_ground([a, b]).is_some());
+        start.bouncy.set(place, contact.restitution > 0.0);
+        start.on_ground.set(place, is_circle_on_ground([a, b]));
     }
 
     /// Takes over a point.
