@@ -7,7 +7,7 @@
 use core::any::Any;
 use core::cell::UnsafeCell;
 use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
-use std::sync::atomic::{AtomicU8, AtomicU64, AtomicUsize, Ordering};
+use std::sync::atomic::{AtomicBool, AtomicU8, AtomicU64, AtomicUsize, Ordering};
 use std::sync::{Arc, Mutex};
 use std::thread::{self, JoinHandle};
 
@@ -47,14 +47,14 @@ struct Task {
 
 /// What one thread is to do: all of it comes in the cache line that it looks at.
 struct Post {
-    /// One bit for each of its parts that nobody has taken up.
-    unclaimed: AtomicU64,
-    /// What they are parts of. It is there as long as one of them is not done.
+    /// Whether its part is there to be taken up.
+    is_unclaimed: AtomicBool,
+    /// What that is a part of. It is there as long as the part is not done.
     task: UnsafeCell<Task>,
 }
 
-// SAFETY: `task` is written by `Board::run` while no part of this post is unclaimed or undone, and read by those who have
-// claimed a part of it and not done it yet; what it points at is `Sync`.
+// SAFETY: `task` is written by `Board::run` while the part of this post is neither unclaimed nor undone, and read by the
+// one who has claimed it and not done it yet; what it points at is `Sync`.
 unsafe impl Sync for Post {}
 // SAFETY: as above.
 unsafe impl Send for Post {}
@@ -62,21 +62,19 @@ unsafe impl Send for Post {}
 impl Post {
     fn new() -> Self {
         let nothing: &'static Work = &|_| ();
-        Self { unclaimed: AtomicU64::new(0), task: UnsafeCell::new(Task { work: nothing, number: 0 }) }
+        Self {
+            is_unclaimed: AtomicBool::new(false),
+            task: UnsafeCell::new(Task { work: nothing, number: 0 }),
+        }
     }
 
-    /// Takes up a part: the first one for the thread whose post it is, the last one for another.
-    fn claim(&self, is_own: bool) -> Option<usize> {
-        let mut left = self.unclaimed.load(Ordering::Relaxed);
-        while left != 0 {
-            let part = if is_own { left.trailing_zeros() } else { left.ilog2() };
-            let before = self.unclaimed.fetch_and(!(1 << part), Ordering::Acquire);
-            if before & 1 << part != 0 {
-                return Some(part as usize);
-            }
-            left = before;
-        }
-        None
+    fn has_part(&self) -> bool {
+        self.is_unclaimed.load(Ordering::Relaxed)
+    }
+
+    /// Takes up its part, if nobody has.
+    fn claim(&self) -> bool {
+        self.has_part() && self.is_unclaimed.swap(false, Ordering::Acquire)
     }
 }
 
@@ -106,24 +104,24 @@ impl Board {
         }
     }
 
-    /// Does work on each of some parts, of which each of the first `threads` gets neighbours; returns when all of them are
-    /// done.
-    fn run(&self, threads: usize, parts: usize, work: &(dyn Fn(usize) + Sync)) {
+    /// Does work on each of some parts, at most one for each thread; returns when all of them are done.
+    fn run(&self, parts: usize, work: &(dyn Fn(usize) + Sync)) {
+        let posts = &self.posts[..parts];
         let is_free = self.undone.0.compare_exchange(0, parts, Ordering::Acquire, Ordering::Relaxed).is_ok();
-        assert!(is_free && (1..=64).contains(&parts), "one stretch of work at a time, in 1 to 64 parts");
+        assert!(is_free, "one stretch of work at a time");
         let number = self.stretches.0.fetch_add(1, Ordering::Relaxed);
         // SAFETY: only the lifetime changes. The work is used by those who have claimed a part and not done it yet, and this
         // function returns when all parts are done.
         let work = unsafe { core::mem::transmute::<&(dyn Fn(usize) + Sync), &'static Work>(work) };
         // The caller's last: it will look there at once, the others are to come.
-        for (thread, Apart(post)) in self.posts[..threads].iter().enumerate().rev() {
-            debug_assert_eq!(post.unclaimed.load(Ordering::Relaxed), 0);
-            // SAFETY: all parts of stretches before this one are done, as `undone` said, and this one has put none here yet.
+        for Apart(post) in posts.iter().rev() {
+            debug_assert!(!post.has_part());
+            // SAFETY: all parts of stretches before this one are done, as `undone` said, and that of this one is not here
+            // yet.
             unsafe {
                 *post.task.get() = Task { work, number };
             }
-            let before = |thread: usize| u64::MAX.checked_shl((thread * parts / threads) as u32).unwrap_or(0);
-            post.unclaimed.store(before(thread) & !before(thread + 1), Ordering::Release);
+            post.is_unclaimed.store(true, Ordering::Release);
         }
         self.help(0);
         let mut looks = 0;
@@ -135,11 +133,11 @@ impl Board {
         }
     }
 
-    /// Does parts until all are taken: those of a thread's own post first.
+    /// Does the part of a thread, and then those that the others have not taken up.
     fn help(&self, thread: usize) {
-        let (before, from) = self.posts.split_at(thread);
-        for (place, Apart(post)) in from.iter().chain(before).enumerate() {
-            while let Some(part) = post.claim(place == 0) {
+        let posts = self.posts.iter().enumerate();
+        for (part, Apart(post)) in posts.clone().skip(thread).chain(posts.take(thread)) {
+            if post.claim() {
                 // SAFETY: this part has been claimed and is not done, so that the task and its work are there.
                 let (work, number) = unsafe {
                     let Task { work, number } = *post.task.get();
@@ -161,7 +159,7 @@ impl Board {
         loop {
             match self.duty.0.load(Ordering::Acquire) {
                 DISMISSED => return,
-                AT_WORK if self.posts[thread].0.unclaimed.load(Ordering::Relaxed) != 0 => {
+                AT_WORK if self.posts[thread].0.has_part() => {
                     self.help(thread);
                     (looks, rested) = (0, 0);
                 }
@@ -247,9 +245,9 @@ impl Team {
         if self.is_at_work { 1 + self.threads.len() } else { 1 }
     }
 
-    /// Does work on each of some parts, of which each thread gets neighbours.
+    /// Does work on each of some parts, at most one for each thread.
     pub(super) fn run(&self, parts: usize, work: &(dyn Fn(usize) + Sync)) {
-        self.board.run(self.threads(), parts, work);
+        self.board.run(parts, work);
     }
 
     fn hire(&mut self, threads: usize) {

@@ -409,17 +409,20 @@ fn a_width_is_never_more_than_was_asked_for() {
 #[test]
 #[cfg(feature = "parallel")]
 fn work_is_divided_into_parts_that_share_nothing() {
-    for threads in [1, 2, 3, 4, 16] {
+    // Items that cost nothing, so that work is divided however little it is, and some that do, ns.
+    for (threads, cost) in [1, 2, 3, 4, 16].into_iter().flat_map(|threads| [(threads, 1), (threads, 150)]) {
         let mut crew = Crew::default();
-        crew.divide_all();
-        crew.begin_step(threads, 0);
+        if cost == 1 {
+            crew.divide_all();
+        }
+        crew.begin_step(threads, usize::MAX / 1000);
         for count in [0, 1, 2, 3, 7, 31, 32, 33, 1000] {
             let mut visits = vec![0; count];
-            crew.run((0..count, &mut visits[..]), 1, |(numbers, visits)| {
+            crew.run((0..count, &mut visits[..]), cost, |(numbers, visits)| {
                 assert_eq!(numbers.len(), visits.len());
                 visits.iter_mut().zip(numbers).for_each(|(visits, number)| *visits += number + 1);
             });
-            assert!(visits.iter().copied().eq(1..=count), "{count} items on {threads} threads");
+            assert!(visits.iter().copied().eq(1..=count), "{count} items of {cost} ns on {threads} threads");
         }
         crew.end_step();
     }
