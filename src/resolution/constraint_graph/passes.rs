@@ -165,7 +165,7 @@ fn one_by_one(pass: BlockPass<'_, impl Kernel>) {
 }
 
 /// Those of a colour's contacts that are in its block of a number; none where there is no such block.
-pub(super) fn part(contacts: &[u32], block: usize) -> &[u32] {
+fn part(contacts: &[u32], block: usize) -> &[u32] {
     contacts.chunks(COLUMN).nth(block).unwrap_or_default()
 }
 
