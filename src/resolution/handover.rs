@@ -51,7 +51,7 @@ pub(crate) struct HandoverScene<'a> {
     pub(crate) bodies: &'a mut Bodies,
     pub(crate) contacts: &'a Contacts,
     pub(crate) graph: &'a mut ConstraintGraph,
-    /// By row: what of the warm start the bodies get after the move.
+    /// By row: what of the warm start the bodies get after the move; none where they get nothing.
     pub(crate) shares: &'a mut [BodyState],
     /// Length of the substep, s.
     pub(crate) h: f32,
@@ -239,8 +239,10 @@ fn hand_over(pieces: &[Piece], met: &Piece, time: f32, scene: &mut HandoverScene
         let borne = load(&new);
         let handed_over = load(&old);
         [new.points[0].normal_impulse, new.frictions[0].impulse, new.frictions[0].normal_share] = handed_over;
-        add_shares([(&old, -weight)], scene.graph.moved_rows(left.graph_place), scene.shares);
-        add_shares([(&new, weight)], scene.graph.moved_rows(met.graph_place), scene.shares);
+        if !scene.shares.is_empty() {
+            add_shares([(&old, -weight)], scene.graph.moved_rows(left.graph_place), scene.shares);
+            add_shares([(&new, weight)], scene.graph.moved_rows(met.graph_place), scene.shares);
+        }
         scene.graph.set_load(left.graph_place, [0.0; 3]);
         scene.graph.set_load(met.graph_place, std::array::from_fn(|part| borne[part] + handed_over[part]));
     }

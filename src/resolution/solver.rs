@@ -262,7 +262,7 @@ impl Solver {
             self.grip_newcomers(scheme, graph, states);
         }
         if !self.handovers.is_empty() {
-            let shares = &mut self.shares;
+            let shares = if scheme.split_kick { &mut self.shares[..] } else { &mut [] };
             self.handovers.run(&mut HandoverScene { bodies, contacts, graph, shares, h });
         }
     }
