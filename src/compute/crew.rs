@@ -12,11 +12,11 @@ use core::ops::Range;
 
 use crate::compute::team::Team;
 
-/// A part is worth a thread if it takes so long, ns: handing it over and waiting for its end take 0.2 to 0.3 µs.
+/// A part is worth a thread if it takes so long, ns: twice as long as another thread takes to begin it.
 const LEAST_PART: usize = 1000;
 
 /// The other threads begin so much later than the caller, ns: they have to see that there is work, and what. The caller
-/// does more of it.
+/// does more of it. Without a head start, or with one of 0.8 µs, two threads take 1 to 2 % longer for a large pyramid.
 const HEAD_START: usize = 500;
 
 /// A step is worth more than one thread if it takes so long, ns. Waking a thread takes the caller 5 to 15 µs, and the

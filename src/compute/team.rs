@@ -14,11 +14,11 @@ use std::thread::{self, JoinHandle};
 use crate::compute::crew::lock;
 use crate::compute::owners;
 
-/// So often a thread looks for work before it lets others have the processor, about 0.2 ms: longer than a step does
-/// anything that is not divided.
+/// So often a thread looks for work before it lets others have the processor, 0.1 to 0.2 ms: about as long as a
+/// step does anything that is not divided.
 const LOOKS_FOR_WORK: u32 = 10_000;
 
-/// So often a thread looks for the next step before it sleeps, about 40 µs: waking it would take as long, and steps often
+/// So often a thread looks for the next step before it sleeps, 20 to 40 µs: waking it would take as long, and steps often
 /// follow each other, as where a rollback makes up for some.
 const LOOKS_FOR_STEP: u32 = 2000;
 
