@@ -4,9 +4,12 @@
 //! body heads a doubly linked list of its contacts, threaded through the contacts themselves, so that a body
 //! can be removed, put to sleep or woken without looking at any other.
 
+use core::mem::offset_of;
+use core::ops::Range;
+
 use crate::body::{Bodies, NONE};
-use crate::collision::{Manifold, ManifoldPoint, Offset};
-use crate::compute::{all_lines, prefetch};
+use crate::collision::{Manifold, ManifoldPoint, Offset, is_flat};
+use crate::compute::{FIRST_LINE, LINE, prefetch, prefetch_lines};
 use crate::math::Rot;
 use crate::store::{SharedSlots, Slots};
 
@@ -65,6 +68,9 @@ pub(crate) struct Contact {
     pub(crate) has_bounced: bool,
     /// Whether it follows the surface within the step: it does not hold still, and a body rolls or topples on it.
     pub(crate) follows: bool,
+    /// Whether one of the bodies is a circle that the other does not find flat: its manifold is never kept, and nothing is
+    /// frozen.
+    pub(crate) has_circle: bool,
     /// For how many steps it has been followed since its manifold was found.
     pub(crate) followed_steps: u8,
     /// Among which contacts of its colour the constraint graph has it.
@@ -92,9 +98,17 @@ pub(crate) struct Contact {
     links: [Link; 2],
 }
 
-const _: () = assert!(size_of::<Option<Contact>>() == 192);
+const _: () = assert!(size_of::<Option<Contact>>() == 3 * LINE);
+const _: () = assert!(offset_of!(Contact, manifold) + size_of::<Manifold>() == Contact::SOLVED.end * LINE);
 
 impl Contact {
+    /// The cache line of the points.
+    const POINTS: Range<usize> = 1..2;
+    /// Those that the solver reads and writes.
+    const SOLVED: Range<usize> = 0..2;
+    /// That of what a manifold is kept by. What only begins and ends of contacts read is there too.
+    const FROZEN: Range<usize> = 2..3;
+
     /// Whether the bodies touched in the last step, as its end found it.
     #[inline(always)]
     pub(crate) fn has_touched(&self) -> bool {
@@ -178,18 +192,31 @@ impl SharedContacts<'_> {
     #[inline(always)]
     pub(crate) fn prefetch_ahead(&self, bodies: &Bodies, list: &[u32], place: usize) {
         if let Some(&index) = list.get(place + AHEAD) {
-            let (slots, is_apart) =
-                self.change(index, |contact| (contact.slots, contact.manifold.points().is_empty()));
+            let (slots, is_apart, has_circle) = self.change(index, |contact| {
+                (contact.slots, contact.manifold.points().is_empty(), contact.has_circle)
+            });
             for slot in slots {
                 prefetch(&bodies.motions, slot as usize);
             }
             if !is_apart {
-                self.prefetch(index, 1..all_lines::<Contact>().end);
+                self.prefetch(index, Contact::POINTS);
+                for slot in slots {
+                    prefetch_lines(&bodies.shapes, slot as usize, FIRST_LINE);
+                }
+                if !has_circle {
+                    self.prefetch(index, Contact::FROZEN);
+                }
             }
         }
         if let Some(&index) = list.get(place + 3 * AHEAD) {
-            self.prefetch(index, 0..1);
+            self.prefetch(index, FIRST_LINE);
         }
+    }
+
+    /// Asks for what of a contact the solver writes.
+    #[inline(always)]
+    pub(crate) fn prefetch_solved(&self, index: u32) {
+        self.prefetch(index, Contact::SOLVED);
     }
 }
 
@@ -228,14 +255,15 @@ impl Contacts {
         restitution: f32,
     ) -> u32 {
         let first = slots.map(|slot| bodies.records[slot].first_contact);
-        let [a, b] = slots.map(|slot| bodies.motions[slot as usize].thickness);
+        let [a, b] = slots.map(|slot| &bodies.motions[slot as usize]);
+        let is_flat = is_flat([a, b].map(|motion| (motion.is_round, motion.extent)));
         let key = self.all.insert(Contact {
             slots,
             manifold: Manifold::default(),
             frozen: Frozen::default(),
             friction,
             restitution,
-            thickness: a.min(b),
+            thickness: a.thickness.min(b.thickness),
             loaded_steps: 0,
             sag: 0.0,
             is_touching: false,
@@ -244,6 +272,7 @@ impl Contacts {
             approach_speed: 0.0,
             graph_place: None,
             follows: false,
+            has_circle: (a.is_round || b.is_round) && !is_flat,
             followed_steps: 0,
             sorted_as: Kind::Single,
             awake_place: NONE,
@@ -346,6 +375,12 @@ impl Contacts {
     #[inline(always)]
     pub(crate) fn prefetch(&self, index: u32) {
         self.all.prefetch(index);
+    }
+
+    /// Asks for what of it the solver reads.
+    #[inline(always)]
+    pub(crate) fn prefetch_solved(&self, index: u32) {
+        self.all.prefetch_lines(index, Contact::SOLVED);
     }
 
     /// Asks for what the bodies of the contact, which is close, are read for.

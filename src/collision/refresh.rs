@@ -90,7 +90,7 @@ pub(crate) fn refresh(contact: &mut Contact, bodies: &Bodies, settings: Refresh)
         }
     }
     (contact.holds_still, contact.has_bounced, contact.approach_speed) = (holds_still, false, approach_speed);
-    contact.follows = !holds_still && (pair.has_circle() || contact.pivots()) && !pair.is_flat();
+    contact.follows = !holds_still && (contact.has_circle || contact.pivots()) && !pair.is_flat();
 }
 
 /// Whether the circles around two bodies stay apart within a step of `dt` seconds.
@@ -248,11 +248,6 @@ impl<'a> Pair<'a> {
         distance_squared > reach * reach && !self.is_flat()
     }
 
-    /// Whether one of the two is a circle that the other does not find flat.
-    fn has_circle(&self) -> bool {
-        (self.motion_a.is_round || self.motion_b.is_round) && !self.is_flat()
-    }
-
     /// Whether one of the two is a circle that the other finds flat.
     fn is_flat(&self) -> bool {
         is_flat([self.motion_a, self.motion_b].map(|motion| (motion.is_round, motion.extent)))
@@ -293,7 +288,7 @@ impl<'a> Pair<'a> {
         if !recycling || contact.manifold.points().is_empty() {
             return Upkeep::FindAnew(self.course());
         }
-        if self.has_circle() {
+        if contact.has_circle {
             let course = self.course();
             return if self.is_slow(course) { Upkeep::FindHalfway(course) } else { Upkeep::FindAnew(course) };
         }
@@ -384,7 +379,9 @@ impl<'a> Pair<'a> {
             *separation = point.separation;
         }
         let [rotation_a, rotation_b] = [self.rotation_a, self.rotation_b];
-        contact.frozen = Frozen { offset: self.offset, rotation_a, rotation_b, separations };
+        if !contact.has_circle {
+            contact.frozen = Frozen { offset: self.offset, rotation_a, rotation_b, separations };
+        }
         contact.manifold = manifold;
     }
 

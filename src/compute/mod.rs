@@ -56,7 +56,7 @@ pub use dispatch::Lanes;
 pub(crate) use dispatch::{Job, Width, run};
 pub(crate) use lane::Lane;
 use lane::each_alone;
-pub(crate) use prefetch::{all_lines, prefetch};
+pub(crate) use prefetch::{FIRST_LINE, LINE, prefetch, prefetch_lines};
 pub(crate) use shared::{Rows, Shared};
 pub(crate) use state::{BodyState, GROUND_ROW};
 pub(crate) use vector::{LaneRot, LaneVec2};

@@ -2,24 +2,29 @@
 
 use core::ops::Range;
 
-/// How long a cache line is.
-const LINE: usize = 64;
+/// How long a cache line is, bytes.
+pub(crate) const LINE: usize = 64;
 
-/// The cache lines of a value.
-pub(crate) const fn all_lines<T>() -> Range<usize> {
-    0..size_of::<T>().div_ceil(LINE)
-}
+/// The first cache line of a value: of a contact all that is read where bodies are out of reach of each other, of a shape
+/// all but the corners of polygons.
+pub(crate) const FIRST_LINE: Range<usize> = 0..1;
 
 /// Asks for the value at `index` to be brought close, all of its cache lines; does nothing where there is no such
 /// value, or no way to ask.
 #[inline(always)]
 pub(crate) fn prefetch<T>(values: &[T], index: usize) {
+    prefetch_lines(values, index, 0..size_of::<T>().div_ceil(LINE));
+}
+
+/// The same for some of its cache lines.
+#[inline(always)]
+pub(crate) fn prefetch_lines<T>(values: &[T], index: usize, lines: Range<usize>) {
     if let Some(value) = values.get(index) {
-        prefetch_at(value, all_lines::<T>());
+        prefetch_at(value, lines);
     }
 }
 
-/// The same for some of the lines of the value at an address.
+/// The same for the value at an address.
 #[inline(always)]
 pub(super) fn prefetch_at<T>(value: *const T, lines: Range<usize>) {
     #[cfg(target_arch = "x86_64")]

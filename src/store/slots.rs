@@ -3,7 +3,7 @@
 use core::num::NonZeroU32;
 use core::ops::{Index, IndexMut, Range};
 
-use crate::compute::{Shared, prefetch};
+use crate::compute::{Shared, prefetch, prefetch_lines};
 
 /// Place and generation of a value in [`Slots`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -53,6 +53,12 @@ impl<T> Slots<T> {
     #[inline(always)]
     pub(crate) fn prefetch(&self, index: u32) {
         prefetch(&self.values, index as usize);
+    }
+
+    /// Asks for some cache lines of it.
+    #[inline(always)]
+    pub(crate) fn prefetch_lines(&self, index: u32, lines: Range<usize>) {
+        prefetch_lines(&self.values, index as usize, lines);
     }
 
     /// Asks for the place that will be filled after so many others to be brought close.

@@ -6,8 +6,8 @@ use core::ops::Range;
 use std::sync::Mutex;
 
 use crate::body::Effort;
-use crate::collision::{Contact, Contacts, SharedContacts};
-use crate::compute::{self, BodyState, COLUMN, Column, Crew, Job, Lane, Shared, Width, all_lines, lock};
+use crate::collision::{Contacts, SharedContacts};
+use crate::compute::{self, BodyState, COLUMN, Column, Crew, Job, Lane, Shared, Width, lock};
 use crate::resolution::constraint::StepResidual;
 use crate::resolution::constraint_graph::{COLOURS, Colour, ConstraintGraph};
 use crate::resolution::contact_block::{Beginning, BlockEnd, BlockStart, ContactBlock, ContactEnds};
@@ -201,7 +201,7 @@ impl Job for Prepare<'_> {
         let Beginning { contacts, bodies, .. } = self.from;
         for (number, (block, start)) in (self.first..).zip(self.blocks.iter_mut().zip(self.starts)) {
             for &index in part(self.of_colour, number + 2) {
-                contacts.prefetch(index);
+                contacts.prefetch_solved(index);
             }
             for &index in part(self.of_colour, number + 1) {
                 contacts.prefetch_bodies(index, bodies);
@@ -243,7 +243,7 @@ impl Job for Finish<'_> {
         let mut ends = ContactEnds::default();
         for (number, (block, end)) in (self.first..).zip(self.blocks.iter().zip(self.ends)) {
             for &index in part(self.of_colour, number + 1) {
-                self.contacts.prefetch(index, all_lines::<Contact>());
+                self.contacts.prefetch_solved(index);
             }
             let indices = part(self.of_colour, number);
             for place in (0..indices.len()).step_by(L::WIDTH) {
