@@ -1,7 +1,8 @@
-//! The nearest points of two hulls that do not overlap: all corners of each against all edges of the other.
+//! The nearest points of two hulls that do not overlap: all corners of each against the other.
 //!
-//! Called where two corners face each other across a gap, and by the sweep; both are rare, so this is written to
-//! be short. Edges that look away are skipped, and those whose line is farther than what is nearest so far.
+//! Called where two corners face each other across a gap, and by the sweep. Of the other hull only the edge counts whose line
+//! a corner stands out from furthest, see [`circle_polygon`](super::circle_polygon), and none where even that line is farther
+//! than what is nearest so far.
 
 use crate::collision::{FeatureId, Manifold, ManifoldPoint};
 use crate::math::{Rot, Vec2};
@@ -67,14 +68,13 @@ fn corner_to_edge(
     let (mut best, mut nearest) = (None, limit);
     for (j, &vertex) in b.vertices().iter().enumerate() {
         let corner = center + rotation.rotate(vertex);
-        for i in 0..a.count as usize {
-            let gap = a.normals[i].dot(corner) - a.planes[i];
-            // Written so that NaN looks away.
-            if gap > 0.0 && gap <= nearest {
-                let closest = to_edge(a, i, gap, corner, j, noise);
-                if best.is_none() || closest.distance < nearest {
-                    (best, nearest) = (Some(closest), closest.distance);
-                }
+        // The nearest point of the outline is on the edge whose line the corner stands out from furthest.
+        let (gap, edge) = a.nearest_face(corner);
+        // Written so that NaN is nowhere.
+        if gap > 0.0 && gap <= nearest {
+            let closest = to_edge(a, edge, gap, corner, j, noise);
+            if best.is_none() || closest.distance < nearest {
+                (best, nearest) = (Some(closest), closest.distance);
             }
         }
     }
