@@ -185,6 +185,9 @@ impl BroadPhase {
             Home::Movable(leaf) => Some(leaf),
             Home::Absent | Home::Fixed(_) => None,
         };
+        if let Some(leaf) = list.get(place + 1).and_then(|&body| leaf_of(body)) {
+            self.movable.prefetch_parent(leaf);
+        }
         if let Some(leaf) = list.get(place + AHEAD).and_then(|&body| leaf_of(body)) {
             self.movable.prefetch(leaf);
         }

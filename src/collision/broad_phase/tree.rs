@@ -125,6 +125,12 @@ impl Tree {
         prefetch(&self.nodes, self.leaf_places[leaf as usize] as usize);
     }
 
+    /// Asks for the parent of a leaf, which is close.
+    #[inline(always)]
+    pub(crate) fn prefetch_parent(&self, leaf: u32) {
+        prefetch(&self.nodes, self.node(self.leaf_places[leaf as usize]).parent as usize);
+    }
+
     /// Asks for the place of a leaf.
     #[inline(always)]
     pub(crate) fn prefetch_place(&self, leaf: u32) {
