@@ -69,7 +69,7 @@ pub(crate) struct Contact {
     /// Whether it follows the surface within the step: it does not hold still, and a body rolls or topples on it.
     pub(crate) follows: bool,
     /// Whether one of the bodies is a circle that the other does not find flat: its manifold is never kept, and nothing is
-    /// frozen.
+    /// frozen. It is asked before the bodies are close.
     pub(crate) has_circle: bool,
     /// For how many steps it has been followed since its manifold was found.
     pub(crate) followed_steps: u8,
@@ -192,19 +192,23 @@ impl SharedContacts<'_> {
     #[inline(always)]
     pub(crate) fn prefetch_ahead(&self, bodies: &Bodies, list: &[u32], place: usize) {
         if let Some(&index) = list.get(place + AHEAD) {
-            let (slots, is_apart, has_circle) = self.change(index, |contact| {
-                (contact.slots, contact.manifold.points().is_empty(), contact.has_circle)
+            let (slots, is_apart, has_circle, holds_still) = self.change(index, |contact| {
+                let is_apart = contact.manifold.points().is_empty();
+                (contact.slots, is_apart, contact.has_circle, contact.holds_still)
             });
             for slot in slots {
                 prefetch(&bodies.motions, slot as usize);
             }
             if !is_apart {
                 self.prefetch(index, Contact::POINTS);
-                for slot in slots {
-                    prefetch_lines(&bodies.shapes, slot as usize, FIRST_LINE);
-                }
                 if !has_circle {
                     self.prefetch(index, Contact::FROZEN);
+                }
+                // What was kept, and likely will be, needs no shapes; of circles and boxes the first line is all that is read.
+                if has_circle || !holds_still {
+                    for slot in slots {
+                        prefetch_lines(&bodies.shapes, slot as usize, FIRST_LINE);
+                    }
                 }
             }
         }

@@ -5,8 +5,7 @@ use core::ops::Range;
 /// How long a cache line is, bytes.
 pub(crate) const LINE: usize = 64;
 
-/// The first cache line of a value: of a contact all that is read where bodies are out of reach of each other, of a shape
-/// all but the corners of polygons.
+/// The first cache line of a value.
 pub(crate) const FIRST_LINE: Range<usize> = 0..1;
 
 /// Asks for the value at `index` to be brought close, all of its cache lines; does nothing where there is no such

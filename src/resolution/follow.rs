@@ -82,9 +82,7 @@ impl Followers {
                 let mut constraint = before;
                 constraint.set_manifold_in(&manifold, a, b);
                 graph.set_geometry(place, &constraint);
-                if !shares.is_empty() {
-                    add_shares([(&before, -1.0), (&constraint, 1.0)], graph.moved_rows(place), shares);
-                }
+                add_shares([(&before, -1.0), (&constraint, 1.0)], graph.moved_rows(place), shares);
             }
         }
         if !self.is_empty() {
@@ -145,12 +143,15 @@ impl Follow<'_> {
 }
 
 /// Adds what the share of a contact gives its bodies, times a factor, to their rows; of each of `constraints`, which
-/// are the contact with different geometries.
+/// are the contact with different geometries. Does nothing where bodies get no shares.
 pub(crate) fn add_shares<const N: usize>(
     constraints: [(&ContactConstraint<f32>, f32); N],
     rows: [u32; 2],
     shares: &mut [BodyState],
 ) {
+    if shares.is_empty() {
+        return;
+    }
     let mut pair = rows.map(|row| shares[row as usize]);
     let [a, b] = &mut pair;
     for (constraint, factor) in constraints {

@@ -239,10 +239,8 @@ fn hand_over(pieces: &[Piece], met: &Piece, time: f32, scene: &mut HandoverScene
         let borne = load(&new);
         let handed_over = load(&old);
         [new.points[0].normal_impulse, new.frictions[0].impulse, new.frictions[0].normal_share] = handed_over;
-        if !scene.shares.is_empty() {
-            add_shares([(&old, -weight)], scene.graph.moved_rows(left.graph_place), scene.shares);
-            add_shares([(&new, weight)], scene.graph.moved_rows(met.graph_place), scene.shares);
-        }
+        add_shares([(&old, -weight)], scene.graph.moved_rows(left.graph_place), scene.shares);
+        add_shares([(&new, weight)], scene.graph.moved_rows(met.graph_place), scene.shares);
         scene.graph.set_load(left.graph_place, [0.0; 3]);
         scene.graph.set_load(met.graph_place, std::array::from_fn(|part| borne[part] + handed_over[part]));
     }

@@ -177,8 +177,8 @@ impl BroadPhase {
         if fat.perimeter() < 0.99 * TOO_BIG * least_perimeter { room } else { 0.0 }
     }
 
-    /// Asks for the leaves of bodies further on in a list than `place`: what is kept of a body tells its leaf, and that
-    /// its place in the tree.
+    /// Asks for the leaves of bodies further on in a list than `place`: what is kept of a body tells its leaf, that
+    /// its place in the tree, and what is there its parent.
     #[inline(always)]
     pub(crate) fn prefetch_leaf(&self, list: &[u32], place: usize) {
         let leaf_of = |body: u32| match self.proxies[body as usize].home {
