@@ -9,7 +9,7 @@
 //! ```
 
 use crate::compute::{BodyState, Lane, LaneVec2};
-use crate::resolution::constraint::{Action, ContactConstraint};
+use crate::resolution::constraint::ContactConstraint;
 
 /// A direction along which impulses act at the first `POINTS` points of a contact, with their lever arms about the centres
 /// of the two bodies.
@@ -61,9 +61,9 @@ impl<L: Lane, const POINTS: usize> Axis<L, POINTS> {
         speeds[index] + constraint.response(self.arms[0], self.arms[index]) * changes[0]
     }
 
-    /// Applies impulses, N s, along the direction to b, and their opposites to a.
+    /// Turns the bodies as impulses along the direction do, N s, that act on b and opposite on a.
     #[inline(always)]
-    pub(crate) fn apply(
+    pub(crate) fn turn(
         &self,
         constraint: &ContactConstraint<L>,
         impulses: [L; POINTS],
@@ -71,18 +71,28 @@ impl<L: Lane, const POINTS: usize> Axis<L, POINTS> {
         b: &mut BodyState<L>,
     ) {
         let [arm_a, arm_b] = self.arms[0];
-        let (mut sum, mut moments) = (impulses[0], [arm_a * impulses[0], arm_b * impulses[0]]);
+        let mut moments = [arm_a * impulses[0], arm_b * impulses[0]];
         for (&[arm_a, arm_b], &impulse) in self.arms.iter().zip(&impulses).skip(1) {
-            sum = sum + impulse;
             moments = [moments[0] + arm_a * impulse, moments[1] + arm_b * impulse];
         }
-        constraint.apply(Action { impulse: self.direction * sum, moments }, a, b);
+        constraint.turn(moments, a, b);
+    }
+
+    /// What these impulses are together, N s.
+    #[inline(always)]
+    pub(crate) fn sum(&self, impulses: [L; POINTS]) -> LaneVec2<L> {
+        let mut sum = impulses[0];
+        for &impulse in impulses.iter().skip(1) {
+            sum = sum + impulse;
+        }
+        self.direction * sum
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::resolution::constraint::Action;
 
     fn contact() -> ContactConstraint<f32> {
         let mut contact = ContactConstraint {
@@ -128,7 +138,8 @@ mod tests {
         let (contact, before, impulses) = (contact(), states(), [0.7, 0.4]);
         let axis = Axis::<_, 2>::new(&contact, contact.normal);
         let [mut a, mut b] = before;
-        axis.apply(&contact, impulses, &mut a, &mut b);
+        axis.turn(&contact, impulses, &mut a, &mut b);
+        contact.push(axis.sum(impulses), &mut a, &mut b);
 
         let [mut slow_a, mut slow_b] = before;
         for (point, impulse) in contact.points.iter().zip(impulses) {
@@ -147,7 +158,8 @@ mod tests {
         let axis = Axis::<_, 2>::new(&contact, contact.normal);
         let speeds = axis.speeds(&contact, &a, &b);
         let [mut after_a, mut after_b] = [a, b];
-        axis.apply(&contact, impulses, &mut after_a, &mut after_b);
+        axis.turn(&contact, impulses, &mut after_a, &mut after_b);
+        contact.push(axis.sum(impulses), &mut after_a, &mut after_b);
         let after = axis.speeds(&contact, &after_a, &after_b);
         assert_near(axis.speed_after(1, speeds, &contact, impulses), after[1]);
         assert_near(axis.speed_after(0, speeds, &contact, impulses), speeds[0]);

@@ -11,39 +11,48 @@
 
 use crate::compute::Lane;
 
-/// Solves the problem for the 2×2 matrix with diagonal `a11`, `a22` and off-diagonal `a12`; returns x.
+/// One row of the problem: `own` x + `other` x' + `scale` q ≥ 0, with x' the unknown of the other row. Any positive
+/// multiple of it asks for the same. `own` is between 1e-18 and 1e18, so that products of two are numbers still.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Row<L> {
+    pub(crate) own: L,
+    pub(crate) other: L,
+    pub(crate) scale: L,
+}
+
+/// Solves the problem of two rows; returns x.
 ///
-/// Both active: x = -A⁻¹ q, if that is not negative. Else one of the two is 0: of the two candidates
-/// (x₁, 0) and (0, x₂), each the solution of its own row, the right one leaves no approach at the other
-/// point. Taking the one that leaves less also decides when rounding makes neither of them exact, so that
-/// no load is ever dropped.
+/// Let x̂ = -A⁻¹ q, and u what solves each row on its own. Where x̂₂ > 0 the second point presses, and x₁ is x̂₁; else it
+/// does not, and x₁ is u₁; 0 if that is negative. The same for x₂. No load is dropped or borne twice by that where
+/// neither x̂ is positive: then not both u are, as |a₁₂| is well below √(a₁₁ a₂₂).
+///
+/// What is left to do once q is known is short, as all else waits for it; and there are two divisions, which take long.
 #[inline(always)]
-pub(crate) fn solve_pair<L: Lane>(a11: L, a12: L, a22: L, q: [L; 2]) -> [L; 2] {
+pub(crate) fn solve_pair<L: Lane>([first, second]: [Row<L>; 2], q: [L; 2]) -> [L; 2] {
     let (zero, one) = (L::splat(0.0), L::splat(1.0));
-    let inverse_determinant = one / (a11 * a22 - a12 * a12);
-    let both =
-        [(a12 * q[1] - a22 * q[0]) * inverse_determinant, (a12 * q[0] - a11 * q[1]) * inverse_determinant];
+    let product = first.own * second.own;
+    let inverse_product = one / product;
+    let inverse_determinant = one / (product - first.other * second.other);
+    let own = [second.own * first.scale, first.own * second.scale];
+    let alone = [-(own[0] * inverse_product), -(own[1] * inverse_product)];
+    let own = [own[0] * inverse_determinant, own[1] * inverse_determinant];
+    let other =
+        [first.other * second.scale * inverse_determinant, second.other * first.scale * inverse_determinant];
 
-    let [inverse_a11, inverse_a22] = [one / a11, one / a22];
-    let first = (zero - q[0] * inverse_a11).max(zero);
-    let second = (zero - q[1] * inverse_a22).max(zero);
-    let left_at_second = (q[1] + a12 * first) * inverse_a22;
-    let left_at_first = (q[0] + a12 * second) * inverse_a11;
-    let prefer_first = left_at_second.greater(left_at_first);
-
-    let both_press = L::both(both[0].greater(zero), both[1].greater(zero));
+    let together = [other[0] * q[1] - own[0] * q[0], other[1] * q[0] - own[1] * q[1]];
+    let alone = [alone[0] * q[0], alone[1] * q[1]];
     [
-        L::select(both_press, both[0], L::select(prefer_first, first, zero)),
-        L::select(both_press, both[1], L::select(prefer_first, zero, second)),
+        L::select(together[1].greater(zero), together[0], alone[0]).max(zero),
+        L::select(together[0].greater(zero), together[1], alone[1]).max(zero),
     ]
 }
 
 #[cfg(test)]
 mod tests {
-    use super::solve_pair;
+    use super::{Row, solve_pair};
 
-    /// The conditions of the problem are checked themselves. All numbers are of order 1, so f32 leaves
-    /// residuals of a few 1e-6 (condition numbers up to 100 here).
+    /// The conditions of the problem are checked themselves, in a unit in which the matrix is of order 1. There all
+    /// numbers are of order 1, so f32 leaves residuals of a few 1e-6 (condition numbers up to 100 here).
     #[test]
     fn the_solution_satisfies_the_complementarity_conditions() {
         let mut state = 7_u64;
@@ -55,7 +64,11 @@ mod tests {
             let (a11, a22) = (0.5 + random(), 0.5 + random());
             let a12 = (2.0 * random() - 1.0) * 0.98 * (a11 * a22).sqrt();
             let q = [2.0 * random() - 1.0, 2.0 * random() - 1.0];
-            let x = solve_pair(a11, a12, a22, q);
+            let unit = [1e-17, 1.0, 1e17][(random() * 3.0) as usize];
+            let row =
+                |own: f32, scale: f32| Row { own: own * scale * unit, other: a12 * scale * unit, scale };
+            let rows = [row(a11, 0.5 + random()), row(a22, 0.5 + random())];
+            let x = solve_pair(rows, q).map(|x| x * unit);
             let w = [a11 * x[0] + a12 * x[1] + q[0], a12 * x[0] + a22 * x[1] + q[1]];
             for i in 0..2 {
                 assert!(x[i] >= 0.0 && w[i] > -2e-5 && (x[i] * w[i]).abs() < 5e-4, "{x:?} {w:?}");

@@ -191,13 +191,15 @@ impl<L: Lane> ContactConstraint<L> {
     /// Separation of a point now, m.
     #[inline(always)]
     pub(crate) fn separation(&self, point: &ConstraintPoint<L>, a: &BodyState<L>, b: &BodyState<L>) -> L {
-        let [mut tip_a, mut tip_b] = [a.delta_position, b.delta_position];
+        let mut moved = self.normal.dot(b.delta_position - a.delta_position);
         if !self.is_still {
-            let [turned_a, turned_b] = self.turned(point, a, b);
-            tip_a = tip_a + turned_a;
-            tip_b = tip_b + turned_b;
+            let [arm_a, arm_b] = point.moments(self.normal);
+            let [turns_a, turns_b] = [self.special.turns_a, self.special.turns_b];
+            let carried_a = a.delta_rotation.displacement_along(self.normal, point.anchor_a, arm_a, turns_a);
+            let carried_b = b.delta_rotation.displacement_along(self.normal, point.anchor_b, arm_b, turns_b);
+            moved = moved + (carried_b - carried_a);
         }
-        point.separation + self.normal.dot(tip_b - tip_a)
+        point.separation + moved
     }
 
     /// How far the turning of the two bodies has carried the anchors of a point, m.
@@ -222,8 +224,20 @@ impl<L: Lane> ContactConstraint<L> {
         a: &mut BodyState<L>,
         b: &mut BodyState<L>,
     ) {
+        self.push(impulse, a, b);
+        self.turn([moment_a, moment_b], a, b);
+    }
+
+    /// Gives b an impulse, N s, and a the opposite; none of them turns.
+    #[inline(always)]
+    pub(crate) fn push(&self, impulse: LaneVec2<L>, a: &mut BodyState<L>, b: &mut BodyState<L>) {
         a.velocity = a.velocity - impulse * self.inverse_mass_a;
         b.velocity = b.velocity + impulse * self.inverse_mass_b;
+    }
+
+    /// Turns the bodies as moments about the centres of a and b do, N m s, that on a being the opposite.
+    #[inline(always)]
+    pub(crate) fn turn(&self, [moment_a, moment_b]: [L; 2], a: &mut BodyState<L>, b: &mut BodyState<L>) {
         if !self.is_still {
             a.angular_velocity = a.angular_velocity - self.inverse_inertia_a * moment_a;
             b.angular_velocity = b.angular_velocity + self.inverse_inertia_b * moment_b;

@@ -29,7 +29,7 @@ use crate::collision::{Contacts, Manifold};
 use crate::compute::{BodyState, GROUND_ROW, Width};
 use crate::math::Vec2;
 use crate::resolution::approach::{RESTING_SUBSTEPS, Watched, approach};
-use crate::resolution::block::solve_pair;
+use crate::resolution::block::{Row, solve_pair};
 use crate::resolution::constraint::{ContactConstraint, OUT_OF_REACH};
 use crate::resolution::constraint_graph::{BlockPlace, ConstraintGraph};
 use crate::resolution::contact_block::Marks;
@@ -416,7 +416,8 @@ impl BouncyContact {
         let change = meeting.speeds.map(|speed| speed.map(|u| (1.0 + self.restitution) * u));
         let impulses = match change {
             [Some(q_1), Some(q_2)] => {
-                solve_pair(point_1.normal_k, constraint.coupling, point_2.normal_k, [q_1, q_2])
+                let row = |own| Row { own, other: constraint.coupling, scale: 1.0 };
+                solve_pair([row(point_1.normal_k), row(point_2.normal_k)], [q_1, q_2])
             }
             _ => [
                 change[0].map_or(0.0, |q| (-q / point_1.normal_k).max(0.0)),

@@ -2,14 +2,14 @@
 //!
 //! This is where a step spends its time: per substep each contact is warm started once and swept twice.
 
-use crate::compute::{BodyState, Lane, Shared};
+use crate::compute::{BodyState, Lane, LaneVec2, Shared};
 #[cfg(feature = "report")]
 use crate::compute::{Count, Counted, count};
 use crate::resolution::axis::Axis;
-use crate::resolution::block::solve_pair;
+use crate::resolution::block::{Row, solve_pair};
 use crate::resolution::constraint::ContactConstraint;
 use crate::resolution::contact_block::{ContactBlock, Fit};
-use crate::resolution::softness::{bias, gap_bias, leak};
+use crate::resolution::softness::{bias, gap_bias, one_and_leak};
 
 /// Something that is done to contacts, as many at a time as a lane holds: those of `block` from `place` on. Several
 /// threads do it to contacts of one colour, which move no body in common: no other may it write to. It is to be
@@ -160,16 +160,20 @@ impl SweepOver<'_> {
             self.find_separations::<L, POINTS>(block, place, is_still);
         }
         let mut states = block.gather_velocities(&self.states, place);
-        self.solve_normals::<L, POINTS>(block, place, kind, is_still, &mut states);
+        let mut impulse = self.solve_normals::<L, POINTS>(block, place, kind, is_still, &mut states);
         if POINTS == 2 && block.has_newcomers() {
             block.note_newly_loaded(place, &block.load::<L>(place));
         }
         if kind.friction {
-            solve_frictions::<L, POINTS>(block, place, kind, is_still, &mut states);
+            // The push along the normal, which is still to come, is across to the tangent.
+            impulse = impulse + solve_frictions::<L, POINTS>(block, place, kind, is_still, &mut states);
         }
+        let [a, b] = &mut states;
+        block.load::<L>(place).push(impulse, a, b);
         block.scatter(&self.states, place, &states);
     }
 
+    /// Turns the bodies; returns the impulse that is still to push them, N s.
     #[inline(always)]
     fn solve_normals<L: Lane, const POINTS: usize>(
         &self,
@@ -178,7 +182,7 @@ impl SweepOver<'_> {
         kind: Sweep,
         is_still: bool,
         [a, b]: &mut [BodyState<L>; 2],
-    ) {
+    ) -> LaneVec2<L> {
         let mut constraint = ContactConstraint { is_still, ..block.load::<L>(place) };
         if kind.counts_share {
             for (point, friction) in constraint.points.iter_mut().zip(&constraint.frictions).take(POINTS) {
@@ -188,16 +192,18 @@ impl SweepOver<'_> {
         let axis = Axis::<L, POINTS>::new(&constraint, constraint.normal);
         let speeds = axis.speeds(&constraint, a, b);
         let mut changes = [L::splat(0.0); POINTS];
+        let aim = (kind.biased, self.per_substep);
         if kind.block && POINTS == 2 {
-            changes = solve_normals_together(&mut constraint, speeds, kind.biased, self.per_substep);
+            changes = solve_normals_together(&mut constraint, speeds, aim);
         } else {
             for index in 0..POINTS {
                 let vn = axis.speed_after(index, speeds, &constraint, changes);
-                changes[index] = solve_normal(&mut constraint, index, vn, kind.biased, self.per_substep);
+                changes[index] = solve_normal(&mut constraint, index, vn, aim);
             }
         }
-        axis.apply(&constraint, changes, a, b);
+        axis.turn(&constraint, changes, a, b);
         block.store_normal_impulses::<L, POINTS>(place, &constraint);
+        axis.sum(changes)
     }
 
     /// Finds how far the points are apart where the bodies are now. It is so until they move again.
@@ -218,6 +224,7 @@ impl SweepOver<'_> {
     }
 }
 
+/// Turns the bodies; returns the impulse that is still to push them, N s.
 #[inline(always)]
 fn solve_frictions<L: Lane, const POINTS: usize>(
     block: &mut ContactBlock,
@@ -225,7 +232,7 @@ fn solve_frictions<L: Lane, const POINTS: usize>(
     kind: Sweep,
     is_still: bool,
     [a, b]: &mut [BodyState<L>; 2],
-) {
+) -> LaneVec2<L> {
     let mut constraint = ContactConstraint { is_still, ..block.load::<L>(place) };
     if kind.counts_share {
         for friction in constraint.frictions.iter_mut().take(POINTS) {
@@ -239,34 +246,42 @@ fn solve_frictions<L: Lane, const POINTS: usize>(
         let slip = axis.speed_after(index, speeds, &constraint, changes);
         changes[index] = solve_friction(&mut constraint, index, slip);
     }
-    axis.apply(&constraint, changes, a, b);
+    axis.turn(&constraint, changes, a, b);
     block.store_friction_impulses::<L, POINTS>(place, &constraint);
+    axis.sum(changes)
 }
 
-/// vn + bias of a point, m/s, and its leak.
+/// What a point with the speed `vn`, m/s, asks of its impulse x and of that of the other point, x', so that it does not
+/// approach: the row and its q of
+///
+/// ```text
+/// (1 + leak) k x + coupling x' + q ≥ 0,   q = vn + bias - k λ - coupling λ'
+/// ```
+///
+/// where the impulses so far, λ and λ', have brought about vn.
 #[inline(always)]
-fn violation<L: Lane>(
+fn row<L: Lane>(
     constraint: &ContactConstraint<L>,
     index: usize,
     vn: L,
-    biased: bool,
-    per_substep: f32,
-) -> (L, L) {
-    let point = &constraint.points[index];
+    [coupling, other_impulse]: [L; 2],
+    (biased, per_substep): (bool, f32),
+) -> (Row<L>, L) {
+    let (point, per_substep) = (&constraint.points[index], L::splat(per_substep));
+    let (zero, one) = (L::splat(0.0), L::splat(1.0));
     let separation = point.separation_now + constraint.special.awaits_impact[index];
-    if biased {
-        let leak = leak(separation, point.normal_k, point.normal_impulse);
-        (vn + bias(separation, L::splat(per_substep)), leak)
+    let load = point.normal_k * point.normal_impulse;
+    let (row, bias) = if biased {
+        let [soft, whole] = one_and_leak(separation, load);
+        let row = Row { own: point.normal_k * soft, other: coupling * whole, scale: whole };
+        (row, bias(separation, per_substep))
     } else {
-        (vn + gap_bias(separation, L::splat(per_substep)), L::splat(0.0))
-    }
-}
-
-/// k of a point, with a harmless 1 where there is no point: its impulse is kept at 0 by `mask`.
-#[inline(always)]
-fn k_or_one<L: Lane>(k: L) -> (L, L::Mask) {
-    let is_there = k.greater(L::splat(0.0));
-    (L::select(is_there, k, L::splat(1.0)), is_there)
+        (Row { own: point.normal_k, other: coupling, scale: one }, gap_bias(separation, per_substep))
+    };
+    let q = vn + (bias - (load + coupling * other_impulse));
+    // A point that is not there asks for nothing, with a harmless 1.
+    let is_there = point.normal_k.greater(zero);
+    (Row { own: L::select(is_there, row.own, one), ..row }, L::select(is_there, q, zero))
 }
 
 /// Two points together; returns by how much their impulses change, N s.
@@ -274,51 +289,28 @@ fn k_or_one<L: Lane>(k: L) -> (L, L::Mask) {
 fn solve_normals_together<L: Lane, const POINTS: usize>(
     constraint: &mut ContactConstraint<L>,
     speeds: [L; POINTS],
-    biased: bool,
-    per_substep: f32,
+    aim: (bool, f32),
 ) -> [L; POINTS] {
-    let zero = L::splat(0.0);
-    let one = L::splat(1.0);
-    let (violation_1, leak_1) = violation(constraint, 0, speeds[0], biased, per_substep);
-    let (violation_2, leak_2) = violation(constraint, 1, speeds[1], biased, per_substep);
-    let [point_1, point_2] = &constraint.points;
-    let before = [point_1.normal_impulse, point_2.normal_impulse];
-    let (k11, first_is_there) = k_or_one(point_1.normal_k);
-    let (k22, second_is_there) = k_or_one(point_2.normal_k);
-    let k12 = constraint.coupling;
-    // A second point that is not there asks for nothing: then the first gets what it gets on its own.
-    let q = [
-        violation_1 - (k11 * before[0] + k12 * before[1]),
-        L::select(second_is_there, violation_2 - (k12 * before[0] + k22 * before[1]), zero),
-    ];
-    let [x1, x2] = solve_pair(k11 * (one + leak_1), k12, k22 * (one + leak_2), q);
-    let after = [L::select(first_is_there, x1, zero), L::select(second_is_there, x2, zero)];
-    let mut changes = [zero; POINTS];
-    for index in 0..POINTS {
+    let before = [constraint.points[0].normal_impulse, constraint.points[1].normal_impulse];
+    let (first, q_1) = row(constraint, 0, speeds[0], [constraint.coupling, before[1]], aim);
+    let (second, q_2) = row(constraint, 1, speeds[1], [constraint.coupling, before[0]], aim);
+    let after = solve_pair([first, second], [q_1, q_2]);
+    let mut changes = [L::splat(0.0); POINTS];
+    for (index, change) in changes.iter_mut().enumerate() {
         constraint.points[index].normal_impulse = after[index];
-        changes[index] = after[index] - before[index];
+        *change = after[index] - before[index];
     }
     changes
 }
 
-/// One point on its own: λ = (k λ₀ - (vn + bias)) / (k (1 + leak)), 0 or more. Returns by how much it changes, N s.
+/// One point on its own. Returns by how much its impulse changes, N s.
 #[inline(always)]
-fn solve_normal<L: Lane>(
-    constraint: &mut ContactConstraint<L>,
-    index: usize,
-    vn: L,
-    biased: bool,
-    per_substep: f32,
-) -> L {
+fn solve_normal<L: Lane>(constraint: &mut ContactConstraint<L>, index: usize, vn: L, aim: (bool, f32)) -> L {
     let zero = L::splat(0.0);
-    let (violation, leak) = violation(constraint, index, vn, biased, per_substep);
-    let point = &constraint.points[index];
-    let before = point.normal_impulse;
-    let (k, is_there) = k_or_one(point.normal_k);
+    let before = constraint.points[index].normal_impulse;
+    let (row, q) = row(constraint, index, vn, [zero; 2], aim);
     // By the inverse, as two points together: a contact of one gets the same either way.
-    let one = L::splat(1.0);
-    let wanted = (k * before - violation) * (one / (k * (one + leak)));
-    let after = L::select(is_there, wanted.max(zero), zero);
+    let after = (-(row.scale * (L::splat(1.0) / row.own)) * q).max(zero);
     constraint.points[index].normal_impulse = after;
     after - before
 }

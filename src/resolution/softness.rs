@@ -22,6 +22,9 @@ const FULL_LEAK_SPEED: f32 = 0.5;
 /// grows with its load is undamped, and bodies that are pressed together from all sides explode.
 const LEAK_SHARE_BEYOND: f32 = 0.15;
 
+/// Beyond this speed, m/s, a leak does not change any more: it is within 0.3 % of what it comes to.
+const LAST_LEAK_SPEED: f32 = 1e3;
+
 /// Overlap up to `SHALLOW` is driven out at this rate, 1/s. Faster with the same leak, and large pyramids do
 /// not come to rest; slower, and stacks sag more.
 const BIAS_RATE: f32 = 28.0;
@@ -48,16 +51,14 @@ pub(crate) fn sag(speed: f32, per_substep: f32) -> f32 {
 }
 
 /// Speed with which the contact wants to close (positive, while apart: it may close the gap s within one
-/// substep of length 1/`per_substep`) or to open (negative, where bodies overlap), m/s.
+/// substep of length 1/`per_substep`) or to open (negative, where bodies overlap), m/s: the greatest of four straight
+/// lines over the separation, each less steep than the one before.
 #[inline(always)]
 pub(crate) fn bias<L: Lane>(separation: L, per_substep: L) -> L {
-    let zero = L::splat(0.0);
-    let depth = zero - separation;
-    let shallow = depth.min(L::splat(SHALLOW));
     let rate = L::splat(BIAS_RATE).min(L::splat(LARGEST_SHARE) * per_substep);
-    let push = rate * shallow + rate.min(L::splat(DEEP_BIAS_RATE)) * (depth - shallow);
-    let apart = separation.greater(zero);
-    L::select(apart, separation * per_substep, -(push.min(L::splat(PUSH_SPEED))))
+    let deep_rate = rate.min(L::splat(DEEP_BIAS_RATE));
+    let deep = deep_rate * separation - (rate - deep_rate) * L::splat(SHALLOW);
+    (separation * per_substep).max(separation * rate).max(deep.max(L::splat(-PUSH_SPEED)))
 }
 
 /// The bias of a sweep that must not push: only the gap counts.
@@ -66,12 +67,14 @@ pub(crate) fn gap_bias<L: Lane>(separation: L, per_substep: L) -> L {
     separation.max(L::splat(0.0)) * per_substep
 }
 
-/// The leak of a contact with this separation, inverse effective mass `k` and impulse: none while it is
-/// apart.
+/// 1 + leak of a contact with this separation and `load`, k λ in m/s, as a fraction: numerator and denominator, both
+/// from 0.5 to 1200. While it is apart nothing leaks.
 #[inline(always)]
-pub(crate) fn leak<L: Lane>(separation: L, k: L, impulse: L) -> L {
-    let full = L::splat(FULL_LEAK_SPEED);
-    let speed = (L::splat(LEAK) * k * impulse).max(full);
-    let share = (full + L::splat(LEAK_SHARE_BEYOND) * (speed - full)) / speed;
-    L::select(separation.greater(L::splat(0.0)), L::splat(0.0), L::splat(LEAK) * share)
+pub(crate) fn one_and_leak<L: Lane>(separation: L, load: L) -> [L; 2] {
+    let speed = L::splat(LEAK) * load;
+    let whole = speed.max(L::splat(FULL_LEAK_SPEED)).min(L::splat(LAST_LEAK_SPEED));
+    // LEAK of what is up to the full speed, LEAK_SHARE_BEYOND of that of what is more.
+    let leak = L::splat(LEAK * (1.0 - LEAK_SHARE_BEYOND) * FULL_LEAK_SPEED);
+    let soft = L::splat(1.0 + LEAK * LEAK_SHARE_BEYOND) * whole + leak;
+    [L::select(separation.greater(L::splat(0.0)), whole, soft), whole]
 }
