@@ -155,6 +155,8 @@ impl ConstraintGraph {
         .unwrap_or(OVERFLOW);
         let entered = &mut section[colour];
         if colour != OVERFLOW {
+            // For any body, so that none asks for memory when all else has settled.
+            entered.bodies.make_room(bodies.motions.len());
             for (slot, moves) in slots.into_iter().zip([a_moves, b_moves]) {
                 if moves {
                     entered.bodies.insert(slot);

@@ -278,7 +278,8 @@ fn row<L: Lane>(
     } else {
         (Row { own: point.normal_k, other: coupling, scale: one }, gap_bias(separation, per_substep))
     };
-    let q = vn + (bias - (load + coupling * other_impulse));
+    // What is small is added first: of that less is lost by rounding.
+    let q = (vn + bias) - (load + coupling * other_impulse);
     // A point that is not there asks for nothing, with a harmless 1.
     let is_there = point.normal_k.greater(zero);
     (Row { own: L::select(is_there, row.own, one), ..row }, L::select(is_there, q, zero))

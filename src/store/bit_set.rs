@@ -17,12 +17,18 @@ impl BitSet {
         self.words.fill(0);
     }
 
+    /// Makes room for all numbers below `end` at once.
+    pub(crate) fn make_room(&mut self, end: usize) {
+        let count = end.div_ceil(64);
+        if count > self.words.len() {
+            self.words.resize(count, 0);
+        }
+    }
+
     /// Adds `number`; returns whether it is new.
     pub(crate) fn insert(&mut self, number: u32) -> bool {
         let (index, bit) = (number as usize / 64, 1 << (number % 64));
-        if index >= self.words.len() {
-            self.words.resize(index + 1, 0);
-        }
+        self.make_room(number as usize + 1);
         let is_new = self.words[index] & bit == 0;
         self.words[index] |= bit;
         is_new
