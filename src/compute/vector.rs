@@ -104,18 +104,18 @@ impl<L: Lane> LaneRot<L> {
         Self { c: L::select(mask, yes.c, no.c), s: L::select(mask, yes.s, no.s) }
     }
 
-    /// n·(R r - r) from the lever arm r × n: how far the rotation carries the tip of `r` along `n`; `turns` times.
-    #[inline(always)]
-    pub(crate) fn displacement_along(self, n: LaneVec2<L>, r: LaneVec2<L>, arm: L, turns: L) -> L {
-        let (c, s) = (turns * (self.c - L::splat(1.0)), turns * self.s);
-        c * n.dot(r) + s * arm
-    }
-
     /// How far the rotation carries the tip of `r`: R r - r. Exactly zero for the rotation by 0, however
     /// long `r` is.
     #[inline(always)]
     pub(crate) fn displacement(self, r: LaneVec2<L>) -> LaneVec2<L> {
         let c = self.c - L::splat(1.0);
         LaneVec2 { x: c * r.x - self.s * r.y, y: c * r.y + self.s * r.x }
+    }
+
+    /// The part of the [`displacement`](Self::displacement) along `direction`, from the lever arm r × d that others need
+    /// too.
+    #[inline(always)]
+    pub(crate) fn displacement_along(self, r: LaneVec2<L>, direction: LaneVec2<L>) -> L {
+        (self.c - L::splat(1.0)) * direction.dot(r) + self.s * r.cross(direction)
     }
 }

@@ -33,14 +33,15 @@ pub(crate) fn solve_pair<L: Lane>([first, second]: [Row<L>; 2], q: [L; 2]) -> [L
     let product = first.own * second.own;
     let inverse_product = one / product;
     let inverse_determinant = one / (product - first.other * second.other);
+    // The adjugate of A, but for its signs.
     let own = [second.own * first.scale, first.own * second.scale];
-    let alone = [-(own[0] * inverse_product), -(own[1] * inverse_product)];
-    let own = [own[0] * inverse_determinant, own[1] * inverse_determinant];
-    let other =
-        [first.other * second.scale * inverse_determinant, second.other * first.scale * inverse_determinant];
+    let other = [first.other * second.scale, second.other * first.scale];
+    let gain_alone = [-(own[0] * inverse_product), -(own[1] * inverse_product)];
+    let gain_own = [own[0] * inverse_determinant, own[1] * inverse_determinant];
+    let gain_other = [other[0] * inverse_determinant, other[1] * inverse_determinant];
 
-    let together = [other[0] * q[1] - own[0] * q[0], other[1] * q[0] - own[1] * q[1]];
-    let alone = [alone[0] * q[0], alone[1] * q[1]];
+    let alone = [gain_alone[0] * q[0], gain_alone[1] * q[1]];
+    let together = [gain_other[0] * q[1] - gain_own[0] * q[0], gain_other[1] * q[0] - gain_own[1] * q[1]];
     [
         L::select(together[1].greater(zero), together[0], alone[0]).max(zero),
         L::select(together[0].greater(zero), together[1], alone[1]).max(zero),

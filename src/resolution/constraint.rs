@@ -193,11 +193,9 @@ impl<L: Lane> ContactConstraint<L> {
     pub(crate) fn separation(&self, point: &ConstraintPoint<L>, a: &BodyState<L>, b: &BodyState<L>) -> L {
         let mut moved = self.normal.dot(b.delta_position - a.delta_position);
         if !self.is_still {
-            let [arm_a, arm_b] = point.moments(self.normal);
-            let [turns_a, turns_b] = [self.special.turns_a, self.special.turns_b];
-            let carried_a = a.delta_rotation.displacement_along(self.normal, point.anchor_a, arm_a, turns_a);
-            let carried_b = b.delta_rotation.displacement_along(self.normal, point.anchor_b, arm_b, turns_b);
-            moved = moved + (carried_b - carried_a);
+            let carried_a = a.delta_rotation.displacement_along(point.anchor_a, self.normal);
+            let carried_b = b.delta_rotation.displacement_along(point.anchor_b, self.normal);
+            moved = moved + (carried_b * self.special.turns_b - carried_a * self.special.turns_a);
         }
         point.separation + moved
     }

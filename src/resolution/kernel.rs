@@ -192,13 +192,12 @@ impl SweepOver<'_> {
         let axis = Axis::<L, POINTS>::new(&constraint, constraint.normal);
         let speeds = axis.speeds(&constraint, a, b);
         let mut changes = [L::splat(0.0); POINTS];
-        let aim = (kind.biased, self.per_substep);
         if kind.block && POINTS == 2 {
-            changes = solve_normals_together(&mut constraint, speeds, aim);
+            changes = solve_normals_together(&mut constraint, speeds, kind.biased, self.per_substep);
         } else {
             for index in 0..POINTS {
                 let vn = axis.speed_after(index, speeds, &constraint, changes);
-                changes[index] = solve_normal(&mut constraint, index, vn, aim);
+                changes[index] = solve_normal(&mut constraint, index, vn, kind.biased, self.per_substep);
             }
         }
         axis.turn(&constraint, changes, a, b);
@@ -265,7 +264,8 @@ fn row<L: Lane>(
     index: usize,
     vn: L,
     [coupling, other_impulse]: [L; 2],
-    (biased, per_substep): (bool, f32),
+    biased: bool,
+    per_substep: f32,
 ) -> (Row<L>, L) {
     let (point, per_substep) = (&constraint.points[index], L::splat(per_substep));
     let (zero, one) = (L::splat(0.0), L::splat(1.0));
@@ -290,11 +290,13 @@ fn row<L: Lane>(
 fn solve_normals_together<L: Lane, const POINTS: usize>(
     constraint: &mut ContactConstraint<L>,
     speeds: [L; POINTS],
-    aim: (bool, f32),
+    biased: bool,
+    per_substep: f32,
 ) -> [L; POINTS] {
     let before = [constraint.points[0].normal_impulse, constraint.points[1].normal_impulse];
-    let (first, q_1) = row(constraint, 0, speeds[0], [constraint.coupling, before[1]], aim);
-    let (second, q_2) = row(constraint, 1, speeds[1], [constraint.coupling, before[0]], aim);
+    let coupling = constraint.coupling;
+    let (first, q_1) = row(constraint, 0, speeds[0], [coupling, before[1]], biased, per_substep);
+    let (second, q_2) = row(constraint, 1, speeds[1], [coupling, before[0]], biased, per_substep);
     let after = solve_pair([first, second], [q_1, q_2]);
     let mut changes = [L::splat(0.0); POINTS];
     for (index, change) in changes.iter_mut().enumerate() {
@@ -306,10 +308,16 @@ fn solve_normals_together<L: Lane, const POINTS: usize>(
 
 /// One point on its own. Returns by how much its impulse changes, N s.
 #[inline(always)]
-fn solve_normal<L: Lane>(constraint: &mut ContactConstraint<L>, index: usize, vn: L, aim: (bool, f32)) -> L {
+fn solve_normal<L: Lane>(
+    constraint: &mut ContactConstraint<L>,
+    index: usize,
+    vn: L,
+    biased: bool,
+    per_substep: f32,
+) -> L {
     let zero = L::splat(0.0);
     let before = constraint.points[index].normal_impulse;
-    let (row, q) = row(constraint, index, vn, [zero; 2], aim);
+    let (row, q) = row(constraint, index, vn, [zero; 2], biased, per_substep);
     // By the inverse, as two points together: a contact of one gets the same either way.
     let after = (-(row.scale * (L::splat(1.0) / row.own)) * q).max(zero);
     constraint.points[index].normal_impulse = after;

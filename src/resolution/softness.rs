@@ -68,7 +68,7 @@ pub(crate) fn gap_bias<L: Lane>(separation: L, per_substep: L) -> L {
 }
 
 /// 1 + leak of a contact with this separation and `load`, k λ in m/s, as a fraction: numerator and denominator, both
-/// from 0.5 to 1200. While it is apart nothing leaks.
+/// from 0.5 to 1100. While it is apart nothing leaks.
 #[inline(always)]
 pub(crate) fn one_and_leak<L: Lane>(separation: L, load: L) -> [L; 2] {
     let speed = L::splat(LEAK) * load;

@@ -54,8 +54,7 @@ fn sleeping_stack(count: usize) -> (World, BodyId, Vec<BodyId>) {
 
 #[test]
 fn a_pile_at_rest_sleeps_and_runs_no_stage() {
-    // A disc may roll on for ever: what leaves the pile is removed, and another pile is taken where one rolls within it,
-    // as in one of six.
+    // A disc may roll on for ever: what leaves the pile is removed, and another pile is taken where one rolls within it.
     let bounds = Some(Aabb::new(Vec2::new(-12.0, -20.0), Vec2::new(12.0, 500.0)));
     let mut piles = (1..=8).map(|seed| {
         let mut world =
