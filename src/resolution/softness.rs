@@ -78,3 +78,24 @@ pub(crate) fn one_and_leak<L: Lane>(separation: L, load: L) -> [L; 2] {
     let soft = L::splat(1.0 + LEAK * LEAK_SHARE_BEYOND) * whole + leak;
     [L::select(separation.greater(L::splat(0.0)), whole, soft), whole]
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The leak as its constants say it, in `f64`: `LEAK` of a load up to the full speed, `LEAK_SHARE_BEYOND` of that of what
+    /// is more. Beyond the last speed it is 0.3 % of the leak off, 1e-4 of the whole; the rest is rounding.
+    #[test]
+    fn a_leak_is_what_its_constants_say_and_fits_into_products_under_any_load() {
+        for load in [0.0, 1.0, 3.5, 3.6, 10.0, 1e3, 1e4, 1e6, 1e27_f32] {
+            let [numerator, denominator] = one_and_leak(-0.01_f32, load);
+            assert!((0.5..1100.0).contains(&numerator) && (0.5..1100.0).contains(&denominator), "{load}");
+            let (speed, full) = (f64::from(LEAK) * f64::from(load), f64::from(FULL_LEAK_SPEED));
+            let leaking = speed.min(full) + f64::from(LEAK_SHARE_BEYOND) * (speed - full).max(0.0);
+            let leak = f64::from(LEAK) * if speed > 0.0 { leaking / speed } else { 1.0 };
+            assert!((f64::from(numerator / denominator) - 1.0 - leak).abs() < 1e-4, "{load}");
+            let [numerator, denominator] = one_and_leak(0.01_f32, load);
+            assert!(numerator == denominator, "apart under {load}");
+        }
+    }
+}
