@@ -90,7 +90,7 @@ impl DistantPairs {
                     prefetch(&bodies.motions, a as usize);
                     prefetch(&bodies.motions, b as usize);
                 }
-                *fate = if boxes.have_parted(a, b) {
+                *fate = if !boxes.overlap(a, b) {
                     boxes.prefetch_pair([a, b]);
                     Fate::Parts
                 } else if (bodies.is_awake(a) || bodies.is_awake(b)) && are_out_of_reach(bodies, [a, b], dt) {

@@ -73,11 +73,12 @@ impl Aabb {
 
     /// Whether the two share a point, borders included.
     #[inline(always)]
+    #[expect(clippy::needless_bitwise_bool, reason = "branches are as hard to foresee as the answer")]
     pub fn overlaps(self, other: Self) -> bool {
-        self.min.x <= other.max.x
-            && other.min.x <= self.max.x
-            && self.min.y <= other.max.y
-            && other.min.y <= self.max.y
+        (self.min.x <= other.max.x)
+            & (other.min.x <= self.max.x)
+            & (self.min.y <= other.max.y)
+            & (other.min.y <= self.max.y)
     }
 
     /// Whether a place lies within this box, borders included.

@@ -119,15 +119,10 @@ impl World {
                 contacts.prefetch_ahead(bodies, awake, place);
                 contacts.change(index, |contact| {
                     let [a, b] = contact.slots;
-                    let had_points = !contact.manifold.points().is_empty();
                     refresh(contact, bodies, how);
                     let has_points = !contact.manifold.points().is_empty();
-                    let is_close = match (had_points, has_points) {
-                        // Whatever their boxes say, which may part meanwhile.
-                        (_, true) => true,
-                        (true, false) => broad_phase.overlap(a, b),
-                        (false, false) => !broad_phase.have_parted(a, b),
-                    };
+                    // Bodies that touch are, whatever their boxes say, which may part meanwhile.
+                    let is_close = has_points || broad_phase.overlap(a, b);
                     *is_close_now = (!is_close || contact.is_misplaced()).then_some(is_close);
                 });
             }

@@ -20,13 +20,14 @@
 mod tests;
 mod tree;
 
+use tree::Search;
 pub(crate) use tree::Tree;
 
 use std::sync::Mutex;
 
 use crate::compute::{Crew, lock, prefetch};
 use crate::math::{Aabb, Point, Vec2};
-use crate::store::{BitSet, PairSet};
+use crate::store::PairSet;
 
 /// Largest margin around a tight box, m.
 ///
@@ -93,8 +94,6 @@ pub(crate) struct BroadPhase {
     movable: Tree,
     /// Bodies with a new fat box since pairs were last looked for. Its order does not reach a result.
     moved: Vec<u32>,
-    /// Those that had a new one when pairs were last looked for.
-    moved_last: BitSet,
     /// Pairs the caller has been told of and has not ended.
     pairs: PairSet,
 }
@@ -240,13 +239,6 @@ impl BroadPhase {
         self.fat_aabb(a).overlaps(self.fat_aabb(b))
     }
 
-    /// Whether the fat boxes of a pair have parted: those of bodies that had not moved when pairs were last looked for are as
-    /// they were, so that it has to be asked in each step.
-    #[inline]
-    pub(crate) fn have_parted(&self, a: u32, b: u32) -> bool {
-        (self.moved_last.contains(a) || self.moved_last.contains(b)) && !self.overlap(a, b)
-    }
-
     /// How many bodies have a new fat box since pairs were last looked for.
     pub(crate) fn moved_count(&self) -> usize {
         self.moved.len()
@@ -262,13 +254,11 @@ impl BroadPhase {
         out: &mut Vec<(u32, u32)>,
     ) {
         let first_new = out.len();
-        self.moved_last.clear();
         let new = Mutex::new(&mut *out);
         let this = &*self;
         crew.run(&this.moved[..], WALK_COST, |moved| this.find_pairs_of(moved, &accept, &new));
         for body in self.moved.drain(..) {
             self.proxies[body as usize].moved_at = None;
-            self.moved_last.insert(body);
         }
         // The order in which the trees were walked is that of their history; the numbers' is the caller's.
         out[first_new..].sort_unstable();
@@ -284,6 +274,7 @@ impl BroadPhase {
         accept: &impl Fn(u32, u32) -> bool,
         new: &Mutex<&mut Vec<(u32, u32)>>,
     ) {
+        let mut search = Search::new();
         // Pairs that were met and may be known.
         let (mut met, mut count) = ([(0, 0); ASKED_TOGETHER], 0);
         let report = |met: &[(u32, u32)]| {
@@ -297,18 +288,16 @@ impl BroadPhase {
                 let (a, b) = (body.min(other), body.max(other));
                 // Two moved bodies find each other; the one with the smaller number reports it.
                 let is_reported_by_other = other <= body && self.proxies[other as usize].moved_at.is_some();
-                if !is_reported_by_other {
-                    self.pairs.prefetch(a, b);
-                    met[count] = (a, b);
-                    count += 1;
-                    if count == ASKED_TOGETHER {
-                        report(&met);
-                        count = 0;
-                    }
+                self.pairs.prefetch(a, b);
+                met[count] = (a, b);
+                count += usize::from(!is_reported_by_other);
+                if count == ASKED_TOGETHER {
+                    report(&met);
+                    count = 0;
                 }
             };
             let other_tree = if let Home::Movable(leaf) = proxy.home {
-                self.movable.query_around(leaf, &mut meet);
+                self.movable.search_around(leaf, &mut search, &mut meet);
                 &self.fixed
             } else {
                 &self.movable

@@ -31,6 +31,7 @@
 //! (the bound on imbalance).
 
 mod balance;
+mod search;
 #[cfg(test)]
 mod tests;
 mod validate;
@@ -38,6 +39,7 @@ mod walk;
 
 use crate::compute::prefetch;
 use crate::math::{Aabb, Vec2};
+pub(crate) use search::Search;
 
 /// Largest difference of height between two siblings.
 ///

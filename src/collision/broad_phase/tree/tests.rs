@@ -1,4 +1,4 @@
-use super::{Tree, distance};
+use super::{Search, Tree, distance};
 use crate::math::{Aabb, Point, Vec2};
 use crate::testing::Random;
 
@@ -19,7 +19,7 @@ fn found(tree: &Tree, aabb: Aabb) -> Vec<u32> {
 
 fn found_around(tree: &Tree, leaf: u32) -> Vec<u32> {
     let mut values = vec![];
-    tree.query_around(leaf, |value| values.push(value));
+    tree.search_around(leaf, &mut Search::new(), |value| values.push(value));
     values
 }
 
@@ -90,6 +90,20 @@ fn a_query_finds_what_a_look_at_every_box_finds_under_random_edits() {
         assert_sound(&tree);
     }
     assert_eq!((tree.len(), tree.height()), (0, 0));
+}
+
+/// More leaves than a search has room for, and more pairs of siblings at a time.
+#[test]
+fn a_search_around_a_box_that_meets_all_finds_each_once() {
+    let mut random = Random(3);
+    let mut tree = Tree::default();
+    for value in 0..5000 {
+        tree.insert(random_aabb(&mut random, 50.0, 1.0), value);
+    }
+    let all = tree.insert(Aabb::new(Vec2::splat(-100.0), Vec2::splat(100.0)), 5000);
+    let mut around = found_around(&tree, all);
+    around.sort_unstable();
+    assert!(around.into_iter().eq(0..5000));
 }
 
 /// How far, m, a segment and a box are apart by the separating axis theorem in f64; not above 0 if they touch.

@@ -8,7 +8,7 @@ use super::{ROOT, Tree};
 use crate::math::{Aabb, Point, Vec2};
 
 /// Pairs a walk can put off: 2.47·log₂(2³¹ leaves) + 4 = 81 levels at most.
-const STACK: usize = 84;
+pub(super) const STACK: usize = 84;
 
 /// By how much a fraction of a ray is stretched before it is compared with another: the difference and the
 /// product that make it round, so it is off by up to 4·2⁻⁵³ of itself. Signs and zeros are exact.
@@ -48,38 +48,6 @@ impl Tree {
         let mut pending = Pending::new();
         // The root has no sibling; the box beside it is nowhere and meets nothing.
         pending.push(ROOT);
-        self.query_pending(&mut pending, aabb, &mut visit)
-    }
-
-    /// Calls `visit` with the value of each other leaf whose box meets that of `leaf`.
-    ///
-    /// It goes up from the leaf, and down from siblings only: what is above the leaf meets its box in any case.
-    #[inline]
-    pub(crate) fn query_around(&self, leaf: u32, mut visit: impl FnMut(u32)) {
-        let mut pending = Pending::new();
-        let mut visit = |value| {
-            visit(value);
-            true
-        };
-        let mut place = self.leaf_places[leaf as usize];
-        let aabb = self.node(place).aabb;
-        while place != ROOT {
-            let sibling = self.node(place ^ 1);
-            if sibling.aabb.overlaps(aabb) {
-                if sibling.is_leaf() {
-                    visit(sibling.value);
-                } else {
-                    pending.push(sibling.link);
-                    self.query_pending(&mut pending, aabb, &mut visit);
-                }
-            }
-            place = sibling.parent;
-        }
-    }
-
-    /// Does what [`query`](Self::query) does for the leaves at and below the pairs that are pending.
-    #[inline(always)]
-    fn query_pending(&self, pending: &mut Pending, aabb: Aabb, visit: &mut impl FnMut(u32) -> bool) -> bool {
         while let Some(pair) = pending.pop() {
             for node in &self.nodes[pair..pair + 2] {
                 if !node.aabb.overlaps(aabb) {
