@@ -302,10 +302,7 @@ impl BroadPhase {
             } else {
                 &self.movable
             };
-            other_tree.query(proxy.fat, |other| {
-                meet(other);
-                true
-            });
+            other_tree.search(proxy.fat, &mut search, meet);
         }
         report(&met[..count]);
     }
