@@ -302,7 +302,10 @@ impl BroadPhase {
             } else {
                 &self.movable
             };
-            other_tree.search(proxy.fat, &mut search, meet);
+            other_tree.query(proxy.fat, |other| {
+                meet(other);
+                true
+            });
         }
         report(&met[..count]);
     }

@@ -1,4 +1,4 @@
-//! Which leaves meet a box: the walk of the pairs stage, which asks it for every body that moved.
+//! Which leaves meet the box of another: asked for every body that moved, and so for speed.
 //!
 //! Whether a box is met nothing foresees, and a processor that has foreseen it wrongly loses the time of three looks.
 //! So nothing depends on it but numbers: each box that is looked at is written to the end of a queue, which ends one
@@ -44,12 +44,6 @@ impl Search {
         self.value_count += is_met & is_leaf;
     }
 
-    /// Puts a pair of siblings to the end of the queue.
-    fn push(&mut self, pair: u32) {
-        self.pairs[self.end % ROOM] = pair;
-        self.end += 1;
-    }
-
     /// The pair to look at next.
     #[inline(always)]
     fn next_pair(&mut self) -> Option<usize> {
@@ -76,17 +70,11 @@ impl Search {
 }
 
 impl Tree {
-    /// Calls `visit` with the value of each leaf whose box meets `aabb`.
-    pub(crate) fn search(&self, aabb: Aabb, search: &mut Search, visit: impl FnMut(u32)) {
-        // The root has no sibling; the box beside it is nowhere and meets nothing.
-        search.push(ROOT);
-        self.search_on(aabb, search, visit);
-    }
-
     /// Calls `visit` with the value of each other leaf whose box meets that of `leaf`.
     ///
     /// It goes up from the leaf, and down from siblings only: what is above the leaf meets its box in any case.
-    pub(crate) fn search_around(&self, leaf: u32, search: &mut Search, visit: impl FnMut(u32)) {
+    #[inline]
+    pub(crate) fn search_around(&self, leaf: u32, search: &mut Search, mut visit: impl FnMut(u32)) {
         let mut place = self.leaf_places[leaf as usize];
         let aabb = self.node(place).aabb;
         while place != ROOT {
@@ -94,12 +82,6 @@ impl Tree {
             search.look_at(sibling, aabb);
             place = sibling.parent;
         }
-        self.search_on(aabb, search, visit);
-    }
-
-    /// Looks at what is in the queue, and at what that leads to.
-    #[inline]
-    fn search_on(&self, aabb: Aabb, search: &mut Search, mut visit: impl FnMut(u32)) {
         while let Some(pair) = search.next_pair() {
             for node in &self.nodes[pair..pair + 2] {
                 search.look_at(node, aabb);

@@ -17,13 +17,6 @@ fn found(tree: &Tree, aabb: Aabb) -> Vec<u32> {
     values
 }
 
-fn found_by_search(tree: &Tree, aabb: Aabb) -> Vec<u32> {
-    let mut values = vec![];
-    tree.search(aabb, &mut Search::new(), |value| values.push(value));
-    values.sort_unstable();
-    values
-}
-
 fn found_around(tree: &Tree, leaf: u32) -> Vec<u32> {
     let mut values = vec![];
     tree.search_around(leaf, &mut Search::new(), |value| values.push(value));
@@ -82,7 +75,6 @@ fn a_query_finds_what_a_look_at_every_box_finds_under_random_edits() {
                 boxes.iter().filter(|(_, _, aabb)| aabb.overlaps(area)).map(|&(_, value, _)| value).collect();
             expected.sort_unstable();
             assert_eq!(found(&tree, area), expected);
-            assert_eq!(found_by_search(&tree, area), expected);
             if let Some(&(leaf, value, aabb)) = boxes.last() {
                 let mut around = found_around(&tree, leaf);
                 assert!(!around.contains(&value));
