@@ -1,4 +1,4 @@
-//! Which leaves meet the box of another: asked for every body that moved, and so for speed.
+//! Which leaves meet the box of another: the walk of the pairs stage, made for every body that moved.
 //!
 //! Whether a box is met nothing foresees, and a processor that has foreseen it wrongly loses the time of three looks.
 //! So nothing depends on it but numbers: each box that is looked at is written to the end of a queue, which ends one
