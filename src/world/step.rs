@@ -121,7 +121,7 @@ impl World {
                     let [a, b] = contact.slots;
                     refresh(contact, bodies, how);
                     let has_points = !contact.manifold.points().is_empty();
-                    // Bodies that touch are, whatever their boxes say, which may part meanwhile.
+                    // Bodies with points are, whatever their boxes say, which may part meanwhile.
                     let is_close = has_points || broad_phase.overlap(a, b);
                     *is_close_now = (!is_close || contact.is_misplaced()).then_some(is_close);
                 });

@@ -1,6 +1,6 @@
 //! Which leaves meet the box of another: the walk of the pairs stage, made for every body that moved.
 //!
-//! Whether a box is met nothing foresees, and a processor that has foreseen it wrongly loses the time of three looks.
+//! Whether a box is met nothing foresees, and a processor that has foreseen it wrongly loses more time than looks take.
 //! So nothing depends on it but numbers: each box that is looked at is written to the end of a queue, which ends one
 //! further on only if the box is met. The queue is read from its front, where boxes have been for a while: many are
 //! looked at while it is still being found where the queue ends.
@@ -9,7 +9,7 @@ use super::walk::STACK;
 use super::{Node, ROOT, Tree};
 use crate::math::Aabb;
 
-/// For so many there is room.
+/// So many pairs, and so many values, have room.
 const ROOM: usize = 256;
 
 /// From so many pairs on the latest is looked at next, and not the first: depth first it is at most [`STACK`] more.

@@ -7,6 +7,15 @@ fn random_aabb(random: &mut Random, extent: f32, largest: f32) -> Aabb {
     Aabb::new(min, min + Vec2::new(random.between(0.0, largest), random.between(0.0, largest)))
 }
 
+/// Leaves with the values from 0 on.
+fn random_tree(random: &mut Random, count: u32, extent: f32, largest: f32) -> Tree {
+    let mut tree = Tree::default();
+    for value in 0..count {
+        tree.insert(random_aabb(random, extent, largest), value);
+    }
+    tree
+}
+
 fn found(tree: &Tree, aabb: Aabb) -> Vec<u32> {
     let mut values = vec![];
     tree.query(aabb, |value| {
@@ -95,11 +104,7 @@ fn a_query_finds_what_a_look_at_every_box_finds_under_random_edits() {
 /// More leaves than a search has room for, and more pairs of siblings at a time.
 #[test]
 fn a_search_around_a_box_that_meets_all_finds_each_once() {
-    let mut random = Random(3);
-    let mut tree = Tree::default();
-    for value in 0..5000 {
-        tree.insert(random_aabb(&mut random, 50.0, 1.0), value);
-    }
+    let mut tree = random_tree(&mut Random(3), 5000, 50.0, 1.0);
     let all = tree.insert(Aabb::new(Vec2::splat(-100.0), Vec2::splat(100.0)), 5000);
     let mut around = found_around(&tree, all);
     around.sort_unstable();
@@ -356,11 +361,7 @@ fn boxes_at_the_end_of_the_range_are_found() {
 
 #[test]
 fn a_walk_over_all_nodes_sees_every_leaf_once_below_its_depth() {
-    let mut random = Random(7);
-    let mut tree = Tree::default();
-    for value in 0..300 {
-        tree.insert(random_aabb(&mut random, 20.0, 3.0), value);
-    }
+    let tree = random_tree(&mut Random(7), 300, 20.0, 3.0);
     let (mut leaves, mut inner, mut deepest) = (0, 0, 0);
     tree.for_each_node(|_, depth, is_leaf| {
         if is_leaf {
