@@ -1,8 +1,8 @@
 //! Which contacts approach fast enough to bounce: one look at all of them per substep, in lanes.
 
-use crate::compute::{self, BodyState, COLUMN, Column, Job, Lane, Width};
+use crate::compute::{self, BodyState, COLUMN, Job, Lane, Width};
 use crate::resolution::constraint::ContactConstraint;
-use crate::resolution::constraint_graph::{BlockPlace, ConstraintGraph};
+use crate::resolution::constraint_graph::{BlockPlace, ConstraintGraph, place_in};
 use crate::resolution::contact_block::Marks;
 
 /// An approach slower than this many substeps' gain of speed, by forces or by the load of the contact, is no
@@ -29,16 +29,9 @@ pub(crate) fn approach<L: Lane>(
 /// The contacts that may bounce. Their numbers are in the order in which they are solved.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Watched {
-    blocks: Vec<WatchedBlock>,
+    /// Blocks with some, and which of their contacts may.
+    blocks: Vec<(BlockPlace, Marks)>,
     len: usize,
-}
-
-/// The contacts of a block that may bounce.
-#[derive(Clone, Debug)]
-struct WatchedBlock {
-    place: BlockPlace,
-    /// Speed of approach from which each bounces, m/s; infinite for those that never do.
-    thresholds: Column,
 }
 
 impl Watched {
@@ -57,53 +50,42 @@ impl Watched {
         (self.blocks.len() * COLUMN) as u32
     }
 
-    /// Watches the contacts of a block that may bounce, each from the `threshold` of its place on, m/s. Blocks come in the
-    /// order in which they are solved.
-    pub(crate) fn watch(&mut self, place: BlockPlace, bouncy: Marks, threshold: impl Fn(usize) -> f32) {
-        let mut thresholds = Column::splat(f32::INFINITY);
-        bouncy.for_each(|place| {
-            thresholds.set(place, threshold(place));
-            self.len += 1;
-        });
-        self.blocks.push(WatchedBlock { place, thresholds });
+    /// Watches the contacts of a block that may bounce. Blocks come in the order in which they are solved.
+    pub(crate) fn watch(&mut self, place: BlockPlace, bouncy: Marks) {
+        self.blocks.push((place, bouncy));
+        self.len += bouncy.count();
     }
 
-    /// Numbers and places in the constraint graph of all.
-    pub(crate) fn iter(&self) -> impl Iterator<Item = (u32, (u32, u32))> + Clone {
-        (0..self.end())
-            .filter(|&number| self.threshold(number) < f32::INFINITY)
-            .map(|number| (number, self.graph_place(number)))
+    /// Calls `visit` with the number of each and its place in the constraint graph.
+    pub(crate) fn for_each(&self, mut visit: impl FnMut(u32, (u32, u32))) {
+        for (number, &(place, bouncy)) in self.blocks.iter().enumerate() {
+            bouncy.for_each(|of_block| {
+                visit((number * COLUMN + of_block) as u32, place_in(place, of_block));
+            });
+        }
     }
 
     /// Where the contact with a number is in the constraint graph.
     pub(crate) fn graph_place(&self, number: u32) -> (u32, u32) {
-        let (colour, block) = self.block_of(number).place;
-        (colour, block as u32 * COLUMN as u32 + number % COLUMN as u32)
+        let number = number as usize;
+        place_in(self.blocks[number / COLUMN].0, number % COLUMN)
     }
 
-    /// Speed of approach from which the contact with a number bounces, m/s.
-    pub(crate) fn threshold(&self, number: u32) -> f32 {
-        self.block_of(number).thresholds.get(number as usize % COLUMN)
-    }
-
-    fn block_of(&self, number: u32) -> &WatchedBlock {
-        &self.blocks[number as usize / COLUMN]
-    }
-
-    /// Appends the numbers of those that approach fast enough to bounce to `found`.
+    /// Appends the numbers of those that approach faster than `threshold`, m/s, and than their load makes up for, to `found`.
     pub(crate) fn find(
         &self,
-        width: Width,
-        graph: &ConstraintGraph,
+        threshold: f32,
+        (width, graph): (Width, &ConstraintGraph),
         states: &[BodyState],
         found: &mut Vec<u32>,
     ) {
-        compute::run(width, Find { watched: self, graph, states, found });
+        compute::run(width, Find { blocks: &self.blocks, threshold, graph, states, found });
     }
 }
 
 struct Find<'a> {
-    watched: &'a Watched,
+    blocks: &'a [(BlockPlace, Marks)],
+    threshold: f32,
     graph: &'a ConstraintGraph,
     states: &'a [BodyState],
     found: &'a mut Vec<u32>,
@@ -112,13 +94,10 @@ struct Find<'a> {
 impl Job for Find<'_> {
     #[inline(always)]
     fn run<L: Lane>(self) {
-        for (number, &WatchedBlock { place, ref thresholds, .. }) in self.watched.blocks.iter().enumerate() {
+        let threshold = L::splat(self.threshold);
+        for (number, &(place, bouncy)) in self.blocks.iter().enumerate() {
             let block = self.graph.block_at(place);
-            for first in (0..COLUMN).step_by(L::WIDTH) {
-                let threshold = L::load(thresholds, first);
-                if L::bits(L::splat(f32::INFINITY).greater(threshold)) == 0 {
-                    continue;
-                }
+            bouncy.for_each_lane::<L>(|first, bouncy| {
                 let constraint = block.load::<L>(first);
                 let pair = block.gather_velocities(self.states, first);
                 let (_, first_point) = approach(&constraint, 0, threshold, &pair);
@@ -127,12 +106,13 @@ impl Job for Find<'_> {
                     let (_, second_point) = approach(&constraint, 1, threshold, &pair);
                     bits |= L::bits(second_point);
                 }
+                bits &= bouncy;
                 while bits != 0 {
                     let place = first + bits.trailing_zeros() as usize;
                     self.found.push((number * COLUMN + place) as u32);
                     bits &= bits - 1;
                 }
-            }
+            });
         }
     }
 }

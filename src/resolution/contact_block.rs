@@ -6,7 +6,6 @@ mod end;
 mod marks;
 
 use crate::compute::{BodyState, Column, GROUND_ROW, Lane, RowPairs, Rows, Shared};
-use crate::math::Vec2;
 use crate::resolution::constraint::{ConstraintPoint, ContactConstraint, PointFriction, Special};
 pub(crate) use crate::resolution::contact_block::begin::{Beginning, BlockStart};
 pub(crate) use crate::resolution::contact_block::end::{BlockEnd, ContactEnds};
@@ -198,11 +197,6 @@ impl ContactBlock {
             to.set(place, awaits);
         }
         self.is_special = true;
-    }
-
-    /// The normal of one contact, from a to b.
-    pub(crate) fn normal(&self, place: usize) -> Vec2 {
-        self.columns.normal.load::<f32>(place).into()
     }
 
     /// The rows of the two bodies of one contact.

@@ -3,6 +3,9 @@
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 
+use crate::body::NONE;
+use crate::compute::GROUND_ROW;
+
 /// Expected impacts, earliest first; among equal times, the contact with the smaller number.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct ImpactQueue {
@@ -23,43 +26,41 @@ impl ImpactQueue {
     }
 }
 
-/// For each row, the numbers of the contacts in which it takes part.
+/// For each row, the contacts in which it takes part.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Neighbours {
-    /// Where the contacts of a row begin in `contacts`; one more entry than rows.
-    starts: Vec<u32>,
-    contacts: Vec<u32>,
+    /// By row: the place of the contact that was added last; `NONE` where there is none.
+    last: Vec<u32>,
+    /// By place: the number of a contact, and the place of the one that its row got before it, or `NONE`.
+    contacts: Vec<(u32, u32)>,
 }
 
 impl Neighbours {
-    /// Sorts the contacts, given with their pairs of rows, by row (counting sort). Row 0, the ground, gets none.
-    pub(crate) fn build(&mut self, rows: usize, pairs: impl Iterator<Item = (u32, [u32; 2])> + Clone) {
-        self.starts.clear();
-        self.starts.resize(rows + 1, 0);
-        for row in pairs.clone().flat_map(|(_, pair)| pair).filter(|&row| row != 0) {
-            self.starts[row as usize] += 1;
-        }
-        let mut end = 0;
-        for start in &mut self.starts {
-            end += *start;
-            *start = end;
-        }
+    /// Makes room for so many rows; none has contacts.
+    pub(crate) fn clear(&mut self, rows: usize) {
+        self.last.clear();
+        self.last.resize(rows, NONE);
         self.contacts.clear();
-        self.contacts.resize(end as usize, 0);
-        // Each start is at the end of its row now and moves to its beginning as the row is filled.
-        for (number, pair) in pairs {
-            for row in pair.into_iter().filter(|&row| row != 0) {
-                let start = &mut self.starts[row as usize];
-                *start -= 1;
-                self.contacts[*start as usize] = number;
-            }
+    }
+
+    /// Adds the contact with this number, of two rows. The ground gets none.
+    #[inline(always)]
+    pub(crate) fn add(&mut self, number: u32, rows: [u32; 2]) {
+        for row in rows.into_iter().filter(|&row| row != GROUND_ROW) {
+            let place = self.contacts.len() as u32;
+            let before = std::mem::replace(&mut self.last[row as usize], place);
+            self.contacts.push((number, before));
         }
     }
 
-    /// The contacts of a row.
-    pub(crate) fn of(&self, row: u32) -> &[u32] {
-        let row = row as usize;
-        &self.contacts[self.starts[row] as usize..self.starts[row + 1] as usize]
+    /// Place of the contact that a row got last, `NONE` if it has none.
+    pub(crate) fn last(&self, row: u32) -> u32 {
+        self.last[row as usize]
+    }
+
+    /// The number of the contact at a place, and the place of the one before it, `NONE` if it was the first.
+    pub(crate) fn get(&self, place: u32) -> Option<(u32, u32)> {
+        self.contacts.get(place as usize).copied()
     }
 }
 
@@ -80,15 +81,19 @@ mod tests {
     #[test]
     fn every_row_but_the_ground_knows_its_contacts() {
         let mut neighbours = Neighbours::default();
-        neighbours.build(4, (0..).zip([[0, 1], [1, 2], [3, 1], [0, 3]]));
-        let sorted = |row| {
-            let mut contacts = neighbours.of(row).to_vec();
-            contacts.sort_unstable();
-            contacts
+        neighbours.clear(4);
+        for (number, rows) in (0..).zip([[0, 1], [1, 2], [3, 1], [0, 3]]) {
+            neighbours.add(number, rows);
+        }
+        let of = |row| {
+            let mut next = neighbours.last(row);
+            std::iter::from_fn(|| {
+                let (number, before) = neighbours.get(next)?;
+                next = before;
+                Some(number)
+            })
+            .collect::<Vec<_>>()
         };
-        assert_eq!(
-            (sorted(0), sorted(1), sorted(2), sorted(3)),
-            (vec![], vec![0, 1, 2], vec![1], vec![2, 3])
-        );
+        assert_eq!((of(0), of(1), of(2), of(3)), (vec![], vec![2, 1, 0], vec![1], vec![3, 2]));
     }
 }

@@ -120,6 +120,8 @@ pub(crate) struct ImpactScene<'a> {
     pub(crate) graph: &'a mut ConstraintGraph,
     /// Length of the substep, s.
     pub(crate) h: f32,
+    /// Slowest approach that bounces, m/s.
+    pub(crate) restitution_threshold: f32,
     /// How many contacts are looked at together.
     pub(crate) width: Width,
 }
@@ -136,19 +138,9 @@ impl Impacts {
         self.count = 0;
     }
 
-    /// Takes up the contacts of a block that have restitution. Blocks come in the order in which they are
-    /// solved. With the kicks of the bodies, the setting of [`bounce_threshold`], and the length of the substep, s.
-    pub(crate) fn take_up_block(
-        &mut self,
-        (place, bouncy): (BlockPlace, Marks),
-        graph: &ConstraintGraph,
-        (kicks, setting, h): (&Kicks, f32, f32),
-    ) {
-        let block = graph.block_at(place);
-        self.watched.watch(place, bouncy, |place| {
-            let accelerations = block.rows(place).map(|row| kicks.acceleration(row));
-            bounce_threshold(setting, block.normal(place), accelerations, h)
-        });
+    /// Takes up the contacts of a block that have restitution. Blocks come in the order in which they are solved.
+    pub(crate) fn take_up_block(&mut self, place: BlockPlace, bouncy: Marks) {
+        self.watched.watch(place, bouncy);
     }
 
     /// How many contacts may bounce.
@@ -200,7 +192,8 @@ impl Impacts {
     fn look_at_all(&mut self, scene: &mut ImpactScene<'_>) {
         let mut to_look_at = std::mem::take(&mut self.to_look_at);
         to_look_at.append(&mut self.waiting);
-        self.watched.find(scene.width, scene.graph, &scene.bodies.states, &mut to_look_at);
+        let means = (scene.width, &*scene.graph);
+        self.watched.find(scene.restitution_threshold, means, &scene.bodies.states, &mut to_look_at);
         to_look_at.sort_unstable();
         to_look_at.dedup();
         for number in to_look_at.drain(..) {
@@ -220,13 +213,13 @@ impl Impacts {
         if *place == NONE {
             *place = self.contacts.len() as u32;
             let graph_place = self.watched.graph_place(number);
-            let contact = scene.graph.contact_at(graph_place);
+            let (contact, rows) = (scene.graph.contact_at(graph_place), scene.graph.rows(graph_place));
             self.contacts.push(BouncyContact {
                 contact,
                 graph_place,
-                rows: scene.graph.rows(graph_place),
+                rows,
                 restitution: scene.contacts[contact].restitution,
-                threshold: self.watched.threshold(number),
+                threshold: bounce_threshold(rows, graph_place, scene),
                 greatest_speed: 0.0,
                 impacts: 0,
                 is_waiting: false,
@@ -332,13 +325,15 @@ impl Impacts {
     fn look_again(&mut self, rows: [u32; 2], scene: &mut ImpactScene<'_>) {
         if !self.neighbours_are_built {
             self.neighbours_are_built = true;
-            let graph = &*scene.graph;
-            let pairs = self.watched.iter().map(|(number, place)| (number, graph.moved_rows(place)));
-            self.neighbours.build(scene.bodies.row_count(), pairs);
+            self.neighbours.clear(scene.bodies.row_count());
+            let (watched, neighbours) = (&self.watched, &mut self.neighbours);
+            watched.for_each(|number, place| neighbours.add(number, scene.graph.moved_rows(place)));
         }
         for row in rows {
-            for place in 0..self.neighbours.of(row).len() {
-                self.expect(self.neighbours.of(row)[place], scene);
+            let mut place = self.neighbours.last(row);
+            while let Some((number, before)) = self.neighbours.get(place) {
+                self.expect(number, scene);
+                place = before;
             }
         }
     }
@@ -445,8 +440,9 @@ fn time_of_impact(s: f32, v: f32, a: f32, h: f32) -> Option<f32> {
     (time >= 0.0 && time <= h).then_some(time)
 }
 
-/// Approach speed, m/s, from which a contact bounces: the setting, or what support makes up for anyway, given the
-/// accelerations of a and b.
-pub(crate) fn bounce_threshold(setting: f32, normal: Vec2, [a, b]: [Vec2; 2], h: f32) -> f32 {
-    setting.max(RESTING_SUBSTEPS * h * normal.dot(b - a).abs())
+/// Approach speed, m/s, from which the contact of two rows bounces: the setting, or what support makes up for anyway.
+fn bounce_threshold(rows: [u32; 2], graph_place: (u32, u32), scene: &ImpactScene<'_>) -> f32 {
+    let normal = Vec2::from(scene.graph.constraint(graph_place).normal);
+    let [a, b] = rows.map(|row| scene.kicks.acceleration(row));
+    scene.restitution_threshold.max(RESTING_SUBSTEPS * scene.h * normal.dot(b - a).abs())
 }

@@ -140,8 +140,9 @@ pub(crate) fn solve(
         let mut have_moved = substep > 0 && scheme.relax_iterations == 0;
         if solver.impacts.len() > 0 {
             let (kicks, SolveTables { bodies, contacts, graph, .. }) = (&solver.kicks, &mut *tables);
-            let width = scheme.width;
-            have_moved |= solver.impacts.run(&mut ImpactScene { bodies, contacts, kicks, graph, h, width });
+            let Scheme { restitution_threshold, width, .. } = *scheme;
+            let mut scene = ImpactScene { bodies, contacts, kicks, graph, h, restitution_threshold, width };
+            have_moved |= solver.impacts.run(&mut scene);
         }
         match class.effort {
             Effort::Direct => solver.direct.solve(tables.graph, &mut tables.bodies.states, Aim::Push, h),
@@ -294,7 +295,7 @@ impl Solver {
         let SolveTables { bodies, contacts, graph, crew, .. } = &mut *tables;
         let from = Beginning { contacts, bodies, impulse_scale: scheme.impulse_scale, dt: scheme.dt };
         graph.prepare(crew, which, from, &mut self.followers);
-        self.gather_special(scheme, class.effort, graph);
+        self.gather_special(class.effort, graph);
         self.direct.clear();
         let mut start = 0;
         for &end in class.direct_ends {
@@ -350,19 +351,17 @@ impl Solver {
     }
 
     /// Takes up the contacts of which something special is to be expected within the step.
-    fn gather_special(&mut self, scheme: &Scheme, effort: Effort, graph: &ConstraintGraph) {
-        let h = scheme.substep_time();
+    fn gather_special(&mut self, effort: Effort, graph: &ConstraintGraph) {
         self.impacts.clear();
         self.handovers.clear();
         self.newcomers.clear();
-        let Self { kicks, impacts, followers, handovers, newcomers, .. } = self;
+        let Self { impacts, followers, handovers, newcomers, .. } = self;
         for (block, start) in graph.starts(effort) {
             if start.newcomers.any() {
                 newcomers.take_up(block);
             }
             if start.bouncy.any() {
-                let how = (&*kicks, scheme.restitution_threshold, h);
-                impacts.take_up_block((block, start.bouncy), graph, how);
+                impacts.take_up_block(block, start.bouncy);
             }
             start.found_anew.for_each(|place| followers.find_anew(place_in(block, place), graph));
             if effort != Effort::Direct {

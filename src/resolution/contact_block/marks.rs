@@ -20,6 +20,11 @@ impl Marks {
         self.0 = (u32::from(self.0) & !(of_lane << place) | (bits & of_lane) << place) as u16;
     }
 
+    /// How many are marked.
+    pub(crate) fn count(self) -> usize {
+        self.0.count_ones() as usize
+    }
+
     /// Whether the contact at `place` is marked.
     #[inline(always)]
     pub(crate) fn get(self, place: usize) -> bool {
@@ -34,6 +39,18 @@ impl Marks {
     /// Whether any is marked.
     pub(crate) fn any(self) -> bool {
         self.0 != 0
+    }
+
+    /// Calls `visit` with the first place of each lane that has marked contacts, and with them as the bits of a mask.
+    #[inline(always)]
+    pub(crate) fn for_each_lane<L: Lane>(self, mut visit: impl FnMut(usize, u32)) {
+        let of_lane = (1_u32 << L::WIDTH) - 1;
+        let mut left = u32::from(self.0);
+        while left != 0 {
+            let first = left.trailing_zeros() as usize / L::WIDTH * L::WIDTH;
+            visit(first, left >> first & of_lane);
+            left &= !(of_lane << first);
+        }
     }
 
     /// Calls `visit` with the places of the marked contacts, in order.
