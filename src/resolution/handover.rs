@@ -16,7 +16,7 @@ use crate::collision::Contacts;
 use crate::compute::{BodyState, GROUND_ROW};
 use crate::resolution::constraint::{ContactConstraint, OUT_OF_REACH};
 use crate::resolution::constraint_graph::ConstraintGraph;
-use crate::resolution::follow::{add_shares, manifold_in};
+use crate::resolution::follow::{act, manifold_in};
 use crate::resolution::impacts::MEETING_TOLERANCE;
 use crate::resolution::integrate::{drift, drift_until};
 
@@ -239,8 +239,11 @@ fn hand_over(pieces: &[Piece], met: &Piece, time: f32, scene: &mut HandoverScene
         let borne = load(&new);
         let handed_over = load(&old);
         [new.points[0].normal_impulse, new.frictions[0].impulse, new.frictions[0].normal_share] = handed_over;
-        add_shares([(&old, -weight)], scene.graph.moved_rows(left.graph_place), scene.shares);
-        add_shares([(&new, weight)], scene.graph.moved_rows(met.graph_place), scene.shares);
+        if !scene.shares.is_empty() {
+            let (taken, given) = (old.share::<1>(false).times(-weight), new.share::<1>(false).times(weight));
+            act(&old, taken, scene.graph.moved_rows(left.graph_place), scene.shares);
+            act(&new, given, scene.graph.moved_rows(met.graph_place), scene.shares);
+        }
         scene.graph.set_load(left.graph_place, [0.0; 3]);
         scene.graph.set_load(met.graph_place, std::array::from_fn(|part| borne[part] + handed_over[part]));
     }

@@ -13,7 +13,7 @@ use crate::resolution::contact_block::Beginning;
 use crate::resolution::damping::{Damped, is_damped};
 use crate::resolution::direct::{Aim, DirectSolver};
 use crate::resolution::effort::EffortClass;
-use crate::resolution::follow::{Followers, add_shares};
+use crate::resolution::follow::{Followers, act};
 use crate::resolution::handover::{HandoverScene, Handovers};
 use crate::resolution::impacts::{ImpactScene, Impacts};
 use crate::resolution::integrate::{Advance, Kick, Kicks, Shares, SpeedLimits, drift};
@@ -218,22 +218,20 @@ impl Solver {
         for &(_, row) in class.kinematic {
             drift(&mut tables.bodies.states[row as usize], h);
         }
-        let needs_poses = acceleration.varies() || !self.followers.is_empty();
-        if !(needs_poses || is_direct) {
+        if acceleration.varies() || is_direct {
+            self.integrate(scheme, class, tables, Advance { drift: Some(h), ..Advance::NONE });
+            if acceleration.varies() {
+                self.accelerate(tables, &class.rows, acceleration);
+            }
+            if is_direct {
+                self.direct.restore_free(&mut tables.bodies.states);
+            }
+            self.integrate(scheme, class, tables, Advance { drift: None, kick, shares: last_shares });
+        } else {
             self.integrate(scheme, class, tables, Advance { drift: Some(h), kick, shares: last_shares });
-            return;
         }
-        self.integrate(scheme, class, tables, Advance { drift: Some(h), ..Advance::NONE });
-        if acceleration.varies() {
-            self.accelerate(tables, &class.rows, acceleration);
-        }
-        let shares = if has_shares { &mut self.shares[..] } else { &mut [] };
         let means = (tables.crew, class.effort, scheme.width);
-        self.followers.follow(means, (tables.contacts, tables.bodies, tables.graph), shares);
-        if is_direct {
-            self.direct.restore_free(&mut tables.bodies.states);
-        }
-        self.integrate(scheme, class, tables, Advance { drift: None, kick, shares: last_shares });
+        self.followers.follow(means, (tables.contacts, tables.bodies, tables.graph), has_shares);
     }
 
     /// Whether contacts are solved by sweeps and nothing else.
@@ -398,7 +396,7 @@ impl Solver {
         let sweep = scheme.sweep_over(states, kind, false);
         for &place in self.newcomers.sweep(graph, scheme.width, &sweep) {
             let constraint = graph.constraint(place);
-            add_shares([(&constraint, 1.0)], graph.moved_rows(place), &mut self.shares);
+            act(&constraint, constraint.share::<2>(false), graph.moved_rows(place), &mut self.shares);
         }
     }
 
