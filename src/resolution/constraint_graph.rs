@@ -62,13 +62,49 @@ pub(crate) struct Colour {
 pub(crate) struct ConstraintGraph {
     /// For each effort the colours, then the overflow.
     colours: Vec<Colour>,
+    /// By effort: which colours have contacts, the overflow being the last.
+    used: [Used; Effort::ALL.len()],
     /// By effort: how many contacts there are.
     lens: [usize; Effort::ALL.len()],
 }
 
+/// Which colours have contacts, one bit each.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+struct Used(u32);
+
+impl Used {
+    fn set(&mut self, colour: usize, is_used: bool) {
+        self.0 = self.0 & !(1 << colour) | u32::from(is_used) << colour;
+    }
+
+    fn has_overflow(self) -> bool {
+        self.0 >> OVERFLOW != 0
+    }
+
+    /// How many there are without the overflow.
+    fn count(self) -> usize {
+        self.colours().count()
+    }
+
+    /// Without the overflow, in ascending order.
+    #[inline(always)]
+    fn colours(self) -> impl Iterator<Item = usize> {
+        let mut left = self.0 & !(1 << OVERFLOW);
+        core::iter::from_fn(move || {
+            let next = (left != 0).then(|| left.trailing_zeros() as usize);
+            left &= left.wrapping_sub(1);
+            next
+        })
+    }
+}
+
 impl Default for ConstraintGraph {
     fn default() -> Self {
-        Self { colours: vec![Colour::default(); Effort::ALL.len() * SECTION], lens: Default::default() }
+        Self {
+            colours: vec![Colour::default(); Effort::ALL.len() * SECTION],
+            used: Default::default(),
+            lens: Default::default(),
+        }
     }
 }
 
@@ -85,11 +121,9 @@ impl ConstraintGraph {
 
     /// How many colours have contacts, and how many contacts overflow.
     pub(crate) fn occupancy(&self) -> (usize, usize) {
-        let used = |section: &[Colour]| section[..COLOURS].iter().filter(|colour| !colour.is_empty()).count();
-        let overflow = |section: &[Colour]| section[OVERFLOW].contacts.len();
-        let is_used = |effort: &Effort| self.lens[*effort as usize] > 0;
-        let sections = || Effort::ALL.into_iter().filter(is_used).map(|effort| self.section(effort));
-        (sections().map(used).max().unwrap_or_default(), sections().map(overflow).sum())
+        let colours = self.used.iter().map(|used| used.count()).max().unwrap_or_default();
+        let overflow = |effort: Effort| self.section(effort)[OVERFLOW].contacts.len();
+        (colours, Effort::ALL.into_iter().map(overflow).sum())
     }
 
     /// How many contacts each colour of an effort has.
@@ -165,6 +199,7 @@ impl ConstraintGraph {
         }
         let number = effort as usize * SECTION + colour;
         entered.push(number as u32, index, contacts);
+        self.used[effort as usize].set(colour, true);
         self.lens[effort as usize] += 1;
     }
 
@@ -204,13 +239,15 @@ impl ConstraintGraph {
         let Some((colour, place)) = contacts[index].graph_place.take() else { return };
         let left = &mut self.colours[colour as usize];
         left.take(colour, place as usize, contacts);
-        if colour as usize % SECTION != OVERFLOW {
+        let (effort, colour) = (colour as usize / SECTION, colour as usize % SECTION);
+        if colour != OVERFLOW {
             // Fixed and kinematic bodies were never entered; taking them out does nothing.
             for slot in contacts[index].slots {
                 left.bodies.remove(slot);
             }
         }
-        self.lens[colour as usize / SECTION] -= 1;
+        self.used[effort].set(colour, !left.is_empty());
+        self.lens[effort] -= 1;
     }
 
     /// The block at its place of the graph.
@@ -279,6 +316,14 @@ impl ConstraintGraph {
     /// Checks that every contact with a place is at that place, and no colour holds a movable body twice.
     pub(crate) fn validate(&self, contacts: &Contacts, bodies: &Bodies) -> Result<(), String> {
         let mut found = 0;
+        let used = |colours: &[Colour]| {
+            let mut used = Used::default();
+            colours.iter().enumerate().for_each(|(number, colour)| used.set(number, !colour.is_empty()));
+            used
+        };
+        if !self.colours.chunks(SECTION).map(used).eq(self.used) {
+            return Err("the graph does not know which colours have contacts".into());
+        }
         for (number, colour) in self.colours.iter().enumerate() {
             let mut seen = BitSet::default();
             for (place, &index) in colour.contacts.iter().enumerate() {

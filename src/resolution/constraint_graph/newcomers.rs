@@ -2,7 +2,7 @@
 
 use crate::compute::{COLUMN, Width};
 use crate::resolution::constraint_graph::passes::pass_over;
-use crate::resolution::constraint_graph::{BlockPlace, Colour, ConstraintGraph, SECTION};
+use crate::resolution::constraint_graph::{BlockPlace, Colour, ConstraintGraph, SECTION, Used};
 use crate::resolution::contact_block::ContactBlock;
 use crate::resolution::kernel::Kernel;
 
@@ -46,24 +46,28 @@ impl Newcomers {
         }
         if let Some(&(colour, _)) = self.loaded.first() {
             let first_colour = colour as usize / SECTION * SECTION;
-            self.copy_loaded(graph, first_colour);
+            let used = self.copy_loaded(graph, first_colour);
             for _ in 0..NEWCOMER_SWEEPS {
-                pass_over(&mut self.copies, width, kernel);
+                pass_over((&mut self.copies, used), width, kernel);
             }
             self.give_back(graph, first_colour);
         }
         &self.loaded
     }
 
-    fn copy_loaded(&mut self, graph: &ConstraintGraph, first_colour: usize) {
+    /// Copies them; returns which colours have some.
+    fn copy_loaded(&mut self, graph: &ConstraintGraph, first_colour: usize) -> Used {
         self.copies.resize(SECTION, Colour::default());
         for colour in &mut self.copies {
             colour.contacts.clear();
             colour.blocks.clear();
         }
+        let mut used = Used::default();
         for &(colour, place) in &self.loaded {
             let (from, from_place) = graph.block((colour, place));
-            let Colour { contacts, blocks, .. } = &mut self.copies[colour as usize - first_colour];
+            let of_section = colour as usize - first_colour;
+            used.set(of_section, true);
+            let Colour { contacts, blocks, .. } = &mut self.copies[of_section];
             let (number, to_place) = (contacts.len() / COLUMN, contacts.len() % COLUMN);
             if to_place == 0 {
                 blocks.push(ContactBlock::default());
@@ -71,6 +75,7 @@ impl Newcomers {
             blocks[number].copy(to_place, from, from_place);
             contacts.push(place);
         }
+        used
     }
 
     /// Gives the contacts the impulses of their copies.

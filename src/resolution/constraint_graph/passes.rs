@@ -9,7 +9,7 @@ use crate::body::Effort;
 use crate::collision::{Contacts, SharedContacts};
 use crate::compute::{self, BodyState, COLUMN, Column, Crew, Job, Lane, Shared, Width, lock};
 use crate::resolution::constraint::StepResidual;
-use crate::resolution::constraint_graph::{COLOURS, Colour, ConstraintGraph};
+use crate::resolution::constraint_graph::{Colour, ConstraintGraph, OVERFLOW, Used};
 use crate::resolution::contact_block::{Beginning, BlockEnd, BlockStart, ContactBlock, ContactEnds};
 use crate::resolution::follow::Followers;
 use crate::resolution::follower::Follower;
@@ -89,15 +89,16 @@ impl ConstraintGraph {
     /// Does something to every constraint of an effort, colour by colour: as many at a time as the width says, but
     /// for the overflow, whose contacts may share bodies.
     pub(crate) fn for_each(&mut self, crew: &Crew, (effort, width): (Effort, Width), kernel: &impl Kernel) {
+        let used = self.used[effort as usize];
         let section = self.section_mut(effort);
         if crew.is_alone() {
-            return pass_over(section, width, kernel);
+            return pass_over((section, used), width, kernel);
         }
-        let (colours, overflow) = section.split_at_mut(COLOURS);
-        for colour in overflow {
-            BlockPass { contacts: colour.contacts.len(), blocks: &mut colour.blocks, kernel }.run::<f32>();
+        if used.has_overflow() {
+            BlockPass::over(&mut section[OVERFLOW], kernel).run::<f32>();
         }
-        for colour in colours.iter_mut().filter(|colour| !colour.is_empty()) {
+        for colour in used.colours() {
+            let colour = &mut section[colour];
             let places = (0..colour.blocks.len(), &mut colour.blocks[..]);
             crew.run(places, SWEEP_COST, |(numbers, blocks)| {
                 let contacts = colour.contacts.len().min(numbers.end * COLUMN) - numbers.start * COLUMN;
@@ -109,13 +110,14 @@ impl ConstraintGraph {
 
 /// Does something to every constraint of some colours and their overflow. Compiled once for each kernel, which is large.
 #[inline(never)]
-pub(super) fn pass_over(section: &mut [Colour], width: Width, kernel: &impl Kernel) {
-    compute::run(width, Pass { section, kernel });
+pub(super) fn pass_over((section, used): (&mut [Colour], Used), width: Width, kernel: &impl Kernel) {
+    compute::run(width, Pass { section, used, kernel });
 }
 
 /// A pass over all contacts of an effort.
 struct Pass<'a, K> {
     section: &'a mut [Colour],
+    used: Used,
     kernel: &'a K,
 }
 
@@ -129,14 +131,14 @@ struct BlockPass<'a, K> {
 impl<K: Kernel> Job for Pass<'_, K> {
     #[inline(always)]
     fn run<L: Lane>(self) {
-        let (colours, overflow) = self.section.split_at_mut(COLOURS);
-        for Colour { contacts, blocks, .. } in overflow.iter_mut().filter(|colour| !colour.is_empty()) {
-            BlockPass { contacts: contacts.len(), blocks, kernel: self.kernel }.run::<f32>();
+        let Self { section, used, kernel } = self;
+        if used.has_overflow() {
+            BlockPass::over(&mut section[OVERFLOW], kernel).run::<f32>();
         }
         // One of its own stays in registers, whatever is written through it.
-        let kernel = &self.kernel.clone();
-        for Colour { contacts, blocks, .. } in colours.iter_mut().filter(|colour| !colour.is_empty()) {
-            BlockPass { contacts: contacts.len(), blocks, kernel }.run::<L>();
+        let kernel = &kernel.clone();
+        for colour in used.colours() {
+            BlockPass::over(&mut section[colour], kernel).run::<L>();
         }
     }
 }
@@ -148,7 +150,12 @@ impl<K: Kernel> Job for BlockPass<'_, K> {
     }
 }
 
-impl<K: Kernel> BlockPass<'_, K> {
+impl<'a, K: Kernel> BlockPass<'a, K> {
+    #[inline(always)]
+    fn over(Colour { contacts, blocks, .. }: &'a mut Colour, kernel: &'a K) -> Self {
+        Self { contacts: contacts.len(), blocks, kernel }
+    }
+
     #[inline(always)]
     fn in_lanes<L: Lane>(self) {
         let kernel = self.kernel.clone();

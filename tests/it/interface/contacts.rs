@@ -34,6 +34,37 @@ fn the_impulses_under_a_resting_body_add_up_to_its_weight() {
     }
 }
 
+/// Where a ball that is not slow touches the ground is below its centre, seen from either of the two.
+#[test]
+fn the_contact_point_goes_with_a_ball_that_rolls() {
+    for (speed, is_ground_first) in [1.0, 3.0, 10.0].into_iter().flat_map(|v| [(v, true), (v, false)]) {
+        let mut world = earth();
+        let ball = Body::dynamic(Shape::circle(0.5))
+            .at([0.0, 0.5])
+            .velocity([speed, 0.0])
+            .angular_velocity(-2.0 * speed);
+        let ball = if is_ground_first {
+            add_floor(&mut world, 0.6);
+            add(&mut world, ball)
+        } else {
+            let ball = add(&mut world, ball);
+            add_floor(&mut world, 0.6);
+            ball
+        };
+        for _ in 0..30 {
+            world.step();
+            let contact = world.contacts().next().unwrap();
+            let from = |id, anchor: Vec2| world.body(id).unwrap().position() + anchor;
+            let center = world.body(ball).unwrap().position();
+            let point = contact.points()[0];
+            for found in [from(contact.a(), point.anchor_a), from(contact.b(), point.anchor_b)] {
+                assert_near(f64::from(found.x - center.x), 0.0, 1e-5, "below the centre");
+                assert_near(f64::from(found.y - center.y), -0.5, 1e-5, "on the circle");
+            }
+        }
+    }
+}
+
 /// Two bodies, whichever was added first: the normal points from a to b.
 #[test]
 fn the_normal_of_a_contact_points_from_a_to_b() {
