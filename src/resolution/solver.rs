@@ -111,8 +111,8 @@ pub(crate) struct SolveTables<'a> {
 /// repeat substeps:
 ///     v += h/2 a(x);  impacts
 ///     solve contacts (a bias pushes overlaps apart)
-///     x += h v;  contacts of circles and loaded corners follow the surface
-///     v += h/2 a(x)
+///     x += h v;  v += h/2 a(x)
+///     contacts of circles and loaded corners follow the surface
 ///     solve contacts (without bias), friction
 /// ```
 ///
