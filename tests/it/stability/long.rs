@@ -13,7 +13,7 @@ fn piles_come_to_rest_and_stay() {
 }
 
 #[test]
-#[ignore = "thirty piles for two minutes each; 10-piles is like it"]
+#[ignore = "in about one of ten piles a body rocks on a disc or on a corner, and nothing damps it"]
 fn thirty_piles_come_to_rest_and_stay() {
     hold(&["30-piles"]);
 }
