@@ -4,6 +4,7 @@ use crate::compute::{self, BodyState, COLUMN, Job, Lane, Width};
 use crate::resolution::constraint::ContactConstraint;
 use crate::resolution::constraint_graph::{BlockPlace, ConstraintGraph, place_in};
 use crate::resolution::contact_block::Marks;
+use crate::store::places_of;
 
 /// An approach slower than this many substeps' gain of speed, by forces or by the load of the contact, is no
 /// impact: a body that rests gains half a substep's before its support is applied, and a bounce that slow would
@@ -58,10 +59,8 @@ impl Watched {
 
     /// Calls `visit` with the number of each and its place in the constraint graph.
     pub(crate) fn for_each(&self, mut visit: impl FnMut(u32, (u32, u32))) {
-        for (number, &(place, bouncy)) in self.blocks.iter().enumerate() {
-            bouncy.for_each(|of_block| {
-                visit((number * COLUMN + of_block) as u32, place_in(place, of_block));
-            });
+        for (block_number, &(place, bouncy)) in self.blocks.iter().enumerate() {
+            bouncy.for_each(|of_block| visit(number_of(block_number, of_block), place_in(place, of_block)));
         }
     }
 
@@ -83,6 +82,11 @@ impl Watched {
     }
 }
 
+/// The number of the contact at a place of one of the watched blocks.
+fn number_of(block: usize, place: usize) -> u32 {
+    (block * COLUMN + place) as u32
+}
+
 struct Find<'a> {
     blocks: &'a [(BlockPlace, Marks)],
     threshold: f32,
@@ -95,7 +99,7 @@ impl Job for Find<'_> {
     #[inline(always)]
     fn run<L: Lane>(self) {
         let threshold = L::splat(self.threshold);
-        for (number, &(place, bouncy)) in self.blocks.iter().enumerate() {
+        for (block_number, &(place, bouncy)) in self.blocks.iter().enumerate() {
             let block = self.graph.block_at(place);
             bouncy.for_each_lane::<L>(|first, bouncy| {
                 let constraint = block.load::<L>(first);
@@ -106,12 +110,8 @@ impl Job for Find<'_> {
                     let (_, second_point) = approach(&constraint, 1, threshold, &pair);
                     bits |= L::bits(second_point);
                 }
-                bits &= bouncy;
-                while bits != 0 {
-                    let place = first + bits.trailing_zeros() as usize;
-                    self.found.push((number * COLUMN + place) as u32);
-                    bits &= bits - 1;
-                }
+                self.found
+                    .extend(places_of(bits & bouncy).map(|place| number_of(block_number, first + place)));
             });
         }
     }

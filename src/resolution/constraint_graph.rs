@@ -17,7 +17,7 @@ use crate::compute::COLUMN;
 use crate::resolution::constraint::ContactConstraint;
 pub(crate) use crate::resolution::constraint_graph::newcomers::Newcomers;
 use crate::resolution::contact_block::{BlockEnd, BlockStart, ContactBlock};
-use crate::store::BitSet;
+use crate::store::{BitSet, places_of};
 
 /// How many colours there are. A body can be in one contact per colour; the few contacts of a very crowded
 /// body overflow.
@@ -81,20 +81,10 @@ impl Used {
         self.0 >> OVERFLOW != 0
     }
 
-    /// How many there are without the overflow.
-    fn count(self) -> usize {
-        self.colours().count()
-    }
-
     /// Without the overflow, in ascending order.
     #[inline(always)]
     fn colours(self) -> impl Iterator<Item = usize> {
-        let mut left = self.0 & !(1 << OVERFLOW);
-        core::iter::from_fn(move || {
-            let next = (left != 0).then(|| left.trailing_zeros() as usize);
-            left &= left.wrapping_sub(1);
-            next
-        })
+        places_of(self.0 & !(1 << OVERFLOW))
     }
 }
 
@@ -121,7 +111,7 @@ impl ConstraintGraph {
 
     /// How many colours have contacts, and how many contacts overflow.
     pub(crate) fn occupancy(&self) -> (usize, usize) {
-        let colours = self.used.iter().map(|used| used.count()).max().unwrap_or_default();
+        let colours = self.used.iter().map(|used| used.colours().count()).max().unwrap_or_default();
         let overflow = |effort: Effort| self.section(effort)[OVERFLOW].contacts.len();
         (colours, Effort::ALL.into_iter().map(overflow).sum())
     }

@@ -1,4 +1,14 @@
-//! A set of small numbers, one bit each.
+//! Sets of small numbers, one bit each.
+
+/// The places of the bits that are set, in ascending order.
+#[inline(always)]
+pub(crate) fn places_of(mut bits: u32) -> impl Iterator<Item = usize> {
+    core::iter::from_fn(move || {
+        let next = (bits != 0).then(|| bits.trailing_zeros() as usize);
+        bits &= bits.wrapping_sub(1);
+        next
+    })
+}
 
 /// A set of small numbers, one bit each; it grows as needed.
 #[derive(Clone, Debug, Default)]

@@ -7,7 +7,7 @@ mod id;
 mod pair_set;
 mod slots;
 
-pub(crate) use bit_set::BitSet;
+pub(crate) use bit_set::{BitSet, places_of};
 pub(crate) use id::id_type;
 pub(crate) use pair_set::PairSet;
 pub(crate) use slots::{Key, SharedSlots, Slots};

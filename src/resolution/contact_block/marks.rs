@@ -1,6 +1,7 @@
 //! Which contacts of a block something is true of.
 
 use crate::compute::Lane;
+use crate::store::places_of;
 
 /// Some of the sixteen contacts of a block.
 #[derive(Clone, Copy, Debug, Default)]
@@ -55,10 +56,7 @@ impl Marks {
 
     /// Calls `visit` with the places of the marked contacts, in order.
     #[inline(always)]
-    pub(crate) fn for_each(mut self, mut visit: impl FnMut(usize)) {
-        while self.0 != 0 {
-            visit(self.0.trailing_zeros() as usize);
-            self.0 &= self.0 - 1;
-        }
+    pub(crate) fn for_each(self, visit: impl FnMut(usize)) {
+        places_of(self.0.into()).for_each(visit);
     }
 }
