@@ -18,14 +18,14 @@ const TICKS: usize = 300;
 
 /// State hash of each scene after [`TICKS`] ticks with seed 1 and default settings.
 const GOLDEN: &[(&str, u64)] = &[
-    ("pile", 0xED58_762C_CC18_A3B4),
-    ("pool", 0xF4E2_6F9B_874F_9D8C),
+    ("pile", 0x1DE9_B047_0159_5B52),
+    ("pool", 0x0E38_7D66_98F0_5DAB),
     ("materials", 0xB23A_C4FF_018F_010C),
     ("slide", 0x0058_2899_C9CC_D7AA),
     ("slope", 0x02D3_EE2F_47B0_A470),
-    ("platforms", 0x10B7_093E_E956_8E74),
+    ("platforms", 0x4462_E59D_6B36_E7C0),
     ("attractor", 0xC88E_5CC8_8E2D_25B4),
-    ("polygons", 0x5CF8_3F1C_5E57_2F74),
+    ("polygons", 0x6237_20BB_083B_AAD4),
     ("solar_system", 0xA6BE_1264_61D2_67E1),
     ("sandbox", 0x3C3A_6E8D_E23B_0BC4),
     ("tower", 0x915B_E1CF_25A6_5D55),
@@ -40,15 +40,15 @@ const GOLDEN: &[(&str, u64)] = &[
     ("bounce", 0x72D1_7E2A_5104_74E4),
     ("billiards", 0x6227_EE3E_7E8D_AE31),
     ("confined", 0x74BD_E673_0899_C1E5),
-    ("tumbler", 0xAC4D_9E21_9D17_4476),
-    ("washer", 0xA702_7CF8_8424_01AB),
-    ("spinner", 0x9098_9562_D4A6_64B6),
-    ("wind_tunnel", 0x9699_37C0_ADA9_D33C),
+    ("tumbler", 0xDC33_0EC1_CABF_3E37),
+    ("washer", 0x77CC_2C0F_6912_9CB2),
+    ("spinner", 0x9E5E_072F_588B_EF7D),
+    ("wind_tunnel", 0xBE34_68A0_59B3_8C7B),
     ("pinball", 0x8D66_9F8A_0ADF_4623),
     ("orbit", 0x9F8A_1F9B_4AED_59DD),
     ("galaxy", 0x5040_F5D4_FA05_453C),
-    ("smash", 0x5F22_9C99_8C35_6FAE),
-    ("ball_pit", 0x0EA9_A347_4FB7_456B),
+    ("smash", 0xE834_D727_7FCD_E563),
+    ("ball_pit", 0x5C26_25CD_4736_8A82),
 ];
 
 fn hashes(threads: usize) -> Vec<(&'static str, u64)> {

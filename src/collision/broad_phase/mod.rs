@@ -43,12 +43,12 @@ const MARGIN_OF_SIDE: f32 = 0.0625;
 /// the tree every fifth step. More would make long boxes with many false neighbours.
 const STEPS_AHEAD: f32 = 5.0;
 
-/// The same for a body that is near no other, where there are no false neighbours. With more, the box would be [`TOO_BIG`]
-/// as soon as the body slows down a little.
-const STEPS_AHEAD_ALONE: f32 = 7.0;
+/// The same for a body that is near no other, where there are no false neighbours. With [`TOO_BIG`] times
+/// [`STEPS_AHEAD`], the box would be too big as soon as a fast body slows down a little.
+const STEPS_AHEAD_ALONE: f32 = 9.0;
 
 /// A fat box whose outline is this many times the one it would get now is replaced: the body was fast and has
-/// come to rest. The motion has to halve at least before this happens, or to lose an eighth where the body was near no
+/// come to rest. The motion has to halve at least before this happens, or to lose a tenth where the body was near no
 /// other, so it happens only a few times while a body slows down.
 const TOO_BIG: f32 = 2.0;
 

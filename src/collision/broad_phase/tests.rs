@@ -215,7 +215,7 @@ fn a_body_at_rest_or_within_its_margin_is_left_alone() {
 /// The box reaches `STEPS_AHEAD` motions ahead, and each check wants one motion ahead to be inside: a body at
 /// constant speed leaves it every `STEPS_AHEAD` steps, later by what the margin holds.
 #[test]
-fn a_body_at_constant_speed_gets_a_new_box_only_every_fourth_step() {
+fn a_body_at_constant_speed_gets_a_new_box_only_every_fifth_step() {
     let mut broad_phase = BroadPhase::default();
     broad_phase.add(0, true, square(0.0, 0.0));
     let motion = Vec2::new(0.0, -0.5);
@@ -225,7 +225,7 @@ fn a_body_at_constant_speed_gets_a_new_box_only_every_fourth_step() {
 
 /// However small it is beside its motion, and though it slows down by 1 % per step.
 #[test]
-fn a_body_that_is_near_no_other_gets_one_only_every_seventh_step() {
+fn a_body_that_is_near_no_other_gets_one_only_every_ninth_step() {
     for first in [Vec2::new(0.0, -0.5), Vec2::new(3e3, 1e3), Vec2::new(1e-3, 0.0)] {
         let motion = |step: usize| first * 0.99_f32.powi(step as i32);
         let tight = |step: usize| {
