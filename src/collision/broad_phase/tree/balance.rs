@@ -55,11 +55,10 @@ impl Tree {
 
     /// Makes box and height from the children; returns whether either changed.
     fn fit(&mut self, place: u32) -> bool {
-        let link = self.node(place).link;
-        let (a, b) = (self.node(link), self.node(link + 1));
+        let [a, b] = self.pair(self.node(place).link);
         let aabb = a.aabb.union(b.aabb);
         let height = 1 + a.height.max(b.height);
-        let node = &mut self.nodes[place as usize];
+        let node = self.node_mut(place);
         let changed = node.aabb != aabb || node.height != height;
         node.aabb = aabb;
         node.height = height;
@@ -75,36 +74,43 @@ impl Tree {
 
     /// The rotation of a node that saves most perimeter, if one does; if its children are out of bound, the
     /// one that costs least. The node's height is still the one before the edit.
+    #[inline(always)]
     fn best_rotation(&self, place: u32) -> Option<Rotation> {
         let node = self.node(place);
-        let (a, b) = (node.link, node.link + 1);
-        let out_of_bound = self.node(a).height.abs_diff(self.node(b).height) > MAX_IMBALANCE;
+        let children = self.pair(node.link);
+        let out_of_bound = children[0].height.abs_diff(children[1].height) > MAX_IMBALANCE;
         let mut best = None;
         let mut best_change = 0.0;
-        for (lone, split) in [(a, b), (b, a)] {
-            if self.node(split).is_leaf() {
+        for side in [1, 0] {
+            let (lone, split) = (&children[1 - side], &children[side]);
+            if split.is_leaf() {
                 continue;
             }
-            let link = self.node(split).link;
-            let split_perimeter = self.node(split).aabb.perimeter();
-            for (up, stay) in [(link, link + 1), (link + 1, link)] {
-                let change = self.node(lone).aabb.union(self.node(stay).aabb).perimeter() - split_perimeter;
+            let grandchildren = self.pair(split.link);
+            let perimeter = split.aabb.perimeter();
+            for which in [0, 1] {
+                let (up, stay) = (&grandchildren[which], &grandchildren[1 - which]);
+                let change = lone.aabb.union(stay.aabb).perimeter() - perimeter;
                 let is_better = change < best_change || (out_of_bound && best.is_none());
-                if is_better && self.keeps_bound(node.height, lone, up, stay) {
-                    best = Some(Rotation { lone, split, up });
+                if is_better && keeps_bound(node.height, [lone, up, stay].map(|node| node.height)) {
+                    let (first, side, which) = (node.link, side as u32, which as u32);
+                    best = Some(Rotation {
+                        lone: first + 1 - side,
+                        split: first + side,
+                        up: split.link + which,
+                    });
                     best_change = change;
                 }
             }
         }
         best
     }
+}
 
-    /// Whether a rotation leaves split' and N in bound and N's height within one of `height_before`.
-    fn keeps_bound(&self, height_before: u32, lone: u32, up: u32, stay: u32) -> bool {
-        let (lone, up, stay) = (self.node(lone).height, self.node(up).height, self.node(stay).height);
-        let split = 1 + lone.max(stay);
-        lone.abs_diff(stay) <= MAX_IMBALANCE
-            && up.abs_diff(split) <= MAX_IMBALANCE
-            && (1 + up.max(split)).abs_diff(height_before) <= 1
-    }
+/// Whether a rotation leaves split' and N in bound and N's height within one of `height_before`.
+fn keeps_bound(height_before: u32, [lone, up, stay]: [u32; 3]) -> bool {
+    let split = 1 + lone.max(stay);
+    lone.abs_diff(stay) <= MAX_IMBALANCE
+        && up.abs_diff(split) <= MAX_IMBALANCE
+        && (1 + up.max(split)).abs_diff(height_before) <= 1
 }

@@ -46,7 +46,7 @@ impl Search {
 
     /// The pair to look at next.
     #[inline(always)]
-    fn next_pair(&mut self) -> Option<usize> {
+    fn next_pair(&mut self) -> Option<u32> {
         let count = self.end - self.first;
         if count == 0 {
             return None;
@@ -59,7 +59,7 @@ impl Search {
             self.end -= 1;
             self.end
         };
-        Some(self.pairs[place % ROOM] as usize)
+        Some(self.pairs[place % ROOM])
     }
 
     /// Hands the values over that were found.
@@ -83,7 +83,7 @@ impl Tree {
             place = sibling.parent;
         }
         while let Some(pair) = search.next_pair() {
-            for node in &self.nodes[pair..pair + 2] {
+            for node in self.pair(pair) {
                 search.look_at(node, aabb);
             }
             if search.value_count > ROOM - 2 {

@@ -390,7 +390,7 @@ fn moving_boxes_keeps_queries_as_cheap_as_in_a_new_tree() {
         }
     }
     assert_sound(&tree);
-    assert_eq!(tree.nodes.len(), 2 * boxes.len(), "a move takes the pair it has freed");
+    assert_eq!(tree.pairs.len(), boxes.len(), "a move takes the pair it has freed");
     let mut fresh = Tree::default();
     for (value, &aabb) in boxes.iter().enumerate() {
         fresh.insert(aabb, value as u32);

@@ -8,6 +8,9 @@ impl Tree {
     /// # Errors
     /// A sentence that names the first node found wrong.
     pub(crate) fn validate(&self) -> Result<(), String> {
+        if self.node(ROOT).parent != ROOT {
+            return Err("the root is not its own parent".into());
+        }
         let mut leaves = 0;
         let mut inner = 0;
         let mut pending = if self.len() == 0 { vec![] } else { vec![ROOT] };
@@ -21,7 +24,7 @@ impl Tree {
                 pending.extend([self.node(place).link, self.node(place).link + 1]);
             }
         }
-        let pairs = self.nodes.len() / 2 - 1 - self.free_pairs.len();
+        let pairs = self.pairs.len() - 1 - self.free_pairs.len();
         if leaves != self.len() || inner != pairs {
             return Err(format!("{leaves} leaves of {} and {inner} pairs of {pairs} reached", self.len()));
         }
@@ -39,7 +42,7 @@ impl Tree {
 
     fn validate_inner(&self, place: u32) -> Result<(), String> {
         let node = self.node(place);
-        let (a, b) = (self.node(node.link), self.node(node.link + 1));
+        let [a, b] = self.pair(node.link);
         if !node.link.is_multiple_of(2) || a.parent != place || b.parent != place {
             return Err(format!("the children of {place} at {} do not point back", node.link));
         }

@@ -34,9 +34,9 @@ impl Pending {
     }
 
     #[inline(always)]
-    fn pop(&mut self) -> Option<usize> {
+    fn pop(&mut self) -> Option<u32> {
         self.len = self.len.checked_sub(1)?;
-        Some(self.pairs[self.len] as usize)
+        Some(self.pairs[self.len])
     }
 }
 
@@ -49,7 +49,7 @@ impl Tree {
         // The root has no sibling; the box beside it is nowhere and meets nothing.
         pending.push(ROOT);
         while let Some(pair) = pending.pop() {
-            for node in &self.nodes[pair..pair + 2] {
+            for node in self.pair(pair) {
                 if !node.aabb.overlaps(aabb) {
                     continue;
                 }
@@ -82,7 +82,7 @@ impl Tree {
         let mut pending = Pending::new();
         pending.push(ROOT);
         while let Some(pair) = pending.pop() {
-            let (a, b) = (&self.nodes[pair], &self.nodes[pair + 1]);
+            let [a, b] = self.pair(pair);
             let (enter_a, enter_b) = (ray.enter(a.aabb), ray.enter(b.aabb));
             // None < Some, so a box that is missed comes first and is passed over.
             let (near, far) =
