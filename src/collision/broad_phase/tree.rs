@@ -31,6 +31,7 @@
 //! (the bound on imbalance).
 
 mod balance;
+mod reach;
 mod search;
 #[cfg(test)]
 mod tests;
@@ -38,7 +39,8 @@ mod validate;
 mod walk;
 
 use crate::compute::prefetch;
-use crate::math::{Aabb, Vec2};
+use crate::math::Aabb;
+use reach::Reach;
 pub(crate) use search::Search;
 
 /// Largest difference of height between two siblings.
@@ -59,13 +61,10 @@ const KINSHIP: u32 = 5;
 /// Place of the root. Its neighbour, place 1, is never used.
 const ROOT: u32 = 0;
 
-/// A box no other meets: every comparison with it is false.
-const NOWHERE: Aabb = Aabb::new(Vec2::splat(f32::NAN), Vec2::splat(f32::NAN));
-
 /// A leaf or an inner node. Siblings lie at places 2k and 2k + 1.
 #[derive(Clone, Copy, Debug)]
 struct Node {
-    aabb: Aabb,
+    reach: Reach,
     /// Inner node: place of the first child. Leaf: the leaf's number.
     link: u32,
     /// Place of the parent; the root is its own.
@@ -84,7 +83,7 @@ struct Pair([Node; 2]);
 const _: () = assert!(size_of::<Pair>() == 64);
 
 impl Node {
-    const NOTHING: Self = Self { aabb: NOWHERE, link: 0, parent: ROOT, height: 0, value: 0 };
+    const NOTHING: Self = Self { reach: Reach::NOWHERE, link: 0, parent: ROOT, height: 0, value: 0 };
 
     #[inline(always)]
     fn is_leaf(&self) -> bool {
@@ -145,7 +144,7 @@ impl Tree {
 
     #[inline]
     pub(crate) fn aabb(&self, leaf: u32) -> Aabb {
-        self.node(self.leaf_places[leaf as usize]).aabb
+        self.node(self.leaf_places[leaf as usize]).reach.aabb()
     }
 
     /// Asks for the leaf, whose place is close.
@@ -177,7 +176,7 @@ impl Tree {
         if leaf as usize == self.leaf_places.len() {
             self.leaf_places.push(ROOT);
         }
-        let node = Node { aabb, link: leaf, parent: ROOT, height: 0, value };
+        let node = Node { reach: aabb.into(), link: leaf, parent: ROOT, height: 0, value };
         if self.len() == 1 {
             self.put(ROOT, node);
         } else {
@@ -207,19 +206,19 @@ impl Tree {
     /// the tree need not be read.
     pub(crate) fn move_leaf(&mut self, leaf: u32, aabb: Aabb) {
         let place = self.leaf_places[leaf as usize];
-        let node = Node { aabb, ..*self.node(place) };
+        let node = Node { reach: aabb.into(), ..*self.node(place) };
         if place == ROOT {
             self.put(ROOT, node);
             return;
         }
         let ancestor = (0..KINSHIP).fold(place, |place, _| self.node(place).parent);
-        if self.node(ancestor).aabb.contains(aabb) {
+        if self.node(ancestor).reach.contains(node.reach) {
             *self.node_mut(place) = node;
             self.refit_upward(node.parent);
             return;
         }
         let mut start = self.detach(place);
-        while start != ROOT && !self.node(start).aabb.contains(aabb) {
+        while start != ROOT && !self.node(start).reach.contains(node.reach) {
             start = self.node(start).parent;
         }
         self.attach(node, start);
@@ -261,7 +260,7 @@ impl Tree {
 
     /// Hangs a leaf into the subtree at `start`, next to its best sibling there.
     fn attach(&mut self, leaf: Node, start: u32) {
-        let place = self.best_sibling(leaf.aabb, start);
+        let place = self.best_sibling(leaf.reach, start);
         let sibling = *self.node(place);
         let pair = self.free_pairs.pop().unwrap_or(2 * self.pairs.len() as u32);
         if pair_of(pair) == self.pairs.len() {
@@ -301,11 +300,11 @@ impl Tree {
     ///   direct                 inherited
     /// ```
     /// and pairing it anywhere below a node S at least inherited(S) + (|S ∪ D| - |S|) + min(|S|, |D|).
-    fn best_sibling(&self, aabb: Aabb, start: u32) -> u32 {
-        let perimeter = aabb.perimeter();
+    fn best_sibling(&self, reach: Reach, start: u32) -> u32 {
+        let perimeter = reach.perimeter();
         let mut place = start;
         let mut inherited = 0.0;
-        let mut direct = self.node(start).aabb.union(aabb).perimeter();
+        let mut direct = self.node(start).reach.union(reach).perimeter();
         let mut best: Option<u32> = None;
         let mut best_cost = f32::INFINITY;
         loop {
@@ -318,12 +317,12 @@ impl Tree {
             if node.is_leaf() {
                 return best.unwrap_or(place);
             }
-            inherited += direct - node.aabb.perimeter();
+            inherited += direct - node.reach.perimeter();
 
             let [child_a, child_b] = self.pair(node.link);
-            let a = Branch::new(child_a, aabb, perimeter);
-            let b = Branch::new(child_b, aabb, perimeter);
-            let take_b = b.is_better_than(&a, aabb);
+            let a = Branch::new(child_a, reach, perimeter);
+            let b = Branch::new(child_b, reach, perimeter);
+            let take_b = b.is_better_than(&a, reach);
             let taken = if take_b { b } else { a };
             if best.is_some() && best_cost <= inherited + taken.least {
                 return best.unwrap_or(place);
@@ -345,27 +344,20 @@ struct Branch<'a> {
 
 impl<'a> Branch<'a> {
     #[inline(always)]
-    fn new(node: &'a Node, aabb: Aabb, perimeter: f32) -> Self {
-        let own = node.aabb.perimeter();
-        let direct = node.aabb.union(aabb).perimeter();
+    fn new(node: &'a Node, reach: Reach, perimeter: f32) -> Self {
+        let own = node.reach.perimeter();
+        let direct = node.reach.union(reach).perimeter();
         Self { node, direct, least: (direct - own) + own.min(perimeter) }
     }
 
     /// Where both children hold the new box the bounds are equal: then the nearer middle is better, and for
     /// equal boxes the lower subtree.
     #[inline(always)]
-    fn is_better_than(&self, other: &Self, aabb: Aabb) -> bool {
+    fn is_better_than(&self, other: &Self, reach: Reach) -> bool {
         if self.least != other.least {
             return self.least < other.least;
         }
-        let (own, others) = (distance(self.node.aabb, aabb), distance(other.node.aabb, aabb));
+        let (own, others) = (self.node.reach.distance(reach), other.node.reach.distance(reach));
         if own == others { self.node.height < other.node.height } else { own < others }
     }
-}
-
-/// Between the middles of two boxes, each axis added up; doubled, which does not matter for an order.
-#[inline(always)]
-fn distance(a: Aabb, b: Aabb) -> f32 {
-    let apart = ((a.min + a.max) - (b.min + b.max)).abs();
-    apart.x + apart.y
 }

@@ -56,11 +56,11 @@ impl Tree {
     /// Makes box and height from the children; returns whether either changed.
     fn fit(&mut self, place: u32) -> bool {
         let [a, b] = self.pair(self.node(place).link);
-        let aabb = a.aabb.union(b.aabb);
+        let reach = a.reach.union(b.reach);
         let height = 1 + a.height.max(b.height);
         let node = self.node_mut(place);
-        let changed = node.aabb != aabb || node.height != height;
-        node.aabb = aabb;
+        let changed = node.reach != reach || node.height != height;
+        node.reach = reach;
         node.height = height;
         changed
     }
@@ -87,10 +87,10 @@ impl Tree {
                 continue;
             }
             let grandchildren = self.pair(split.link);
-            let perimeter = split.aabb.perimeter();
+            let perimeter = split.reach.perimeter();
             for which in [0, 1] {
                 let (up, stay) = (&grandchildren[which], &grandchildren[1 - which]);
-                let change = lone.aabb.union(stay.aabb).perimeter() - perimeter;
+                let change = lone.reach.union(stay.reach).perimeter() - perimeter;
                 let is_better = change < best_change || (out_of_bound && best.is_none());
                 if is_better && keeps_bound(node.height, [lone, up, stay].map(|node| node.height)) {
                     let (first, side, which) = (node.link, side as u32, which as u32);

@@ -5,9 +5,9 @@
 //! further on only if the box is met. The queue is read from its front, where boxes have been for a while: many are
 //! looked at while it is still being found where the queue ends.
 
+use super::reach::Opposite;
 use super::walk::STACK;
 use super::{Node, ROOT, Tree};
-use crate::math::Aabb;
 
 /// So many pairs, and so many values, have room.
 const ROOM: usize = 256;
@@ -33,11 +33,11 @@ impl Search {
         Self { pairs: [0; ROOM], first: 0, end: 0, values: [0; ROOM], value_count: 0 }
     }
 
-    /// Takes a node up if it meets `aabb`.
+    /// Takes a node up if it meets the box.
     #[inline(always)]
-    fn look_at(&mut self, node: &Node, aabb: Aabb) {
+    fn look_at(&mut self, node: &Node, opposite: Opposite) {
         // 0 or 1, as numbers.
-        let (is_met, is_leaf) = (usize::from(node.aabb.overlaps(aabb)), usize::from(node.is_leaf()));
+        let (is_met, is_leaf) = (usize::from(node.reach.meets(opposite)), usize::from(node.is_leaf()));
         self.pairs[self.end % ROOM] = node.link;
         self.end += is_met & !is_leaf;
         self.values[self.value_count % ROOM] = node.value;
@@ -76,15 +76,15 @@ impl Tree {
     #[inline]
     pub(crate) fn search_around(&self, leaf: u32, search: &mut Search, mut visit: impl FnMut(u32)) {
         let mut place = self.leaf_places[leaf as usize];
-        let aabb = self.node(place).aabb;
+        let opposite = self.node(place).reach.opposite();
         while place != ROOT {
             let sibling = self.node(place ^ 1);
-            search.look_at(sibling, aabb);
+            search.look_at(sibling, opposite);
             place = sibling.parent;
         }
         while let Some(pair) = search.next_pair() {
             for node in self.pair(pair) {
-                search.look_at(node, aabb);
+                search.look_at(node, opposite);
             }
             if search.value_count > ROOM - 2 {
                 search.hand_over(&mut visit);

@@ -46,7 +46,7 @@ impl Tree {
         if !node.link.is_multiple_of(2) || a.parent != place || b.parent != place {
             return Err(format!("the children of {place} at {} do not point back", node.link));
         }
-        if node.aabb != a.aabb.union(b.aabb) {
+        if node.reach != a.reach.union(b.reach) {
             return Err(format!("the box of {place} is not the union of its children's"));
         }
         if node.height != 1 + a.height.max(b.height) || a.height.abs_diff(b.height) > MAX_IMBALANCE {

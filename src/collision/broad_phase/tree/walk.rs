@@ -4,6 +4,7 @@
 //! holds at most one pair more than the tree is high, and the bound on imbalance keeps that below
 //! [`STACK`] for any number of leaves that a `u32` can count.
 
+use super::reach::Reach;
 use super::{ROOT, Tree};
 use crate::math::{Aabb, Point, Vec2};
 
@@ -45,12 +46,13 @@ impl Tree {
     /// Returns false if it did.
     #[inline]
     pub(crate) fn query(&self, aabb: Aabb, mut visit: impl FnMut(u32) -> bool) -> bool {
+        let opposite = Reach::from(aabb).opposite();
         let mut pending = Pending::new();
         // The root has no sibling; the box beside it is nowhere and meets nothing.
         pending.push(ROOT);
         while let Some(pair) = pending.pop() {
             for node in self.pair(pair) {
-                if !node.aabb.overlaps(aabb) {
+                if !node.reach.meets(opposite) {
                     continue;
                 }
                 if !node.is_leaf() {
@@ -83,7 +85,7 @@ impl Tree {
         pending.push(ROOT);
         while let Some(pair) = pending.pop() {
             let [a, b] = self.pair(pair);
-            let (enter_a, enter_b) = (ray.enter(a.aabb), ray.enter(b.aabb));
+            let (enter_a, enter_b) = (ray.enter(a.reach.aabb()), ray.enter(b.reach.aabb()));
             // None < Some, so a box that is missed comes first and is passed over.
             let (near, far) =
                 if enter_b < enter_a { ((b, enter_b), (a, enter_a)) } else { ((a, enter_a), (b, enter_b)) };
@@ -114,7 +116,7 @@ impl Tree {
         let mut pending = vec![(ROOT, 0)];
         while let Some((place, depth)) = pending.pop() {
             let node = self.node(place);
-            visit(node.aabb, depth, node.is_leaf());
+            visit(node.reach.aabb(), depth, node.is_leaf());
             if !node.is_leaf() {
                 pending.extend([(node.link + 1, depth + 1), (node.link, depth + 1)]);
             }
