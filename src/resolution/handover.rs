@@ -43,6 +43,8 @@ struct Piece {
 pub(crate) struct Handovers {
     /// By row of the circle.
     pieces: Vec<Piece>,
+    /// By row: of how many pieces the circle there is on, while that is being found; else 0.
+    counts: Vec<u32>,
 }
 
 /// What the stage works on.
@@ -91,19 +93,22 @@ impl Handovers {
 
     /// Keeps the circles that have two pieces of ground in reach.
     pub(crate) fn group(&mut self) {
-        self.pieces.sort_unstable_by_key(|piece| (piece.row(), piece.contact));
-        let mut kept = 0;
-        let mut start = 0;
-        while start < self.pieces.len() {
-            let row = self.pieces[start].row();
-            let len = self.pieces[start..].iter().take_while(|piece| piece.row() == row).count();
-            if len > 1 {
-                self.pieces.copy_within(start..start + len, kept);
-                kept += len;
-            }
-            start += len;
+        let Self { pieces, counts } = self;
+        let end = pieces.iter().map(|piece| piece.row() + 1).max().unwrap_or(0);
+        counts.resize(counts.len().max(end as usize), 0);
+        for piece in &*pieces {
+            counts[piece.row() as usize] += 1;
         }
-        self.pieces.truncate(kept);
+        pieces.retain(|piece| {
+            let count = &mut counts[piece.row() as usize];
+            let is_alone = *count == 1;
+            *count -= u32::from(is_alone);
+            !is_alone
+        });
+        for piece in &*pieces {
+            counts[piece.row() as usize] = 0;
+        }
+        pieces.sort_unstable_by_key(|piece| (piece.row(), piece.contact));
     }
 
     /// The pieces of each circle.
