@@ -1,6 +1,6 @@
 //! An axis-aligned bounding box, in `f32` and rounded outward.
 
-use crate::math::{Point, Vec2};
+use crate::math::{Point, Reach, Vec2};
 
 /// An axis-aligned box between two corners, m: what the broad phase sorts bodies by.
 ///
@@ -42,19 +42,14 @@ impl Aabb {
     /// Length of the outline, m: the cost measure of the bounding-volume tree.
     #[inline(always)]
     pub fn perimeter(self) -> f32 {
-        2.0 * ((self.max.x - self.min.x) + (self.max.y - self.min.y))
+        Reach::from(self).perimeter()
     }
 
     /// The smallest box that holds both.
     #[inline(always)]
     #[must_use]
     pub fn union(self, other: Self) -> Self {
-        let lower = |a: f32, b: f32| if a < b { a } else { b };
-        let higher = |a: f32, b: f32| if a > b { a } else { b };
-        Self {
-            min: Vec2::new(lower(self.min.x, other.min.x), lower(self.min.y, other.min.y)),
-            max: Vec2::new(higher(self.max.x, other.max.x), higher(self.max.y, other.max.y)),
-        }
+        Reach::from(self).union(other.into()).aabb()
     }
 
     /// The box grown by `margin`, m, on every side.
@@ -73,12 +68,8 @@ impl Aabb {
 
     /// Whether the two share a point, borders included.
     #[inline(always)]
-    #[expect(clippy::needless_bitwise_bool, reason = "branches are as hard to foresee as the answer")]
     pub fn overlaps(self, other: Self) -> bool {
-        (self.min.x <= other.max.x)
-            & (other.min.x <= self.max.x)
-            & (self.min.y <= other.max.y)
-            & (other.min.y <= self.max.y)
+        Reach::from(self).meets(Reach::from(other).opposite())
     }
 
     /// Whether a place lies within this box, borders included.
@@ -92,10 +83,7 @@ impl Aabb {
     /// Whether `other` lies within this box, borders included.
     #[inline(always)]
     pub fn contains(self, other: Self) -> bool {
-        self.min.x <= other.min.x
-            && self.min.y <= other.min.y
-            && other.max.x <= self.max.x
-            && other.max.y <= self.max.y
+        Reach::from(self).contains(other.into())
     }
 }
 
@@ -120,7 +108,8 @@ fn round_up(value: f64) -> f32 {
 
 #[cfg(test)]
 mod tests {
-    use super::{round_down, round_up};
+    use super::{Aabb, Vec2, round_down, round_up};
+    use crate::math::Point;
 
     /// The two neighbours of a number between two floats are those floats, on both sides of zero and at the ends of
     /// the range; a float is its own.
@@ -138,6 +127,32 @@ mod tests {
             for exact in [low, -low, high, -high] {
                 let value = f64::from(exact);
                 assert_eq!((round_down(value), round_up(value)), (exact, exact), "{exact}");
+            }
+        }
+    }
+
+    /// All boxes with corners on a grid of four by four. What two of them share is a box of that kind, and so is what
+    /// holds both: the places of the grid tell all there is to know, borders included.
+    #[test]
+    fn boxes_answer_as_their_places_do() {
+        let coordinates = || (0..4).map(|place| place as f32);
+        let places = || coordinates().flat_map(|x| coordinates().map(move |y| Vec2::new(x, y)));
+        let boxes = || {
+            let all = places().flat_map(|min| places().map(move |max| Aabb::new(min, max)));
+            all.filter(|aabb| aabb.min.x <= aabb.max.x && aabb.min.y <= aabb.max.y)
+        };
+        let has = |aabb: Aabb, place: Vec2| aabb.contains_point(Point::new(place.x.into(), place.y.into()));
+        assert_eq!(boxes().count(), 100);
+        for a in boxes() {
+            assert_eq!(a.perimeter(), 2.0 * (a.size().x + a.size().y), "{a:?}");
+            for b in boxes() {
+                let mut of_b = places().filter(|&place| has(b, place));
+                assert_eq!(a.overlaps(b), of_b.clone().any(|place| has(a, place)), "{a:?} {b:?}");
+                assert_eq!(a.contains(b), of_b.all(|place| has(a, place)), "{a:?} {b:?}");
+                let union = a.union(b);
+                let smallest = boxes().filter(|one| one.contains(a) && one.contains(b));
+                let smallest = smallest.min_by(|one, other| one.perimeter().total_cmp(&other.perimeter()));
+                assert_eq!(Some(union), smallest, "{a:?} {b:?}");
             }
         }
     }

@@ -43,7 +43,7 @@ struct Piece {
 pub(crate) struct Handovers {
     /// By row of the circle.
     pieces: Vec<Piece>,
-    /// By row: of how many pieces the circle there is on, while that is being found; else 0.
+    /// By row: how many pieces the circle there has in reach.
     counts: Vec<u32>,
 }
 
@@ -94,20 +94,13 @@ impl Handovers {
     /// Keeps the circles that have two pieces of ground in reach.
     pub(crate) fn group(&mut self) {
         let Self { pieces, counts } = self;
-        let end = pieces.iter().map(|piece| piece.row() + 1).max().unwrap_or(0);
-        counts.resize(counts.len().max(end as usize), 0);
+        let end = pieces.iter().map(|piece| piece.row() as usize + 1).max().unwrap_or(0);
+        counts.clear();
+        counts.resize(end, 0);
         for piece in &*pieces {
             counts[piece.row() as usize] += 1;
         }
-        pieces.retain(|piece| {
-            let count = &mut counts[piece.row() as usize];
-            let is_alone = *count == 1;
-            *count -= u32::from(is_alone);
-            !is_alone
-        });
-        for piece in &*pieces {
-            counts[piece.row() as usize] = 0;
-        }
+        pieces.retain(|piece| counts[piece.row() as usize] > 1);
         pieces.sort_unstable_by_key(|piece| (piece.row(), piece.contact));
     }
 

@@ -31,7 +31,6 @@
 //! (the bound on imbalance).
 
 mod balance;
-mod reach;
 mod search;
 #[cfg(test)]
 mod tests;
@@ -39,8 +38,7 @@ mod validate;
 mod walk;
 
 use crate::compute::prefetch;
-use crate::math::Aabb;
-use reach::Reach;
+use crate::math::{Aabb, Reach};
 pub(crate) use search::Search;
 
 /// Largest difference of height between two siblings.

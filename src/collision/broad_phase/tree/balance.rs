@@ -74,31 +74,24 @@ impl Tree {
 
     /// The rotation of a node that saves most perimeter, if one does; if its children are out of bound, the
     /// one that costs least. The node's height is still the one before the edit.
-    #[inline(always)]
     fn best_rotation(&self, place: u32) -> Option<Rotation> {
         let node = self.node(place);
-        let children = self.pair(node.link);
-        let out_of_bound = children[0].height.abs_diff(children[1].height) > MAX_IMBALANCE;
+        let (first, second) = (node.link, node.link + 1);
+        let [a, b] = self.pair(first);
+        let out_of_bound = a.height.abs_diff(b.height) > MAX_IMBALANCE;
         let mut best = None;
         let mut best_change = 0.0;
-        for side in [1, 0] {
-            let (lone, split) = (&children[1 - side], &children[side]);
+        for (lone, split, [lone_at, split_at]) in [(a, b, [first, second]), (b, a, [second, first])] {
             if split.is_leaf() {
                 continue;
             }
-            let grandchildren = self.pair(split.link);
-            let perimeter = split.reach.perimeter();
-            for which in [0, 1] {
-                let (up, stay) = (&grandchildren[which], &grandchildren[1 - which]);
-                let change = lone.reach.union(stay.reach).perimeter() - perimeter;
+            let [c, d] = self.pair(split.link);
+            let split_perimeter = split.reach.perimeter();
+            for (up, stay, up_at) in [(c, d, split.link), (d, c, split.link + 1)] {
+                let change = lone.reach.union(stay.reach).perimeter() - split_perimeter;
                 let is_better = change < best_change || (out_of_bound && best.is_none());
                 if is_better && keeps_bound(node.height, [lone, up, stay].map(|node| node.height)) {
-                    let (first, side, which) = (node.link, side as u32, which as u32);
-                    best = Some(Rotation {
-                        lone: first + 1 - side,
-                        split: first + side,
-                        up: split.link + which,
-                    });
+                    best = Some(Rotation { lone: lone_at, split: split_at, up: up_at });
                     best_change = change;
                 }
             }

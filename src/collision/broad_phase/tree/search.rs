@@ -5,9 +5,9 @@
 //! further on only if the box is met. The queue is read from its front, where boxes have been for a while: many are
 //! looked at while it is still being found where the queue ends.
 
-use super::reach::Opposite;
 use super::walk::STACK;
 use super::{Node, ROOT, Tree};
+use crate::math::Opposite;
 
 /// So many pairs, and so many values, have room.
 const ROOM: usize = 256;

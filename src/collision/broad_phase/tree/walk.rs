@@ -4,9 +4,8 @@
 //! holds at most one pair more than the tree is high, and the bound on imbalance keeps that below
 //! [`STACK`] for any number of leaves that a `u32` can count.
 
-use super::reach::Reach;
 use super::{ROOT, Tree};
-use crate::math::{Aabb, Point, Vec2};
+use crate::math::{Aabb, Point, Reach, Vec2};
 
 /// Pairs a walk can put off: 2.47·log₂(2³¹ leaves) + 4 = 81 levels at most.
 pub(super) const STACK: usize = 84;
