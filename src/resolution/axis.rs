@@ -72,7 +72,8 @@ impl<L: Lane, const POINTS: usize> Axis<L, POINTS> {
     ) {
         let [arm_a, arm_b] = self.arms[0];
         let mut moments = [arm_a * impulses[0], arm_b * impulses[0]];
-        for (&[arm_a, arm_b], &impulse) in self.arms.iter().zip(&impulses).skip(1) {
+        // Not by `skip`: where much else is compiled with it that is a call, around which all lanes are saved.
+        for (&[arm_a, arm_b], &impulse) in self.arms[1..].iter().zip(&impulses[1..]) {
             moments = [moments[0] + arm_a * impulse, moments[1] + arm_b * impulse];
         }
         constraint.turn(moments, a, b);
@@ -82,7 +83,7 @@ impl<L: Lane, const POINTS: usize> Axis<L, POINTS> {
     #[inline(always)]
     pub(crate) fn sum(&self, impulses: [L; POINTS]) -> LaneVec2<L> {
         let mut sum = impulses[0];
-        for &impulse in impulses.iter().skip(1) {
+        for &impulse in &impulses[1..] {
             sum = sum + impulse;
         }
         self.direction * sum

@@ -18,7 +18,7 @@ use crate::resolution::load::{LoadMeasure, Loads};
 
 /// What it costs to make sixteen constraints, to sweep over them once, and to write them back, ns.
 const PREPARE_COST: usize = 300;
-const SWEEP_COST: usize = 40;
+const SWEEP_COST: usize = 60;
 const FINISH_COST: usize = 200;
 
 impl ConstraintGraph {
