@@ -196,8 +196,8 @@ impl<L: Lane> Follower<L> {
         let (zero, least) = (L::splat(0.0), L::splat(f32::MIN_POSITIVE));
         let moved = b.delta_position - a.delta_position;
         let turns_with_b = self.turns_with_b.greater(zero);
-        let normal = LaneVec2::select(turns_with_b, self.turned_with(b), self.turned_with(a));
-        let mut geometry = Geometry::of_normal(normal);
+        let turning = BodyState::select(turns_with_b, b, a).delta_rotation;
+        let mut geometry = Geometry::of_normal(self.normal + turning.displacement(self.normal));
         let mut follows = self.reach_squared.greater(zero);
         for index in 0..POINTS {
             let pair = &self.pairs[index];
@@ -230,12 +230,6 @@ impl<L: Lane> Follower<L> {
             (to.anchor_a, to.anchor_b, to.separation) = (anchor_a, anchor_b, separation);
         }
         (geometry, follows)
-    }
-
-    /// The normal, turned with a body.
-    #[inline(always)]
-    fn turned_with(&self, state: &BodyState<L>) -> LaneVec2<L> {
-        self.normal + state.delta_rotation.displacement(self.normal)
     }
 }
 
