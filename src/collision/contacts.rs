@@ -66,7 +66,8 @@ pub(crate) struct Contact {
     pub(crate) holds_still: bool,
     /// Whether the bodies met and parted again within the last step.
     pub(crate) has_bounced: bool,
-    /// Whether it follows the surface within the step: it does not hold still, and a body rolls or topples on it.
+    /// Whether it follows the surface within the step: it does not hold still, and a body topples on it, or rolls on what
+    /// moves or ends there.
     pub(crate) follows: bool,
     /// Whether one of the bodies is a circle that the other does not find flat: its manifold is never kept, and nothing is
     /// frozen. It is asked before the bodies are close.

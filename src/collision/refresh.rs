@@ -8,16 +8,20 @@
 //! feeds every swing: late by half a step, as one of the step's begin is, it lets the energy of a swing of angular
 //! frequency ω grow by ω² dt/2 per second. Where it moves slowly it holds still within the step too, but where the
 //! bodies will be halfway through it, as in the midpoint rule, whose swings do not grow; where it moves faster
-//! the solver follows it.
+//! the solver follows it. Over a face that does not move, as long as it stays over it, only the gap changes, which the
+//! solver knows: there is nothing to follow.
 //!
 //! A manifold is speculative: it has points that are still apart but may meet within the step, so that the
 //! solver stops the bodies at the surface, not behind it. For bodies that close in fast, normal and anchors
 //! are taken where they will first touch, not where they are now: from afar a passing body looks like a
 //! collision, and an oblique blow would be answered along the wrong normal.
 
+mod circle;
+
 use crate::body::{Bodies, Motion};
+use crate::collision::refresh::circle::move_to;
 use crate::collision::{
-    Contact, Frozen, Manifold, ManifoldPoint, Offset, Touch, detect_flat, detect_from, is_flat, sweep, touch,
+    Contact, Frozen, Manifold, ManifoldPoint, Offset, Touch, detect_flat, detect_from, is_flat, sweep,
 };
 use crate::compute::LaneRot;
 use crate::math::{Rot, Vec2};
@@ -37,10 +41,6 @@ const RECYCLE_DISTANCE: f32 = 0.05;
 /// width of the thinner body, no unit: less than what a contact under load may sag before its island gets more effort.
 const STALE_SHARE: f32 = 0.01;
 
-/// A contact with a circle holds still within a step in which its bodies move against each other by less than this, m, or
-/// by less than a fortieth of the extent of the smaller of the two: with half as much, piles are left that swing on.
-const SLOW_DISTANCE: f32 = 0.005;
-
 /// Cosine of the angle that either body may turn before the manifold is found anew: 11 degrees.
 const RECYCLE_COSINE: f32 = 0.98;
 
@@ -50,6 +50,10 @@ const REST_TIME: f32 = 1.0;
 
 /// And while they have moved against each other by less than this share of it, no unit: 0.5 mm.
 const REST_SHARE: f32 = 0.025;
+
+/// What stands on one corner is not followed while it would take it this time to go as far as that distance, s: slower
+/// than 0.2 mm/s. What has begun to topple is faster.
+const STILL_TIME: f32 = 100.0;
 
 /// A corner is followed from step to step for so many, then it is found anew; sooner where others may have come near.
 const LONGEST_FOLLOWED: u8 = 15;
@@ -70,12 +74,21 @@ pub(crate) fn refresh(contact: &mut Contact, bodies: &Bodies, settings: Refresh)
         return contact.part();
     }
     let upkeep = pair.upkeep(contact, settings.recycling);
-    let holds_still = matches!(upkeep, Upkeep::Recycle(_) | Upkeep::FindHalfway(_));
+    let holds_still = match upkeep {
+        Upkeep::Recycle(_) | Upkeep::FindHalfway(_) => true,
+        Upkeep::MoveAlong(course, _) => pair.is_slow(course),
+        Upkeep::LeaveAsFollowed | Upkeep::FindAnew(_) => false,
+    };
+    let is_to_follow = matches!(upkeep, Upkeep::LeaveAsFollowed | Upkeep::FindAnew(_));
     let mut approach_speed = 0.0;
     match upkeep {
         Upkeep::Recycle(since) => recycle(contact, since),
         Upkeep::FindHalfway(course) => {
             let Some(touch) = pair.find_halfway(course) else { return contact.part() };
+            approach_speed = course.closing(touch.normal) / settings.dt;
+            move_to(touch, contact);
+        }
+        Upkeep::MoveAlong(course, touch) => {
             approach_speed = course.closing(touch.normal) / settings.dt;
             move_to(touch, contact);
         }
@@ -90,7 +103,7 @@ pub(crate) fn refresh(contact: &mut Contact, bodies: &Bodies, settings: Refresh)
         }
     }
     (contact.holds_still, contact.has_bounced, contact.approach_speed) = (holds_still, false, approach_speed);
-    contact.follows = !holds_still && (contact.has_circle || contact.pivots()) && !pair.is_flat();
+    contact.follows = is_to_follow && (contact.has_circle || contact.pivots()) && !pair.is_flat();
 }
 
 /// Whether the circles around two bodies stay apart within a step of `dt` seconds.
@@ -108,21 +121,14 @@ fn recycle(contact: &mut Contact, since: Since) {
     }
 }
 
-/// Moves the only point of a contact with a circle to where it touches.
-fn move_to(touch: Touch, contact: &mut Contact) {
-    contact.manifold.normal = touch.normal;
-    for point in contact.manifold.points_mut() {
-        (point.anchor_a, point.anchor_b, point.separation) =
-            (touch.anchor_a, touch.anchor_b, touch.separation);
-    }
-}
-
 /// How a manifold is brought up to date.
 enum Upkeep {
     /// Normal and anchors are kept.
     Recycle(Since),
     /// It is found where the bodies will be halfway through the step.
     FindHalfway(Course),
+    /// A circle has moved along a face that does not, and will stay over it: it touches here.
+    MoveAlong(Course, Touch),
     /// It has been followed to where it is.
     LeaveAsFollowed,
     FindAnew(Course),
@@ -263,12 +269,6 @@ impl<'a> Pair<'a> {
         self.motion_a.extent.min(self.motion_b.extent)
     }
 
-    /// Whether the bodies move against each other so little within the step that a contact with a circle may hold still.
-    fn is_slow(&self, Course { motion, turning }: Course) -> bool {
-        let left = SLOW_DISTANCE.min(0.025 * self.extent()) - turning;
-        left > 0.0 && motion.length_squared() < left * left
-    }
-
     /// How the bodies have moved against each other since their manifold was found.
     #[inline(always)]
     fn since(&self, then: &Frozen) -> Since {
@@ -290,10 +290,21 @@ impl<'a> Pair<'a> {
         }
         if contact.has_circle {
             let course = self.course();
+            if self.is_on_ground()
+                && let Some(touch) = self.find_on_face(course)
+            {
+                return Upkeep::MoveAlong(course, touch);
+            }
             return if self.is_slow(course) { Upkeep::FindHalfway(course) } else { Upkeep::FindAnew(course) };
         }
         let is_loaded = contact.is_loaded();
         if is_loaded && contact.pivots() {
+            if contact.followed_steps == 0 && self.lingers(self.course(), STILL_TIME) {
+                let since = self.since(&contact.frozen);
+                if self.has_hardly_moved(&since) {
+                    return Upkeep::Recycle(since);
+                }
+            }
             let was_followed = contact.follows && contact.followed_steps < LONGEST_FOLLOWED;
             return if was_followed && self.strayed(&contact.frozen) < self.near() {
                 Upkeep::LeaveAsFollowed
@@ -306,7 +317,7 @@ impl<'a> Pair<'a> {
             return Upkeep::Recycle(since);
         }
         let course = self.course();
-        if !is_loaded && self.rests(course, &since) {
+        if !is_loaded && self.lingers(course, REST_TIME) && self.has_hardly_moved(&since) {
             Upkeep::Recycle(since)
         } else {
             Upkeep::FindAnew(course)
@@ -354,14 +365,16 @@ impl<'a> Pair<'a> {
         turned_a.s.abs() * self.motion_a.extent + turned_b.s.abs() * self.motion_b.extent
     }
 
-    /// Whether the bodies are slow, and have hardly moved against each other since then.
-    fn rests(&self, Course { motion, turning }: Course, since: &Since) -> bool {
-        let near = self.near();
-        if (motion.length() + turning) * REST_TIME >= near * self.dt {
-            return false;
-        }
+    /// Whether it would take the bodies more than this time, s, to go as far as the distance from which on they have points.
+    fn lingers(&self, Course { motion, turning }: Course, time: f32) -> bool {
+        (motion.length() + turning) * time < self.near() * self.dt
+    }
+
+    /// Whether they have moved against each other by hardly a part of that since then.
+    fn has_hardly_moved(&self, since: &Since) -> bool {
         let [turned_a, turned_b] = since.turned;
-        turned_a.c > 0.0 && turned_b.c > 0.0 && since.moved.length() + self.swung(since) < REST_SHARE * near
+        let is_near = |moved: f32| moved < REST_SHARE * self.near();
+        turned_a.c > 0.0 && turned_b.c > 0.0 && is_near(since.moved.length() + self.swung(since))
     }
 
     /// Takes over a manifold that was found anew; impulses stay with their feature.
@@ -401,29 +414,6 @@ impl<'a> Pair<'a> {
             None if self.may_meet(gap, 0.0, turning) => manifold,
             None => Manifold::default(),
         }
-    }
-
-    /// Where the circle touches halfway through the step; with the separation of now along the normal of then. `None` where
-    /// the bodies do not meet within the step.
-    fn find_halfway(&self, course: Course) -> Option<Touch> {
-        let half_turn = |motion: &Motion, slot: u32| {
-            if motion.is_round {
-                return Rot::IDENTITY;
-            }
-            let angle = 0.5 * self.dt * self.bodies.state(slot).angular_velocity;
-            // Slow bodies turn by less than 1/80: the next terms of cosine and sine are below the last digit of a gap.
-            Rot { c: 1.0 - 0.5 * angle * angle, s: angle }
-        };
-        let [slot_a, slot_b] = self.slots;
-        let [half_a, half_b] = [half_turn(self.motion_a, slot_a), half_turn(self.motion_b, slot_b)];
-        let until_then = Since { moved: 0.5 * course.motion, turned: [half_a, half_b] };
-        let (rotation_a, rotation_b) = (half_a * self.rotation_a, half_b * self.rotation_b);
-        let near = self.offset.near + until_then.moved;
-        let then = touch(self.shape_a, rotation_a, self.shape_b, rotation_b, near, f32::INFINITY)?;
-        let opened = until_then.opened(then.normal, then.anchor_a, then.anchor_b);
-        let separation = then.separation + self.offset.missing(then.normal) - opened;
-        let may_meet = self.may_meet(separation, course.closing(then.normal), course.turning);
-        may_meet.then_some(Touch { separation, ..then })
     }
 
     /// Whether bodies with this gap, m, may meet within the step, in which they come closer by so much, m: by their

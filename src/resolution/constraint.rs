@@ -200,17 +200,21 @@ impl<L: Lane> ContactConstraint<L> {
         point.separation + moved
     }
 
-    /// How far the turning of the two bodies has carried the anchors of a point, m.
+    /// How far the anchors of a point have been carried, m: with the outlines that turn, and with a circle that touches
+    /// something else, on which the point stays.
     #[inline(always)]
-    pub(crate) fn turned(
+    pub(crate) fn carried(
         &self,
         point: &ConstraintPoint<L>,
         a: &BodyState<L>,
         b: &BodyState<L>,
     ) -> [LaneVec2<L>; 2] {
+        let Special { turns_a, turns_b, .. } = self.special;
+        let (moved, turn) = (b.delta_position - a.delta_position, turns_a * turns_b);
+        let [stays_on_a, stays_on_b] = [turns_b - turn, turns_a - turn];
         [
-            a.delta_rotation.displacement(point.anchor_a) * self.special.turns_a,
-            b.delta_rotation.displacement(point.anchor_b) * self.special.turns_b,
+            a.delta_rotation.displacement(point.anchor_a) * turn + moved * stays_on_b,
+            b.delta_rotation.displacement(point.anchor_b) * turn - moved * stays_on_a,
         ]
     }
 

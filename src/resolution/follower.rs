@@ -107,7 +107,7 @@ impl Follower<f32> {
         let corners = [hull.vertices[face], hull.vertices[hull.next(face)]];
         // To an end of the face, along a face that meets there.
         let along = |other: usize, end: usize| hull.normals[other].perp().dot(corners[end] - center);
-        let ends = [along(face, 0), along(face, 1)];
+        let ends = hull.ends_from(face, center);
         let [round, flat] = [circle_slot, face_slot].map(|slot| bodies.state(slot));
         let speed = Vec2::from(round.velocity - flat.velocity).length()
             + flat.angular_velocity.abs() * to_circle.length();

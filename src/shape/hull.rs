@@ -105,6 +105,13 @@ impl Hull {
         nearest
     }
 
+    /// How far an edge goes on to both sides of a point, m: to its start, below 0 in front of the edge, and to its end.
+    #[inline(always)]
+    pub(crate) fn ends_from(&self, edge: usize, point: Vec2) -> [f32; 2] {
+        let along = self.normals[edge].perp();
+        [edge, self.next(edge)].map(|corner| along.dot(self.vertices[corner] - point))
+    }
+
     /// Smallest width across, m. The narrowest strip that holds a convex outline has an edge on one of its
     /// sides, so it is enough to measure from each edge.
     pub(crate) fn thickness(&self) -> f32 {

@@ -18,7 +18,7 @@ pub(crate) struct BlockEnd {
 #[derive(Clone, Copy, Debug, Default)]
 struct PointEnds {
     separation: Column,
-    /// From the centres, turned with the bodies.
+    /// From the centres.
     anchor_a: LaneVec2<Column>,
     anchor_b: LaneVec2<Column>,
 }
@@ -76,9 +76,9 @@ impl ContactBlock {
             let is_there = point.normal_k.greater(zero);
             let separation = constraint.separation(point, &a, &b);
             separation.store(&mut end.separation, place);
-            let [tip_a, tip_b] = constraint.turned(point, &a, &b);
-            end.anchor_a.store(place, point.anchor_a + tip_a);
-            end.anchor_b.store(place, point.anchor_b + tip_b);
+            let [carried_a, carried_b] = constraint.carried(point, &a, &b);
+            end.anchor_a.store(place, point.anchor_a + carried_a);
+            end.anchor_b.store(place, point.anchor_b + carried_b);
             load = load.max(point.normal_k * point.normal_impulse);
             penetration = penetration.max(L::select(is_there, -separation, zero));
             let (is_apart, is_pressed) = (separation.greater(zero), point.normal_impulse.greater(zero));

@@ -1,0 +1,88 @@
+//! Where a circle touches, found once per step.
+
+use crate::body::Motion;
+use crate::collision::refresh::{Course, Pair, Since};
+use crate::collision::{Contact, Touch, touch};
+use crate::compute::GROUND_ROW;
+use crate::math::{Rot, Vec2};
+
+/// A contact with a circle holds still within a step in which its bodies move against each other by less than this, m, or
+/// by less than a fortieth of the extent of the smaller of the two: with half as much, piles are left that swing on.
+const SLOW_DISTANCE: f32 = 0.005;
+
+/// Moves the only point of a contact with a circle to where it touches.
+pub(super) fn move_to(touch: Touch, contact: &mut Contact) {
+    contact.manifold.normal = touch.normal;
+    for point in contact.manifold.points_mut() {
+        (point.anchor_a, point.anchor_b, point.separation) =
+            (touch.anchor_a, touch.anchor_b, touch.separation);
+    }
+}
+
+impl Pair<'_> {
+    /// Whether the bodies move against each other so little within the step that a contact with a circle may hold still.
+    pub(super) fn is_slow(&self, Course { motion, turning }: Course) -> bool {
+        let left = SLOW_DISTANCE.min(0.025 * self.extent()) - turning;
+        left > 0.0 && motion.length_squared() < left * left
+    }
+
+    /// Where the circle touches halfway through the step; with the separation of now along the normal of then. `None` where
+    /// the bodies do not meet within the step.
+    pub(super) fn find_halfway(&self, course: Course) -> Option<Touch> {
+        let half_turn = |motion: &Motion, slot: u32| {
+            if motion.is_round {
+                return Rot::IDENTITY;
+            }
+            let angle = 0.5 * self.dt * self.bodies.state(slot).angular_velocity;
+            // Slow bodies turn by less than 1/80: the next terms of cosine and sine are below the last digit of a gap.
+            Rot { c: 1.0 - 0.5 * angle * angle, s: angle }
+        };
+        let [slot_a, slot_b] = self.slots;
+        let [half_a, half_b] = [half_turn(self.motion_a, slot_a), half_turn(self.motion_b, slot_b)];
+        let until_then = Since { moved: 0.5 * course.motion, turned: [half_a, half_b] };
+        let (rotation_a, rotation_b) = (half_a * self.rotation_a, half_b * self.rotation_b);
+        let near = self.offset.near + until_then.moved;
+        let then = touch(self.shape_a, rotation_a, self.shape_b, rotation_b, near, f32::INFINITY)?;
+        let opened = until_then.opened(then.normal, then.anchor_a, then.anchor_b);
+        let separation = then.separation + self.offset.missing(then.normal) - opened;
+        self.meets(course, then.normal, separation).then_some(Touch { separation, ..then })
+    }
+
+    /// Whether what a circle touches does not move.
+    pub(super) fn is_on_ground(&self) -> bool {
+        let ground = if self.motion_b.is_round { self.motion_a } else { self.motion_b };
+        ground.row == GROUND_ROW
+    }
+
+    /// Where a circle touches a face over which it will stay within the step. Where that does not move, only the gap changes
+    /// meanwhile, as the solver finds it anyway. `None` where they do not meet.
+    #[inline(never)]
+    pub(super) fn find_on_face(&self, course: Course) -> Option<Touch> {
+        let near = self.offset.near;
+        let (shape, rotation, radius, to_circle) = if self.motion_b.is_round {
+            (self.shape_a, self.rotation_a, self.motion_b.extent, near)
+        } else {
+            (self.shape_b, self.rotation_b, self.motion_a.extent, -near)
+        };
+        let (hull, rotation) = (shape.hull()?, shape.rotation_at(rotation));
+        let center = rotation.unrotate(to_circle);
+        let (gap, face) = hull.nearest_face(center);
+        let [start, end] = hull.ends_from(face, center);
+        // By a radius more than it is on its way: it may be struck meanwhile.
+        let way = course.motion.length() + radius;
+        if !(gap > 0.0 && start < -way && end > way) {
+            return None;
+        }
+        let outward = rotation.rotate(hull.normals[face]);
+        let arm = outward * -radius;
+        let [normal, anchor_a, anchor_b] =
+            if self.motion_b.is_round { [outward, near + arm, arm] } else { [-outward, arm, arm - near] };
+        let separation = gap - radius + self.offset.missing(normal);
+        self.meets(course, normal, separation).then_some(Touch { normal, anchor_a, anchor_b, separation })
+    }
+
+    /// Whether bodies on this course may meet within the step, of which a circle has this gap, m.
+    fn meets(&self, course: Course, normal: Vec2, gap: f32) -> bool {
+        self.may_meet(gap, course.closing(normal), course.turning)
+    }
+}
