@@ -28,6 +28,10 @@ pub(crate) struct Frozen {
 /// How many contacts ahead memory is asked for: so many take about as long as memory does.
 pub(crate) const AHEAD: usize = 6;
 
+/// The same where little is done to each, as in their way to and from the solver. One at a time while others are worked on:
+/// asked for all at once they would wait for each other, and the work for them.
+const AHEAD_SOLVED: usize = 16;
+
 /// A point has lifted off from this gap on, as a share of the width of the thinner body: more than a stack trembles.
 const LIFTED_SHARE: f32 = 0.005;
 
@@ -218,10 +222,12 @@ impl SharedContacts<'_> {
         }
     }
 
-    /// Asks for what of a contact the solver writes.
+    /// Asks for what the solver writes of the contacts further on in a `list` than `place`.
     #[inline(always)]
-    pub(crate) fn prefetch_solved(&self, index: u32) {
-        self.prefetch(index, Contact::SOLVED);
+    pub(crate) fn prefetch_solved(&self, list: &[u32], place: usize) {
+        if let Some(&index) = list.get(place + AHEAD_SOLVED) {
+            self.prefetch(index, Contact::SOLVED);
+        }
     }
 }
 
@@ -382,17 +388,16 @@ impl Contacts {
         self.all.prefetch(index);
     }
 
-    /// Asks for what of it the solver reads.
+    /// Asks for what the solver reads of the contacts further on in a `list` than `place`, and of their bodies.
     #[inline(always)]
-    pub(crate) fn prefetch_solved(&self, index: u32) {
-        self.all.prefetch_lines(index, Contact::SOLVED);
-    }
-
-    /// Asks for what the bodies of the contact, which is close, are read for.
-    #[inline(always)]
-    pub(crate) fn prefetch_bodies(&self, index: u32, bodies: &Bodies) {
-        for slot in self[index].slots {
-            prefetch(&bodies.motions, slot as usize);
+    pub(crate) fn prefetch_solved(&self, bodies: &Bodies, list: &[u32], place: usize) {
+        if let Some(&index) = list.get(place + AHEAD_SOLVED) {
+            for slot in self[index].slots {
+                prefetch(&bodies.motions, slot as usize);
+            }
+        }
+        if let Some(&index) = list.get(place + 2 * AHEAD_SOLVED) {
+            self.all.prefetch_lines(index, Contact::SOLVED);
         }
     }
 

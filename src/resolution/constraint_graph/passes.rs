@@ -171,9 +171,15 @@ fn one_by_one(pass: BlockPass<'_, impl Kernel>) {
     pass.in_lanes::<f32>();
 }
 
-/// Those of a colour's contacts that are in its block of a number; none where there is no such block.
+/// Those of a colour's contacts that are in its block of a number.
 fn part(contacts: &[u32], block: usize) -> &[u32] {
-    contacts.chunks(COLUMN).nth(block).unwrap_or_default()
+    let from_block = from_block(contacts, block);
+    &from_block[..from_block.len().min(COLUMN)]
+}
+
+/// These, and those in the blocks after it.
+fn from_block(contacts: &[u32], block: usize) -> &[u32] {
+    &contacts[block * COLUMN..]
 }
 
 /// Makes the constraints of some blocks of a colour.
@@ -205,22 +211,16 @@ impl Names {
 impl Job for Prepare<'_> {
     #[inline(always)]
     fn run<L: Lane>(self) {
-        let Beginning { contacts, bodies, .. } = self.from;
         for (number, (block, start)) in (self.first..).zip(self.blocks.iter_mut().zip(self.starts)) {
-            for &index in part(self.of_colour, number + 2) {
-                contacts.prefetch_solved(index);
-            }
-            for &index in part(self.of_colour, number + 1) {
-                contacts.prefetch_bodies(index, bodies);
-            }
             let indices = part(self.of_colour, number);
-            *start = block.fill(indices, self.from);
+            *start = block.fill(from_block(self.of_colour, number), self.from);
             if let Some(name) = self.names.of(number) {
                 start.found_anew = self.followers.change(name, |followers| {
                     block.take_up_followers((name as u32, followers), indices, self.from)
                 });
             } else {
-                debug_assert!(!indices.iter().any(|&index| contacts[index].follows), "sorted by kind");
+                let mut contacts = indices.iter().map(|&index| &self.from.contacts[index]);
+                debug_assert!(!contacts.any(|contact| contact.follows), "sorted by kind");
             }
             for place in (0..indices.len()).step_by(L::WIDTH) {
                 block.find_masses::<L>(place);
@@ -249,31 +249,29 @@ impl Job for Finish<'_> {
     fn run<L: Lane>(self) {
         let mut ends = ContactEnds::default();
         for (number, (block, end)) in (self.first..).zip(self.blocks.iter().zip(self.ends)) {
-            for &index in part(self.of_colour, number + 1) {
-                self.contacts.prefetch_solved(index);
-            }
-            let indices = part(self.of_colour, number);
-            for place in (0..indices.len()).step_by(L::WIDTH) {
+            for place in (0..part(self.of_colour, number).len()).step_by(L::WIDTH) {
                 block.end::<L>(place, self.states, &mut ends);
             }
-            *end = write_back(block, &ends, indices, self.contacts, self.measure);
+            *end = write_back(block, &ends, from_block(self.of_colour, number), self.contacts, self.measure);
         }
         let mut residual = lock(self.residual);
         *residual = residual.max(ends.residual());
     }
 }
 
-/// Writes the ends of the contacts of a block back into them. Compiled once, and not within every width.
+/// Writes the ends of the contacts of a block back into them, the first of a `list`. Compiled once, and not within every
+/// width.
 #[inline(never)]
 fn write_back(
     block: &ContactBlock,
     ends: &ContactEnds,
-    indices: &[u32],
+    list: &[u32],
     contacts: &SharedContacts<'_>,
     measure: LoadMeasure,
 ) -> BlockEnd {
     let mut end = BlockEnd::default();
-    for (place, &index) in indices.iter().enumerate() {
+    for (place, &index) in list.iter().take(COLUMN).enumerate() {
+        contacts.prefetch_solved(list, place);
         contacts.change(index, |contact| {
             block.finish(place, ends, contact);
             end.lasting.set(place, measure.is_lasting(contact, ends.load.get(place)));

@@ -33,9 +33,10 @@ pub(crate) struct BlockStart {
 }
 
 impl ContactBlock {
-    /// Takes over some contacts, as many as there are places or less, sorted by their kind. Effective masses are still to be
-    /// found, and who follows.
-    pub(crate) fn fill(&mut self, indices: &[u32], from: Beginning<'_>) -> BlockStart {
+    /// Takes over the first contacts of a `list` sorted by kind, as many as there are places. Effective masses are still to
+    /// be found, and who follows.
+    pub(crate) fn fill(&mut self, list: &[u32], from: Beginning<'_>) -> BlockStart {
+        let indices = &list[..list.len().min(COLUMN)];
         self.rows = RowPairs::default();
         self.is_special = false;
         self.fit = Fit::ALL;
@@ -57,6 +58,7 @@ impl ContactBlock {
         }
         let mut start = BlockStart::default();
         for (place, &index) in indices.iter().enumerate() {
+            from.contacts.prefetch_solved(from.bodies, list, place);
             self.put(place, &from.contacts[index], from, &mut start);
         }
         for place in indices.len()..COLUMN {
