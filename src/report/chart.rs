@@ -19,6 +19,7 @@ use crate::report::result::{Report, Row};
 ///     error: Axis { name: "error".into(), unit: Unit::Part },
 ///     series: vec![Series { name: "order 1".into(), points: vec![point(1e-6, 0.1), point(1e-5, 0.01)] }],
 ///     front: Vec::new(),
+///     has_slopes: true,
 /// };
 /// assert!(chart.to_svg().starts_with("<svg"));
 /// ```
@@ -36,6 +37,8 @@ pub struct Chart {
     pub series: Vec<Series>,
     /// Places, as [cost, error], that a broad band joins: the front of all series, where that is of interest.
     pub front: Vec<[f64; 2]>,
+    /// Whether the slopes of first and second order are drawn, from the cheapest point on: for what cost buys.
+    pub has_slopes: bool,
 }
 
 /// What an axis shows.
@@ -83,8 +86,7 @@ pub enum Mark {
 }
 
 impl Chart {
-    /// The picture, with the slopes of first and second order. It needs no font and follows the reader's choice of
-    /// light or dark.
+    /// The picture. It needs no font and follows the reader's choice of light or dark.
     pub fn to_svg(&self) -> String {
         plot::svg(self)
     }
@@ -111,6 +113,7 @@ impl Report {
             error: Axis { name: self.measure.clone(), unit: self.error_unit() },
             series,
             front: self.front().into_iter().map(|row| [row.cost(), row.ranked_error()]).collect(),
+            has_slopes: true,
         }
     }
 

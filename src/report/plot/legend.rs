@@ -58,10 +58,12 @@ pub(super) fn draw(chart: &Chart, canvas: &mut Canvas) {
     if drawn(Mark::Aside) {
         legend.line("not worth their cost", |canvas, place| canvas.dot(place, 0));
     }
-    legend.line("slopes of order 1 and 2", |canvas, place| {
-        let [from, to] = across(place);
-        canvas.line(from, to, "guide");
-    });
+    if chart.has_slopes {
+        legend.line("slopes of order 1 and 2", |canvas, place| {
+            let [from, to] = across(place);
+            canvas.line(from, to, "guide");
+        });
+    }
     if drawn(Mark::AsGoodAsReference) {
         legend.line("as good as the reference", |canvas, [x, y]| {
             canvas.rectangle([x - 14.0, y - 8.0, x + 14.0, y + 8.0], "floor");

@@ -67,7 +67,7 @@ pub(super) fn svg(chart: &Chart) -> String {
     draw_axes(chart, &axes, &mut canvas);
     floor(&dots, &mut canvas);
     let mut labels = Labels::new(AREA);
-    let guides = guides(&dots, &axes, &mut canvas);
+    let guides = if chart.has_slopes { guides(&dots, &axes, &mut canvas) } else { Vec::new() };
     let front: Vec<Place> = chart.front.iter().map(|&place| axes.place(place)).collect();
     canvas.polyline(&front, "front");
     lines(&dots, chart.series.len(), &mut canvas, &mut labels);

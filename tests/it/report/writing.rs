@@ -148,6 +148,7 @@ fn chart_of_methods() -> Chart {
         error: Axis { name: "error".into(), unit: Unit::Part },
         series: [1, 2, 0].map(series).into(),
         front: Vec::new(),
+        has_slopes: true,
     }
 }
 
@@ -163,7 +164,10 @@ fn a_chart_of_ones_own_is_drawn_with_a_sign_for_every_kind_of_point() {
     assert_eq!(count("hollow\""), 3 * 2 + 1);
     assert_eq!(count("class=\"mark"), 3 * (3 + 2 + 2) + 3 + 1);
     assert_eq!(count("class=\"line"), 3 + 3, "a line for each series, and one in the legend");
+    assert_eq!(count("class=\"guide"), 2 + 1, "two slopes, and one in the legend");
     assert!(svg.contains("6 with error 0 or ∞"));
+    let flat = Chart { has_slopes: false, ..chart.clone() };
+    assert!(!flat.to_svg().contains("class=\"guide") && !flat.to_svg().contains("slopes"));
     let nothing = Chart { series: Vec::new(), ..chart };
     assert_legible(&nothing.to_svg());
 }

@@ -20,6 +20,7 @@ pub(super) fn chart(problem: &Problem, engines: &[&Runs<'_>]) -> Chart {
         error: Axis { name: "error".into(), unit: problem.unit.clone() },
         series: engines.iter().map(|runs| series(runs)).collect(),
         front: Vec::new(),
+        has_slopes: true,
     }
 }
 

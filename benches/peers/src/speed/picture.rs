@@ -22,6 +22,7 @@ pub(super) fn overlaps(entries: &[Entry<'_>]) -> Chart {
         error: Axis { name: "mean overlap".into(), unit: Unit::Of("m".into()) },
         series: series(entries, point),
         front: Vec::new(),
+        has_slopes: false,
     }
 }
 
@@ -40,6 +41,7 @@ pub(super) fn sizes(entries: &[Entry<'_>]) -> Chart {
         error: Axis { name: "time per step and body".into(), unit: Unit::Of("s".into()) },
         series: series(entries, point),
         front: Vec::new(),
+        has_slopes: false,
     }
 }
 
