@@ -15,7 +15,7 @@ pub struct Work {
 
 impl Work {
     /// What a substep of the default settings does in its sweeps for one contact of two points with friction, counted
-    /// by running them on numbers that count: one warm start, one sweep before the bodies move, one after it.
+    /// by running them on numbers that count: a warm start and a sweep before the bodies move, and again after it.
     ///
     /// ```
     /// use rustycs::report::Work;

@@ -46,8 +46,8 @@ pub(crate) struct PointFriction<C> {
     pub(crate) mass: C,
     /// Impulse along the tangent in this substep, N s.
     pub(crate) impulse: C,
-    /// What the warm start of this substep applies twice along the normal, N s.
-    pub(crate) normal_share: C,
+    /// What each of the two warm starts of this substep applies along the normal, N s.
+    pub(crate) warm_start: C,
 }
 
 /// Normal and points of a contact, with its bodies where they are now.
@@ -161,13 +161,6 @@ impl<L: Lane> Action<L> {
     #[inline(always)]
     pub(crate) fn at(point: &ConstraintPoint<L>, impulse: LaneVec2<L>) -> Self {
         Self { impulse, moments: point.moments(impulse) }
-    }
-
-    /// So many times as much.
-    #[inline(always)]
-    pub(crate) fn times(self, factor: L) -> Self {
-        let [a, b] = self.moments;
-        Self { impulse: self.impulse * factor, moments: [a * factor, b * factor] }
     }
 
     /// Both together.
@@ -314,23 +307,41 @@ impl<L: Lane> ContactConstraint<L> {
         chosen
     }
 
-    /// The share of the warm start that its first `POINTS` points have. Before the sweep after the move, the impulse along
-    /// the tangent is the share; `is_smooth` says that it is 0.
+    /// Takes this `part` of the last impulses along the normal of the first `POINTS` points, no unit, as what the substep
+    /// begins with.
     #[inline(always)]
-    pub(crate) fn share<const POINTS: usize>(&self, is_smooth: bool) -> Action<L> {
-        let tangent = if is_smooth { None } else { Some(self.normal.perp()) };
-        let mut share = self.share_of(0, tangent);
-        for index in 1..POINTS {
-            share = share.and(self.share_of(index, tangent));
+    pub(crate) fn begin_normal_impulses<const POINTS: usize>(&mut self, part: L) {
+        for (point, friction) in self.points.iter_mut().zip(&mut self.frictions).take(POINTS) {
+            point.normal_impulse = point.normal_impulse * part;
+            friction.warm_start = point.normal_impulse;
         }
-        share
+    }
+
+    /// Counts a second warm start as impulse along the normal of the first `POINTS` points.
+    #[inline(always)]
+    pub(crate) fn count_warm_start<const POINTS: usize>(&mut self) {
+        for (point, friction) in self.points.iter_mut().zip(&self.frictions).take(POINTS) {
+            point.normal_impulse = point.normal_impulse + friction.warm_start;
+        }
+    }
+
+    /// What one of the warm starts of a substep does by the first `POINTS` points: along the tangent, this `part` of the
+    /// impulse, no unit, which is 0 if `is_smooth`.
+    #[inline(always)]
+    pub(crate) fn warm_start<const POINTS: usize>(&self, part: L, is_smooth: bool) -> Action<L> {
+        let tangent = if is_smooth { None } else { Some(self.normal.perp() * part) };
+        let mut sum = self.warm_start_of(0, tangent);
+        for index in 1..POINTS {
+            sum = sum.and(self.warm_start_of(index, tangent));
+        }
+        sum
     }
 
     /// The same of one of the points.
     #[inline(always)]
-    fn share_of(&self, index: usize, tangent: Option<LaneVec2<L>>) -> Action<L> {
+    fn warm_start_of(&self, index: usize, tangent: Option<LaneVec2<L>>) -> Action<L> {
         let (point, friction) = (&self.points[index], &self.frictions[index]);
-        let mut impulse = self.normal * friction.normal_share;
+        let mut impulse = self.normal * friction.warm_start;
         if let Some(tangent) = tangent {
             impulse = impulse + tangent * friction.impulse;
         }

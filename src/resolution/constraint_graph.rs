@@ -291,7 +291,7 @@ impl ConstraintGraph {
     }
 
     /// Changes what the first point of the contact at a place of the graph bears, N s: its impulses along normal and
-    /// tangent, and the share of the warm start along the normal.
+    /// tangent, and what the warm start after the move will apply along the normal.
     pub(crate) fn set_load(&mut self, place: (u32, u32), load: [f32; 3]) {
         let (block, place) = self.block_mut(place);
         block.set_load(place, load);

@@ -79,8 +79,8 @@ impl ContactBlock {
         let zero = L::splat(0.0);
         let greatest = |[first, second]: [L; 2]| first.max(second).greater(zero);
         let is_pressed = greatest(constraint.points.map(|point| point.normal_impulse));
-        let had_share = greatest(constraint.frictions.map(|friction| friction.normal_share));
-        let bits = L::bits(is_pressed) & !L::bits(had_share);
+        let was_started = greatest(constraint.frictions.map(|friction| friction.warm_start));
+        let bits = L::bits(is_pressed) & !L::bits(was_started);
         self.newly_loaded.write::<L>(place, bits);
     }
 
@@ -110,9 +110,12 @@ impl ContactBlock {
         self.columns.store(place, &from.load::<f32>(from_place));
     }
 
-    /// Takes over the impulses of such a copy.
-    pub(crate) fn copy_impulses(&mut self, place: usize, from: &Self, from_place: usize) {
-        let constraint = from.load::<f32>(from_place);
+    /// Takes over the impulses of such a copy, those along the tangent times `tangent_scale`, no unit.
+    pub(crate) fn copy_impulses(&mut self, place: usize, from: &Self, from_place: usize, tangent_scale: f32) {
+        let mut constraint = from.load::<f32>(from_place);
+        for friction in &mut constraint.frictions {
+            friction.impulse *= tangent_scale;
+        }
         self.store_normal_impulses::<f32, 2>(place, &constraint);
         self.store_friction_impulses::<f32, 2>(place, &constraint);
     }
@@ -163,15 +166,15 @@ impl ContactBlock {
         }
     }
 
-    /// Writes the shares of the warm start, of the first points.
+    /// Writes what the warm starts apply along the normal, of the first points.
     #[inline(always)]
-    pub(crate) fn store_shares<L: Lane, const POINTS: usize>(
+    pub(crate) fn store_warm_starts<L: Lane, const POINTS: usize>(
         &mut self,
         place: usize,
         constraint: &ContactConstraint<L>,
     ) {
         for (to, friction) in self.columns.frictions.iter_mut().zip(&constraint.frictions).take(POINTS) {
-            friction.normal_share.store(&mut to.normal_share, place);
+            friction.warm_start.store(&mut to.warm_start, place);
         }
     }
 
@@ -182,12 +185,12 @@ impl ContactBlock {
         self.fit.is_smooth &= tangent == 0.0;
     }
 
-    /// Changes what the first point of one contact bears, N s: its impulses along normal and tangent, and the share
-    /// of the warm start along the normal.
-    pub(crate) fn set_load(&mut self, place: usize, [normal, tangent, normal_share]: [f32; 3]) {
+    /// Changes what the first point of one contact bears, N s: its impulses along normal and tangent, and what the warm
+    /// start after the move will apply along the normal.
+    pub(crate) fn set_load(&mut self, place: usize, [normal, tangent, warm_start]: [f32; 3]) {
         self.columns.points[0].normal_impulse.set(place, normal);
         self.columns.frictions[0].impulse.set(place, tangent);
-        self.columns.frictions[0].normal_share.set(place, normal_share);
+        self.columns.frictions[0].warm_start.set(place, warm_start);
         self.fit.is_smooth &= tangent == 0.0;
     }
 
@@ -278,7 +281,7 @@ impl ContactConstraint<Column> {
         }
         for (to, friction) in self.frictions.iter_mut().zip(&constraint.frictions) {
             to.impulse.set(place, friction.impulse);
-            to.normal_share.set(place, friction.normal_share);
+            to.warm_start.set(place, friction.warm_start);
         }
         self.special.store(place, &constraint.special);
     }
@@ -311,7 +314,7 @@ impl PointFriction<Column> {
         PointFriction {
             mass: L::load(&self.mass, place),
             impulse: L::load(&self.impulse, place),
-            normal_share: L::load(&self.normal_share, place),
+            warm_start: L::load(&self.warm_start, place),
         }
     }
 }
@@ -375,11 +378,7 @@ mod tests {
                 normal_impulse: next(),
             }),
             friction: next(),
-            frictions: [(); 2].map(|()| PointFriction {
-                mass: next(),
-                impulse: next(),
-                normal_share: next(),
-            }),
+            frictions: [(); 2].map(|()| PointFriction { mass: next(), impulse: next(), warm_start: next() }),
             special: Special { turns_a: next(), turns_b: next(), awaits_impact: [next(), next()] },
             is_still: false,
         };
@@ -393,7 +392,7 @@ mod tests {
 
         copies.set_impulses(14, 0, [0.25, -0.25]);
         copies.set_impulses(14, 1, [0.5, -0.5]);
-        block.copy_impulses(3, &copies, 14);
+        block.copy_impulses(3, &copies, 14, 1.0);
         assert_eq!(format!("{:?}", block.load::<f32>(3)), format!("{:?}", copies.load::<f32>(14)));
     }
 }

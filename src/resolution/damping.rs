@@ -4,11 +4,7 @@ use core::ops::Range;
 
 use crate::body::Forcing;
 use crate::compute::{BodyState, Crew, Width};
-use crate::resolution::integrate::{Advance, Kicks, Shares, SpeedLimits, integrate};
-
-/// Up to one in so many counts as a few. By instructions, the share of a body on its own costs as much as those of some
-/// 25 bodies together.
-const ONE_IN: usize = 25;
+use crate::resolution::integrate::{Advance, Kicks, SpeedLimits, integrate};
 
 /// Damping of the body of a row, for one kick.
 #[derive(Clone, Copy, Debug)]
@@ -24,8 +20,6 @@ struct Damping {
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Damped {
     rows: Vec<Damping>,
-    /// Scratch: their shares of the warm start.
-    shares: Vec<BodyState>,
 }
 
 /// Whether a body has damping.
@@ -56,41 +50,23 @@ impl Damped {
         }));
     }
 
-    /// Moves the bodies in `rows` on as [`integrate`] does. With each kick what is damped loses its part, and gets its
-    /// share of the warm start after that. Where only a few are damped, the others get theirs at once.
+    /// Moves the bodies in `rows` on as [`integrate`] does; with each kick, those with damping lose their part.
     pub(crate) fn integrate(
-        &mut self,
+        &self,
         means: (&Crew, Width),
         rows: Range<usize>,
-        (states, kicks, shares): (&mut [BodyState], &mut Kicks, &mut [BodyState]),
+        (states, kicks): (&mut [BodyState], &mut Kicks),
         advance: Advance,
         limits: SpeedLimits,
     ) {
-        if advance.kick.is_none() || self.rows.is_empty() {
-            return integrate(means, rows, (states, kicks, shares), advance, limits);
+        integrate(means, rows, (states, kicks), advance, limits);
+        if advance.kick.is_none() {
+            return;
         }
-        let is_few = self.rows.len() <= rows.len() / ONE_IN;
-        let late = Advance { shares: advance.shares, ..Advance::NONE };
-        self.shares.clear();
-        if is_few && advance.shares != Shares::Left {
-            let put_off =
-                |damping: &Damping| std::mem::replace(&mut shares[damping.row as usize], BodyState::REST);
-            self.shares.extend(self.rows.iter().map(put_off));
-        }
-        let first = if is_few { advance } else { Advance { shares: Shares::Left, ..advance } };
-        integrate(means, rows.clone(), (states, kicks, shares), first, limits);
         for &Damping { row, linear, angular } in &self.rows {
             let state = &mut states[row as usize];
             state.velocity = state.velocity - state.velocity * linear;
             state.angular_velocity -= state.angular_velocity * angular;
-        }
-        if !is_few {
-            return integrate(means, rows, (states, kicks, shares), late, limits);
-        }
-        for (&Damping { row, .. }, &share) in self.rows.iter().zip(&self.shares) {
-            let row = row as usize;
-            shares[row] = share;
-            integrate(means, row..row + 1, (states, kicks, shares), late, limits);
         }
     }
 }

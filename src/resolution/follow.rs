@@ -7,9 +7,8 @@
 
 use crate::body::{Bodies, Effort};
 use crate::collision::{Contact, Contacts, Manifold, detect_within};
-use crate::compute::{BodyState, Column, Crew, GROUND_ROW, Lane, Shared, Width};
+use crate::compute::{BodyState, Column, Crew, Lane, Shared, Width};
 use crate::math::{Rot, Vec2};
-use crate::resolution::constraint::{Action, ContactConstraint};
 use crate::resolution::constraint_graph::ConstraintGraph;
 use crate::resolution::contact_block::ContactBlock;
 use crate::resolution::follower::Follower;
@@ -66,31 +65,23 @@ impl Followers {
         self.block_count == 0
     }
 
-    /// Brings the constraints up to where the bodies are now. If `has_shares`, the bodies have got the last of their shares
-    /// of the warm start along the old normals: what those of the new ones give goes in their place.
+    /// Brings the constraints up to where the bodies are now.
     pub(crate) fn follow(
         &self,
         (crew, effort, width): (&Crew, Effort, Width),
-        (contacts, bodies, graph): (&Contacts, &mut Bodies, &mut ConstraintGraph),
-        has_shares: bool,
+        (contacts, bodies, graph): (&Contacts, &Bodies, &mut ConstraintGraph),
     ) {
         for &(index, place) in &self.found_anew {
             let [a, b] = graph.rows(place).map(|row| bodies.states[row as usize]);
             let contact = &contacts[index];
             if let Some(manifold) = manifold_in(contact, bodies, [&a, &b]).restricted_to(&contact.manifold) {
-                let before = graph.constraint(place);
-                let mut after = before;
-                after.set_manifold_in(&manifold, &a, &b);
-                graph.set_geometry(place, &after);
-                if has_shares {
-                    let turned = turned_share::<f32, 2>(&before, &after);
-                    act(&after, turned, graph.moved_rows(place), &mut bodies.states);
-                }
+                let mut constraint = graph.constraint(place);
+                constraint.set_manifold_in(&manifold, &a, &b);
+                graph.set_geometry(place, &constraint);
             }
         }
         if !self.is_empty() {
-            let states = Shared::new(&mut bodies.states);
-            graph.for_each(crew, (effort, width), &Follow { columns: &self.columns, states, has_shares });
+            graph.for_each(crew, (effort, width), &Follow { columns: &self.columns, states: &bodies.states });
         }
     }
 }
@@ -100,8 +91,7 @@ impl Followers {
 struct Follow<'a> {
     /// Those that follow, by what their block calls them.
     columns: &'a [Follower<Column>],
-    states: Shared<'a, BodyState>,
-    has_shares: bool,
+    states: &'a [BodyState],
 }
 
 impl Kernel for Follow<'_> {
@@ -127,45 +117,11 @@ impl Follow<'_> {
         block: &mut ContactBlock,
         place: usize,
     ) {
-        let [a, b] = block.gather::<L>(&self.states, place);
+        let [a, b] = block.gather::<L>(self.states, place);
         let (geometry, follows) = followers.load::<L>(place).geometry_in::<POINTS>(&a, &b);
         let before = block.load::<L>(place);
         let mut after = before;
         after.set_geometry_in::<POINTS>(&geometry, &a, &b);
-        let after = before.with_geometry_where(follows, &after);
-        block.store_geometry(place, &after);
-        if self.has_shares {
-            let (mut turned_a, mut turned_b) = (a, b);
-            after.apply(turned_share::<L, POINTS>(&before, &after), &mut turned_a, &mut turned_b);
-            let pair = [BodyState::select(follows, &turned_a, &a), BodyState::select(follows, &turned_b, &b)];
-            block.scatter(&self.states, place, &pair);
-        }
-    }
-}
-
-/// By how much the share of a warm start changes with the geometry of its contact.
-#[inline(always)]
-fn turned_share<L: Lane, const POINTS: usize>(
-    before: &ContactConstraint<L>,
-    after: &ContactConstraint<L>,
-) -> Action<L> {
-    let taken_back = before.share::<POINTS>(false).times(L::splat(-1.0));
-    after.share::<POINTS>(false).and(taken_back)
-}
-
-/// Gives the bodies of a contact, in so many rows of `states`, what acts on them.
-pub(crate) fn act(
-    constraint: &ContactConstraint<f32>,
-    action: Action<f32>,
-    rows: [u32; 2],
-    states: &mut [BodyState],
-) {
-    let mut pair = rows.map(|row| states[row as usize]);
-    let [a, b] = &mut pair;
-    constraint.apply(action, a, b);
-    for (row, state) in rows.into_iter().zip(pair) {
-        if row != GROUND_ROW {
-            states[row as usize] = state;
-        }
+        block.store_geometry(place, &before.with_geometry_where(follows, &after));
     }
 }

@@ -13,10 +13,10 @@
 
 use crate::body::{Bodies, Motion};
 use crate::collision::Contacts;
-use crate::compute::{BodyState, GROUND_ROW};
+use crate::compute::{BodyState, GROUND_ROW, LaneVec2};
 use crate::resolution::constraint::{ContactConstraint, OUT_OF_REACH};
 use crate::resolution::constraint_graph::ConstraintGraph;
-use crate::resolution::follow::{act, manifold_in};
+use crate::resolution::follow::manifold_in;
 use crate::resolution::impacts::MEETING_TOLERANCE;
 use crate::resolution::integrate::{drift, drift_until};
 
@@ -36,6 +36,8 @@ struct Piece {
     is_ahead: bool,
     /// Separation at which the circle is on it, m: that of the pieces under load, which yield a little.
     level: f32,
+    /// What the warm start after the move is to apply for the load that the piece bears, N s, if it bears it all along.
+    warm_start: f32,
 }
 
 /// Circles on ground of several pieces.
@@ -53,8 +55,8 @@ pub(crate) struct HandoverScene<'a> {
     pub(crate) bodies: &'a mut Bodies,
     pub(crate) contacts: &'a Contacts,
     pub(crate) graph: &'a mut ConstraintGraph,
-    /// By row: what of the warm start the bodies get after the move; none where they get nothing.
-    pub(crate) shares: &'a mut [BodyState],
+    /// Whether there is a warm start after the move.
+    pub(crate) starts_again: bool,
     /// Length of the substep, s.
     pub(crate) h: f32,
 }
@@ -74,11 +76,6 @@ impl Handovers {
         self.pieces.clear();
     }
 
-    /// Whether there is nothing to do.
-    pub(crate) fn is_empty(&self) -> bool {
-        self.pieces.is_empty()
-    }
-
     /// Takes up the contact of a circle with the ground at a place of the graph.
     pub(crate) fn take_up(&mut self, graph_place: (u32, u32), graph: &ConstraintGraph) {
         self.pieces.push(Piece {
@@ -88,6 +85,7 @@ impl Handovers {
             graph_place,
             is_ahead: false,
             level: 0.0,
+            warm_start: 0.0,
         });
     }
 
@@ -141,7 +139,11 @@ impl Handovers {
     /// Before the move: circles meet what they reach during it.
     pub(crate) fn run(&mut self, scene: &mut HandoverScene<'_>) {
         for pieces in self.by_circle() {
-            let mut now = 0.0;
+            let (mut now, mut rest) = (0.0, BodyState::REST.velocity);
+            for piece in &mut *pieces {
+                let friction = &scene.graph.constraint(piece.graph_place).frictions[0];
+                piece.warm_start = if scene.starts_again { friction.warm_start } else { 0.0 };
+            }
             for _ in 0..MEETINGS_PER_SUBSTEP {
                 let ahead = pieces.iter().enumerate().filter(|(_, piece)| piece.is_ahead);
                 let times =
@@ -149,9 +151,13 @@ impl Handovers {
                 let Some((time, next)) = times.min_by(|one, other| one.0.total_cmp(&other.0)) else { break };
                 now = time;
                 if pieces[next].meet(now, scene) {
-                    hand_over(pieces, &pieces[next], now, scene);
+                    rest = rest + hand_over(pieces, next, now, scene);
                 }
             }
+            let state = &mut scene.bodies.states[pieces[0].row() as usize];
+            let before = *state;
+            state.velocity = state.velocity + rest;
+            drift_until(scene.h, &before, state);
         }
     }
 }
@@ -219,37 +225,40 @@ impl Piece {
     }
 }
 
-/// The load of the pieces that the circle leaves goes over to the one that it meets at `time`, s, into the substep.
+/// The load of the pieces that the circle leaves goes over to the `next`, which it meets at `time`, s, into the substep.
 ///
 /// The first half of their support has acted, along the old normal. Over the substep the old piece should act for
-/// `time` and the new one for the rest, so that of the second half, the share that the circle gets after the move,
-/// 2 (1 - time/h) goes over: more than all of it, if the new piece is met in the first half.
-fn hand_over(pieces: &[Piece], met: &Piece, time: f32, scene: &mut HandoverScene<'_>) {
-    let weight = 2.0 * (1.0 - time / scene.h);
-    for left in pieces {
-        let old = scene.graph.constraint(left.graph_place);
-        let [a, b] = left.states(&scene.bodies.states);
+/// `time` and the new one for the rest, so that of the second half, the warm start after the move, 2 (1 - time/h) goes
+/// over: more than all of it, if the new piece is met in the first half. Returns the velocity that the rest is to give
+/// the circle after the move, m/s, along the old normals.
+fn hand_over(pieces: &mut [Piece], next: usize, time: f32, scene: &mut HandoverScene<'_>) -> LaneVec2<f32> {
+    let share = 2.0 * (1.0 - time / scene.h);
+    let mut rest = BodyState::REST.velocity;
+    for left in (0..pieces.len()).filter(|&left| left != next) {
+        let old = scene.graph.constraint(pieces[left].graph_place);
+        let [a, b] = pieces[left].states(&scene.bodies.states);
         let parting = old.normal.dot(old.points[0].relative_velocity(&a, &b));
-        if left.contact == met.contact || old.points[0].normal_impulse == 0.0 || parting <= 0.0 {
+        if old.points[0].normal_impulse == 0.0 || parting <= 0.0 {
             continue;
         }
-        let mut new = scene.graph.constraint(met.graph_place);
-        let borne = load(&new);
-        let handed_over = load(&old);
-        [new.points[0].normal_impulse, new.frictions[0].impulse, new.frictions[0].normal_share] = handed_over;
-        if !scene.shares.is_empty() {
-            let (taken, given) = (old.share::<1>(false).times(-weight), new.share::<1>(false).times(weight));
-            act(&old, taken, scene.graph.moved_rows(left.graph_place), scene.shares);
-            act(&new, given, scene.graph.moved_rows(met.graph_place), scene.shares);
-        }
-        scene.graph.set_load(left.graph_place, [0.0; 3]);
-        scene.graph.set_load(met.graph_place, std::array::from_fn(|part| borne[part] + handed_over[part]));
+        let handed_over = std::mem::take(&mut pieces[left].warm_start);
+        pieces[next].warm_start += handed_over;
+        let goes = share * handed_over;
+        let [normal, tangent, warm_start] = load(&old, scene.starts_again);
+        let borne = load(&scene.graph.constraint(pieces[next].graph_place), scene.starts_again);
+        let met = [borne[0] + normal + warm_start - goes, borne[1] + tangent, borne[2] + goes];
+        scene.graph.set_load(pieces[left].graph_place, [0.0; 3]);
+        scene.graph.set_load(pieces[next].graph_place, met);
+        let inverse_mass = [-old.inverse_mass_a, old.inverse_mass_b][pieces[left].circle];
+        rest = rest + old.normal * (inverse_mass * (warm_start - goes));
     }
+    rest
 }
 
-/// What the point of a piece bears, N s: its impulses along normal and tangent, and the share of the warm start along
-/// the normal. Along the tangent that share is all there has been so far.
-fn load(constraint: &ContactConstraint<f32>) -> [f32; 3] {
+/// What the point of a piece bears, N s: its impulses along normal and tangent, and what the warm start after the move
+/// will add along the normal.
+fn load(constraint: &ContactConstraint<f32>, starts_again: bool) -> [f32; 3] {
     let friction = &constraint.frictions[0];
-    [constraint.points[0].normal_impulse, friction.impulse, friction.normal_share]
+    let warm_start = if starts_again { friction.warm_start } else { 0.0 };
+    [constraint.points[0].normal_impulse, friction.impulse, warm_start]
 }

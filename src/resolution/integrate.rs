@@ -121,22 +121,6 @@ pub(crate) struct Advance {
     pub(crate) drift: Option<f32>,
     /// How long the forces act, s.
     pub(crate) kick: Option<f32>,
-    pub(crate) shares: Shares,
-}
-
-/// What becomes of the shares of the warm start.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Shares {
-    /// They are left alone.
-    Left,
-    /// They are added to the velocities, and will be again.
-    Added,
-    /// They are added for the last time: what is left are shares of nothing, to which the next warm start adds.
-    UsedUp,
-}
-
-impl Advance {
-    pub(crate) const NONE: Self = Self { drift: None, kick: None, shares: Shares::Left };
 }
 
 /// What it costs to move sixteen bodies on, to find what acts on them, and to find how a place accelerates them, ns.
@@ -144,25 +128,22 @@ const COST: usize = 30;
 const FILL_COST: usize = 120;
 const ACCELERATE_COST: usize = 200;
 
-/// Moves the bodies in `rows` on, without damping: their states, what acts on them, and the velocities that a share of
-/// the warm start gives, all by row; states and shares in whole columns.
+/// Moves the bodies in `rows` on, without damping: their states and what acts on them, by row; states in whole columns.
 pub(crate) fn integrate(
     (crew, width): (&Crew, Width),
     rows: Range<usize>,
-    (states, kicks, shares): (&mut [BodyState], &mut Kicks, &mut [BodyState]),
+    (states, kicks): (&mut [BodyState], &mut Kicks),
     advance: Advance,
     limits: SpeedLimits,
 ) {
-    let has_shares = advance.shares != Shares::Left;
     debug_assert!(states.len().is_multiple_of(COLUMN), "{} rows", states.len());
-    if advance.drift.is_none() && advance.kick.is_none() && !has_shares {
+    if advance.drift.is_none() && advance.kick.is_none() {
         return;
     }
     let first = rows.start / COLUMN;
     let (states, columns) = (&mut states[first * COLUMN..], &mut kicks.columns[first..]);
-    let shares = if has_shares { &mut shares[first * COLUMN..] } else { &mut [] };
     let rows = rows.start - first * COLUMN..rows.end - first * COLUMN;
-    let pass = Integrate { rows, states, columns, shares, advance, limits };
+    let pass = Integrate { rows, states, columns, advance, limits };
     crew.run(pass, COST, |part| compute::run(width, part));
 }
 
@@ -174,7 +155,6 @@ struct Integrate<'a> {
     rows: Range<usize>,
     states: &'a mut [BodyState],
     columns: &'a mut [Kick<Column>],
-    shares: &'a mut [BodyState],
     advance: Advance,
     limits: SpeedLimits,
 }
@@ -185,18 +165,14 @@ impl Divide for Integrate<'_> {
     }
 
     fn divide(self, at: usize) -> (Self, Self) {
-        let Self { rows, states, columns, shares, advance, limits } = self;
+        let Self { rows, states, columns, advance, limits } = self;
         let row = at * COLUMN;
         let (first_states, last_states) = states.split_at_mut(row.min(states.len()));
         let (first_columns, last_columns) = columns.split_at_mut(at);
-        let (first_shares, last_shares) = shares.split_at_mut(row.min(shares.len()));
         let first_rows = rows.start.min(row)..rows.end.min(row);
         let last_rows = rows.start.max(row) - row..rows.end.max(row) - row;
-        let part = |rows, states, columns, shares| Self { rows, states, columns, shares, advance, limits };
-        (
-            part(first_rows, first_states, first_columns, first_shares),
-            part(last_rows, last_states, last_columns, last_shares),
-        )
+        let part = |rows, states, columns| Self { rows, states, columns, advance, limits };
+        (part(first_rows, first_states, first_columns), part(last_rows, last_states, last_columns))
     }
 }
 
@@ -214,7 +190,6 @@ impl Integrate<'_> {
     #[inline(always)]
     fn advance_rows<L: Lane>(&mut self, rows: Range<usize>, drift_time: Option<f32>) {
         let first = rows.start / L::WIDTH * L::WIDTH;
-        let has_shares = self.advance.shares != Shares::Left;
         let (column, place) = (&mut self.columns[first / COLUMN], first % COLUMN);
         let before = L::load_rows(self.states, first);
         let mut state = before;
@@ -226,14 +201,6 @@ impl Integrate<'_> {
         if let Some(t) = self.advance.kick {
             kick(&mut state, &mut this, t, self.limits);
         }
-        if has_shares {
-            let share = L::load_rows(self.shares, first);
-            state.velocity = add_carried(state.velocity, share.velocity, &mut this.carry);
-            state.angular_velocity = state.angular_velocity + share.angular_velocity;
-        }
-        if self.advance.shares == Shares::UsedUp {
-            self.shares[rows.clone()].fill(BodyState::REST);
-        }
         if rows.len() < L::WIDTH {
             // Halfway between a row's place and that before it.
             let edge = |row: usize| L::splat((place + row - first) as f32 - 0.5);
@@ -242,7 +209,7 @@ impl Integrate<'_> {
             state = BodyState::select(moves, &state, &before);
             this.carry = LaneVec2::select(moves, this.carry, carry_before);
         }
-        if self.advance.kick.is_some() || has_shares {
+        if self.advance.kick.is_some() {
             column.carry.store(place, this.carry);
         }
         if drift_time.is_some() {
@@ -357,25 +324,22 @@ mod tests {
                 };
                 let mut states: Vec<_> = (0..count.next_multiple_of(COLUMN)).map(of_row).collect();
                 let before = states.clone();
-                let mut shares = states.clone();
                 let (crew, mut kicks) = (Crew::default(), Kicks::default());
                 kicks.reset(count);
                 let acceleration = Vec2::new(0.0, -9.81).into();
                 kicks.fill(&crew, rows.clone(), |_| Kick { acceleration, ..Kick::default() });
                 let limits = SpeedLimits { speed: 1e6, spin: 1e6 };
-                let advance = Advance { drift, kick: Some(0.005), shares: Shares::UsedUp };
+                let advance = Advance { drift, kick: Some(0.005) };
                 let means = (&crew, lanes.width());
-                integrate(means, rows.clone(), (&mut states, &mut kicks, &mut shares), advance, limits);
+                integrate(means, rows.clone(), (&mut states, &mut kicks), advance, limits);
                 let carries: Vec<_> = (0..count).map(|row| kicks.carry(row)).collect();
                 for row in (0..states.len()).filter(|row| !rows.contains(row)) {
                     let stays = |states: &[BodyState]| format!("{:?}", states[row]);
                     assert_eq!(stays(&states), stays(&before), "row {row}");
-                    assert_eq!(stays(&shares), stays(&before), "row {row}");
                     assert!(carries.get(row).is_none_or(|&carry| carry == Vec2::ZERO), "row {row}");
                 }
-                assert!(!shares[rows.clone()].iter().any(BodyState::is_moving), "used up");
                 let BodyState { velocity, delta_rotation: LaneRot { s, .. }, .. } = states[rows.end - 1];
-                assert!(velocity.y < -6.0, "the last row has got its share and its kick");
+                assert!(velocity.y < -3.0, "the last row has got its kick");
                 assert_eq!(s > 0.0, drift.is_some(), "the last row has turned");
                 format!("{states:?} {carries:?}")
             });

@@ -1,6 +1,6 @@
 //! The contact kernel: warm start, solve, relax. One text for every lane width.
 //!
-//! This is where a step spends its time: per substep each contact is warm started once and swept twice.
+//! This is where a step spends its time: per substep each contact is warm started twice and swept twice.
 
 use crate::compute::{BodyState, Lane, LaneVec2, Shared};
 #[cfg(feature = "report")]
@@ -25,18 +25,28 @@ fn fit<L: Lane>(block: &ContactBlock) -> Fit {
     if L::WIDTH > 1 { block.fit() } else { Fit::default() }
 }
 
-/// Begins a substep: finds what of the last impulse to apply now and, where the kick is split, again after the
-/// move, and adds what it does to each body to that body's row of `shares`.
+/// Applies the impulses of the last substep before anything is solved: where the kick is split, half of them before
+/// the bodies move and half after it, each with the geometry of its moment.
 ///
-/// There is one accumulator for the whole substep. With one per half, or with the biased impulse applied
-/// again, the push out of an overlap would be counted as load and pump energy into the scene.
+/// There is one accumulator for the whole substep. Along the normal, the second half is of the impulse that the substep
+/// began with, not of what the sweep before the move has made of it: with the biased impulse applied again, the push
+/// out of an overlap would be counted as load and pump energy into the scene. Along the tangent nothing has changed in
+/// between, as friction is solved after the move.
 #[derive(Clone, Debug)]
 pub(crate) struct WarmStart<'a> {
-    pub(crate) shares: Shared<'a, BodyState>,
-    /// The share of the last impulse, no unit.
+    pub(crate) states: Shared<'a, BodyState>,
+    /// Share of the last impulses, no unit: a half, or all where the kick is not split.
     pub(crate) part: f32,
+    pub(crate) time: WarmStartTime,
     /// Whether what no contact of a block needs is left out.
     pub(crate) is_fitted: bool,
+}
+
+/// Which of the warm starts of a substep.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum WarmStartTime {
+    BeforeMove,
+    AfterMove,
 }
 
 impl Kernel for WarmStart<'_> {
@@ -62,21 +72,34 @@ impl WarmStart<'_> {
         [is_smooth, is_still]: [bool; 2],
     ) {
         let mut constraint = ContactConstraint { is_still, ..block.load::<L>(place) };
-        let [mut a, mut b] = block.gather_velocities(&self.shares, place);
         let part = L::splat(self.part);
-        for (point, friction) in constraint.points.iter_mut().zip(&mut constraint.frictions).take(POINTS) {
-            point.normal_impulse = point.normal_impulse * part;
-            friction.normal_share = point.normal_impulse;
-            friction.impulse = friction.impulse * part;
+        match self.time {
+            WarmStartTime::BeforeMove => {
+                constraint.begin_normal_impulses::<POINTS>(part);
+                block.store_warm_starts::<L, POINTS>(place, &constraint);
+            }
+            WarmStartTime::AfterMove => constraint.count_warm_start::<POINTS>(),
         }
-        let share = constraint.share::<POINTS>(is_smooth);
-        constraint.apply(share, &mut a, &mut b);
         block.store_normal_impulses::<L, POINTS>(place, &constraint);
-        if !is_smooth {
-            block.store_friction_impulses::<L, POINTS>(place, &constraint);
+        let [mut a, mut b] = block.gather_velocities(&self.states, place);
+        constraint.apply(constraint.warm_start::<POINTS>(part, is_smooth), &mut a, &mut b);
+        block.scatter(&self.states, place, &[a, b]);
+    }
+}
+
+/// Has a substep begin without the impulses of the last one.
+#[derive(Clone, Debug)]
+pub(crate) struct ForgetImpulses;
+
+impl Kernel for ForgetImpulses {
+    #[inline(always)]
+    fn run<L: Lane>(&self, block: &mut ContactBlock, place: usize) {
+        let mut constraint = block.load::<L>(place);
+        for (point, friction) in constraint.points.iter_mut().zip(&mut constraint.frictions) {
+            (point.normal_impulse, friction.impulse) = (L::splat(0.0), L::splat(0.0));
         }
-        block.store_shares::<L, POINTS>(place, &constraint);
-        block.scatter(&self.shares, place, &[a, b]);
+        block.store_normal_impulses::<L, 2>(place, &constraint);
+        block.store_friction_impulses::<L, 2>(place, &constraint);
     }
 }
 
@@ -89,16 +112,13 @@ pub(crate) struct Sweep {
     pub(crate) friction: bool,
     /// Solves the two points of a contact together.
     pub(crate) block: bool,
-    /// Counts the second share of the warm start, which the bodies have just got, as impulse of the contact. No
-    /// sweep with friction has been since the first share, so that this doubles the impulse along the tangent.
-    pub(crate) counts_share: bool,
 }
 
 impl Sweep {
     /// The sweep before the bodies move, by default.
-    const MAIN: Self = Self { biased: true, friction: false, block: true, counts_share: false };
+    const MAIN: Self = Self { biased: true, friction: false, block: true };
     /// The sweep after it, by default.
-    const RELAX: Self = Self { biased: false, friction: true, block: true, counts_share: true };
+    const RELAX: Self = Self { biased: false, friction: true, block: true };
     /// The same over contacts without friction.
     const SMOOTH_RELAX: Self = Self { friction: false, ..Self::RELAX };
 }
@@ -166,7 +186,7 @@ impl SweepOver<'_> {
         }
         if kind.friction {
             // The push along the normal, which is still to come, is across to the tangent.
-            impulse = impulse + solve_frictions::<L, POINTS>(block, place, kind, is_still, &mut states);
+            impulse = impulse + solve_frictions::<L, POINTS>(block, place, is_still, &mut states);
         }
         let [a, b] = &mut states;
         block.load::<L>(place).push(impulse, a, b);
@@ -184,11 +204,6 @@ impl SweepOver<'_> {
         [a, b]: &mut [BodyState<L>; 2],
     ) -> LaneVec2<L> {
         let mut constraint = ContactConstraint { is_still, ..block.load::<L>(place) };
-        if kind.counts_share {
-            for (point, friction) in constraint.points.iter_mut().zip(&constraint.frictions).take(POINTS) {
-                point.normal_impulse = point.normal_impulse + friction.normal_share;
-            }
-        }
         let axis = Axis::<L, POINTS>::new(&constraint, constraint.normal);
         let speeds = axis.speeds(&constraint, a, b);
         let mut changes = [L::splat(0.0); POINTS];
@@ -228,16 +243,10 @@ impl SweepOver<'_> {
 fn solve_frictions<L: Lane, const POINTS: usize>(
     block: &mut ContactBlock,
     place: usize,
-    kind: Sweep,
     is_still: bool,
     [a, b]: &mut [BodyState<L>; 2],
 ) -> LaneVec2<L> {
     let mut constraint = ContactConstraint { is_still, ..block.load::<L>(place) };
-    if kind.counts_share {
-        for friction in constraint.frictions.iter_mut().take(POINTS) {
-            friction.impulse = friction.impulse + friction.impulse;
-        }
-    }
     let axis = Axis::<L, POINTS>::new(&constraint, constraint.normal.perp());
     let speeds = axis.speeds(&constraint, a, b);
     let mut changes = [L::splat(0.0); POINTS];
@@ -335,14 +344,16 @@ fn solve_friction<L: Lane>(constraint: &mut ContactConstraint<L>, index: usize, 
     friction.impulse - before
 }
 
-/// What a substep does for one contact of two points with friction: a warm start and two sweeps.
+/// What a substep does for one contact of two points with friction: two warm starts and two sweeps.
 #[cfg(feature = "report")]
 pub(crate) fn work_of_a_substep() -> Count {
     let (mut block, mut rows) = (ContactBlock::default(), [BodyState::REST]);
     let is_fitted = true;
     count(|| {
-        let start = WarmStart { shares: Shared::new(&mut rows), part: 0.5, is_fitted };
-        start.run::<Counted>(&mut block, 0);
+        for time in [WarmStartTime::BeforeMove, WarmStartTime::AfterMove] {
+            let start = WarmStart { states: Shared::new(&mut rows), part: 0.5, time, is_fitted };
+            start.run::<Counted>(&mut block, 0);
+        }
         let states = Shared::new(&mut rows);
         let main = SweepOver { states, kind: Sweep::MAIN, have_moved: false, per_substep: 1.0, is_fitted };
         main.run::<Counted>(&mut block, 0);
@@ -356,20 +367,22 @@ mod tests {
 
     #[test]
     fn a_warm_start_does_what_its_equations_say() {
-        let (mut block, mut shares) = (ContactBlock::default(), [BodyState::REST]);
-        let start = WarmStart { shares: Shared::new(&mut shares), part: 0.5, is_fitted: true };
+        let (mut block, mut states) = (ContactBlock::default(), [BodyState::REST]);
+        let (states, time) = (Shared::new(&mut states), WarmStartTime::BeforeMove);
+        let start = WarmStart { states, part: 0.5, time, is_fitted: true };
         let found = count(|| start.run::<Counted>(&mut block, 0));
-        // Per point: both impulses times the part, times their directions (2 + 2), summed (2); r × that for two bodies (3 + 3).
-        let point = 2 + 4 + 2 + 6;
+        // Per point: the impulse along the normal times the part; both times their directions (2 + 2), summed (2); r × that
+        // for two bodies (3 + 3).
+        let point = 1 + 4 + 2 + 6;
         // Of the two points the impulses (2) and the moments (1 + 1) are summed.
         let sum = 2 + 2;
         // Per body: the impulse times 1/m, added to v (2 + 2); the moment times 1/I, added to w; whether it moves.
         let body = 2 + 2 + 1 + 1 + 1;
-        // The direction of the tangent is a negation.
-        assert_eq!(found.operations, 1 + 2 * point + sum + 2 * body);
+        // The direction of the tangent is a negation, and is multiplied by the part.
+        assert_eq!(found.operations, 1 + 2 + 2 * point + sum + 2 * body);
         // Numbers: of each body 1/m, 1/I, and 1/m once more; the normal; per point two anchors and two impulses. Written: per
-        // point two impulses and the share. Half rows of two bodies, to and fro.
-        let numbers = 2 * 3 + 2 + 2 * (4 + 2) + 2 * 3;
+        // point the impulse along the normal and the warm start. Half rows of two bodies, to and fro.
+        let numbers = 2 * 3 + 2 + 2 * (4 + 2) + 2 * 2;
         assert_eq!(found.bytes, 4 * numbers + 4 * 16);
     }
 }

@@ -13,11 +13,11 @@ use crate::resolution::contact_block::Beginning;
 use crate::resolution::damping::{Damped, is_damped};
 use crate::resolution::direct::{Aim, DirectSolver};
 use crate::resolution::effort::EffortClass;
-use crate::resolution::follow::{Followers, act};
+use crate::resolution::follow::Followers;
 use crate::resolution::handover::{HandoverScene, Handovers};
 use crate::resolution::impacts::{ImpactScene, Impacts};
-use crate::resolution::integrate::{Advance, Kick, Kicks, Shares, SpeedLimits, drift};
-use crate::resolution::kernel::{Sweep, SweepOver, WarmStart};
+use crate::resolution::integrate::{Advance, Kick, Kicks, SpeedLimits, drift};
+use crate::resolution::kernel::{ForgetImpulses, Sweep, SweepOver, WarmStart, WarmStartTime};
 use crate::resolution::load::Loads;
 use crate::resolution::projection::Project;
 
@@ -84,8 +84,6 @@ pub(crate) struct Solver {
     /// By row: the part of its acceleration that stays the same during the step, m/s²; empty where all of it does.
     steady: Vec<Vec2>,
     damped: Damped,
-    /// By row: the velocities that one share of the warm start gives.
-    shares: Vec<BodyState>,
     pub(crate) impacts: Impacts,
     followers: Followers,
     handovers: Handovers,
@@ -109,14 +107,17 @@ pub(crate) struct SolveTables<'a> {
 ///
 /// ```text
 /// repeat substeps:
-///     v += h/2 a(x);  impacts
-///     solve contacts (a bias pushes overlaps apart)
-///     x += h v;  v += h/2 a(x)
-///     contacts of circles and loaded corners follow the surface
-///     solve contacts (without bias), friction
+///     kick h/2     v += h/2 a(x)
+///     impacts      what approaches fast enough bounces, each at its time
+///     push         half of the last impulses, and a sweep that pushes overlaps apart; or a direct solve
+///     drift h      x += h v
+///     kick h/2     v += h/2 a(x)
+///     refresh      contacts of circles and loaded corners follow the surface
+///     relax        the other half of the last impulses, and a sweep without bias, with friction; or a direct solve
 /// ```
 ///
-/// Contacts are solved by sweeps: half of the last impulses, a sweep, the move, the other half, a sweep. Or directly.
+/// Each half of the last impulses acts with the geometry of its moment: a circle that rolls along a curve is turned by
+/// half before and by half after the move, and keeps its speed (H. Andersen, "Rattle", 1983).
 pub(crate) fn solve(
     solver: &mut Solver,
     scheme: &Scheme,
@@ -127,31 +128,21 @@ pub(crate) fn solve(
     let h = scheme.substep_time();
     solver.prepare(scheme, class, tables, acceleration);
     for substep in 0..scheme.substeps {
-        if substep > 0 {
-            solver.handovers.release(tables.graph);
-        }
-        // Where nothing looks at velocities before the warm start, it gives the kick too, which saves a pass.
-        let late_kick = solver.sweeps_only(class.effort).then(|| scheme.kick_time());
-        if late_kick.is_none() {
-            let kick = Some(scheme.kick_time());
-            solver.integrate(scheme, class, tables, Advance { kick, ..Advance::NONE });
-        }
+        solver.kick(scheme, class, tables, scheme.kick_time());
         // What a sweep after the move has found of where bodies are holds until they move again.
-        let mut have_moved = substep > 0 && scheme.relax_iterations == 0;
-        if solver.impacts.len() > 0 {
-            let (kicks, SolveTables { bodies, contacts, graph, .. }) = (&solver.kicks, &mut *tables);
-            let Scheme { restitution_threshold, width, .. } = *scheme;
-            let mut scene = ImpactScene { bodies, contacts, kicks, graph, h, restitution_threshold, width };
-            have_moved |= solver.impacts.run(&mut scene);
-        }
+        let has_moved = solver.run_impacts(scheme, tables) || (substep > 0 && scheme.relax_iterations == 0);
         match class.effort {
             Effort::Direct => solver.direct.solve(tables.graph, &mut tables.bodies.states, Aim::Push, h),
-            _ => solver.sweep_before_move(scheme, class, tables, (late_kick, have_moved)),
+            _ => solver.push(scheme, class, tables, has_moved),
         }
-        solver.move_on(scheme, class, tables, acceleration);
+        solver.drift_and_kick(scheme, class, tables, acceleration);
+        solver.followers.follow(
+            (tables.crew, class.effort, scheme.width),
+            (tables.contacts, tables.bodies, tables.graph),
+        );
         match class.effort {
             Effort::Direct => solver.direct.solve(tables.graph, &mut tables.bodies.states, Aim::Relax, h),
-            _ => solver.sweep_after_move(scheme, class, tables),
+            _ => solver.relax(scheme, class, tables),
         }
     }
     for _ in 0..scheme.projections.unwrap_or(0) {
@@ -168,7 +159,6 @@ impl Scheme {
             biased: self.projections.is_none(),
             friction: self.relax_iterations == 0,
             block: self.block_solve,
-            counts_share: false,
         }
     }
 
@@ -191,92 +181,94 @@ impl Scheme {
 
     /// What of the last impulses is applied before the move, and again after it where the kick is split.
     fn warm_part(&self) -> f32 {
-        match (self.warm_starting, self.split_kick) {
-            (false, _) => 0.0,
-            (true, false) => 1.0,
-            (true, true) => 0.5,
-        }
+        if self.split_kick { 0.5 } else { 1.0 }
     }
 }
 
 impl Solver {
-    /// The move, the second kick, and the second share of the warm start. After the move, contacts of circles and
-    /// loaded corners are where the surface is now, and their share acts along the normal there: a circle that rolls
-    /// along a curve is turned by half before and by half after it, and keeps its speed (H. Andersen, "Rattle", 1983).
-    fn move_on(
+    /// v += t a, and damping.
+    fn kick(&mut self, scheme: &Scheme, class: &EffortClass<'_>, tables: &mut SolveTables<'_>, t: f32) {
+        self.integrate(scheme, class, tables, Advance { drift: None, kick: Some(t) });
+    }
+
+    /// x += h v, and the second kick: in one pass, unless something is to be found in between.
+    fn drift_and_kick(
         &mut self,
         scheme: &Scheme,
         class: &EffortClass<'_>,
         tables: &mut SolveTables<'_>,
         acceleration: &impl Acceleration,
     ) {
-        let is_direct = class.effort == Effort::Direct;
-        let has_shares = scheme.split_kick && !is_direct;
-        let last_shares = if has_shares { Shares::UsedUp } else { Shares::Left };
+        let (h, is_direct) = (scheme.substep_time(), class.effort == Effort::Direct);
         let kick = scheme.split_kick.then_some(scheme.kick_time());
-        let h = scheme.substep_time();
         for &(_, row) in class.kinematic {
             drift(&mut tables.bodies.states[row as usize], h);
         }
-        if acceleration.varies() || is_direct {
-            self.integrate(scheme, class, tables, Advance { drift: Some(h), ..Advance::NONE });
-            if acceleration.varies() {
-                self.accelerate(tables, &class.rows, acceleration);
-            }
-            if is_direct {
-                self.direct.restore_free(&mut tables.bodies.states);
-            }
-            self.integrate(scheme, class, tables, Advance { drift: None, kick, shares: last_shares });
-        } else {
-            self.integrate(scheme, class, tables, Advance { drift: Some(h), kick, shares: last_shares });
+        if !acceleration.varies() && !is_direct {
+            return self.integrate(scheme, class, tables, Advance { drift: Some(h), kick });
         }
-        let means = (tables.crew, class.effort, scheme.width);
-        self.followers.follow(means, (tables.contacts, tables.bodies, tables.graph), has_shares);
+        self.integrate(scheme, class, tables, Advance { drift: Some(h), kick: None });
+        if acceleration.varies() {
+            self.accelerate(tables, &class.rows, acceleration);
+        }
+        if is_direct {
+            self.direct.restore_free(&mut tables.bodies.states);
+        }
+        self.integrate(scheme, class, tables, Advance { drift: None, kick });
     }
 
-    /// Whether contacts are solved by sweeps and nothing else.
-    fn sweeps_only(&self, effort: Effort) -> bool {
-        effort != Effort::Direct && self.impacts.len() == 0 && self.handovers.is_empty()
+    /// Impacts of contacts that approach fast enough to bounce; whether there were some, which move bodies.
+    fn run_impacts(&mut self, scheme: &Scheme, tables: &mut SolveTables<'_>) -> bool {
+        self.handovers.release(tables.graph);
+        if self.impacts.len() == 0 {
+            return false;
+        }
+        let (h, kicks) = (scheme.substep_time(), &self.kicks);
+        let Scheme { restitution_threshold, width, .. } = *scheme;
+        let SolveTables { bodies, contacts, graph, .. } = tables;
+        let mut scene = ImpactScene { bodies, contacts, kicks, graph, h, restitution_threshold, width };
+        self.impacts.run(&mut scene)
     }
 
-    /// Contacts by sweeps, before the bodies move; first their `kick`, s, if they have not had it. `have_moved` says that
-    /// they have since the last sweep.
-    fn sweep_before_move(
+    /// Contacts by sweeps, before the bodies move. `has_moved` says that they have since the last sweep.
+    fn push(
         &mut self,
         scheme: &Scheme,
         class: &EffortClass<'_>,
         tables: &mut SolveTables<'_>,
-        (kick, have_moved): (Option<f32>, bool),
+        has_moved: bool,
     ) {
         let h = scheme.substep_time();
         self.handovers.hold_back(tables.graph, &tables.bodies.states, h);
-        self.warm_start(scheme, class, tables, kick);
+        warm_start(WarmStartTime::BeforeMove, scheme, class, tables);
         let SolveTables { bodies, contacts, graph, crew, .. } = tables;
-        let states = &mut bodies.states;
-        let sweep = scheme.sweep_over(states, scheme.main_sweep(), have_moved);
+        let sweep = scheme.sweep_over(&mut bodies.states, scheme.main_sweep(), has_moved);
         for _ in 0..scheme.iterations {
             graph.for_each(crew, (class.effort, scheme.width), &sweep);
         }
         if scheme.split_kick && scheme.warm_starting {
-            self.grip_newcomers(scheme, graph, states);
+            // There is no friction to start from, and a box set on a slope would go down freely for half a substep.
+            let kind = Sweep { friction: true, ..scheme.main_sweep() };
+            let sweep = scheme.sweep_over(&mut bodies.states, kind, false);
+            self.newcomers.sweep(graph, (scheme.width, scheme.warm_part()), &sweep);
         }
-        if !self.handovers.is_empty() {
-            let shares = if scheme.split_kick { &mut self.shares[..] } else { &mut [] };
-            self.handovers.run(&mut HandoverScene { bodies, contacts, graph, shares, h });
-        }
+        let starts_again = scheme.split_kick;
+        self.handovers.run(&mut HandoverScene { bodies, contacts, graph, starts_again, h });
     }
 
     /// Contacts by sweeps, after the bodies have moved.
-    fn sweep_after_move(&mut self, scheme: &Scheme, class: &EffortClass<'_>, tables: &mut SolveTables<'_>) {
+    fn relax(&mut self, scheme: &Scheme, class: &EffortClass<'_>, tables: &mut SolveTables<'_>) {
+        if scheme.split_kick {
+            warm_start(WarmStartTime::AfterMove, scheme, class, tables);
+        }
         let (graph, states) = (&mut *tables.graph, &mut tables.bodies.states);
-        let relax = scheme.relax_sweep();
         for iteration in 0..scheme.relax_iterations {
-            let kind = Sweep { counts_share: scheme.split_kick && iteration == 0, ..relax };
-            let sweep = scheme.sweep_over(states, kind, iteration == 0);
+            let sweep = scheme.sweep_over(states, scheme.relax_sweep(), iteration == 0);
             graph.for_each(tables.crew, (class.effort, scheme.width), &sweep);
         }
         if scheme.relax_iterations > 0 {
-            self.newcomers.sweep(graph, scheme.width, &scheme.sweep_over(states, relax, false));
+            let sweep = scheme.sweep_over(states, scheme.relax_sweep(), false);
+            self.newcomers.sweep(graph, (scheme.width, 1.0), &sweep);
         }
     }
 
@@ -369,37 +361,6 @@ impl Solver {
         self.handovers.group();
     }
 
-    /// Gives the bodies their `kick`, s, and the part of the last impulses that they get before they move.
-    ///
-    /// The contacts hold still in between, so the share after the move is the same: it is kept by row, which saves
-    /// a pass over the contacts.
-    fn warm_start(
-        &mut self,
-        scheme: &Scheme,
-        class: &EffortClass<'_>,
-        tables: &mut SolveTables<'_>,
-        kick: Option<f32>,
-    ) {
-        self.shares.resize(tables.bodies.states.len(), BodyState::REST);
-        debug_assert!(!self.shares.iter().any(BodyState::is_moving), "all were used up");
-        let (part, is_fitted) = (scheme.warm_part(), scheme.fitted_kernels);
-        let start = WarmStart { shares: Shared::new(&mut self.shares), part, is_fitted };
-        tables.graph.for_each(tables.crew, (class.effort, scheme.width), &start);
-        let shares = if scheme.split_kick { Shares::Added } else { Shares::UsedUp };
-        self.integrate(scheme, class, tables, Advance { kick, shares, ..Advance::NONE });
-    }
-
-    /// Gives the contacts that begin to bear load friction before the move: there is none to start from, and a box set
-    /// on a slope would go down freely for half a substep. It counts as a share of a warm start.
-    fn grip_newcomers(&mut self, scheme: &Scheme, graph: &mut ConstraintGraph, states: &mut [BodyState]) {
-        let kind = Sweep { friction: true, ..scheme.main_sweep() };
-        let sweep = scheme.sweep_over(states, kind, false);
-        for &place in self.newcomers.sweep(graph, scheme.width, &sweep) {
-            let constraint = graph.constraint(place);
-            act(&constraint, constraint.share::<2>(false), graph.moved_rows(place), &mut self.shares);
-        }
-    }
-
     /// Finds the accelerations that depend on the place anew.
     fn accelerate(
         &mut self,
@@ -424,8 +385,8 @@ impl Solver {
         advance: Advance,
     ) {
         let SolveTables { bodies: Bodies { states, .. }, crew, .. } = tables;
-        let (kicks, shares, means) = (&mut self.kicks, &mut self.shares[..], (*crew, scheme.width));
-        let tables = (&mut states[..], kicks, shares);
+        let means = (*crew, scheme.width);
+        let tables = (&mut states[..], &mut self.kicks);
         self.damped.integrate(means, class.rows.clone(), tables, advance, scheme.limits);
     }
 
@@ -443,4 +404,18 @@ impl Solver {
         });
         residual
     }
+}
+
+/// One of the warm starts of the contacts of a class; without warm starting, their impulses are forgotten.
+fn warm_start(time: WarmStartTime, scheme: &Scheme, class: &EffortClass<'_>, tables: &mut SolveTables<'_>) {
+    let means = (class.effort, scheme.width);
+    if !scheme.warm_starting {
+        if time == WarmStartTime::BeforeMove {
+            tables.graph.for_each(tables.crew, means, &ForgetImpulses);
+        }
+        return;
+    }
+    let (states, part) = (Shared::new(&mut tables.bodies.states), scheme.warm_part());
+    let start = WarmStart { states, part, time, is_fitted: scheme.fitted_kernels };
+    tables.graph.for_each(tables.crew, means, &start);
 }

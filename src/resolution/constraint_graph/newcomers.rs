@@ -33,13 +33,14 @@ impl Newcomers {
         self.blocks.push(place);
     }
 
-    /// Sweeps over those that the last sweep has found to begin to bear load; returns their places.
+    /// Sweeps over those that the last sweep has found to begin to bear load. What friction does now is this `part` of what it
+    /// is to do in the substep, no unit: before the move a half, as the warm start after it does as much again.
     pub(crate) fn sweep(
         &mut self,
         graph: &mut ConstraintGraph,
-        width: Width,
+        (width, part): (Width, f32),
         kernel: &impl Kernel,
-    ) -> &[(u32, u32)] {
+    ) {
         self.loaded.clear();
         for &block in &self.blocks {
             graph.newly_loaded(block, |place| self.loaded.push(place));
@@ -50,9 +51,8 @@ impl Newcomers {
             for _ in 0..NEWCOMER_SWEEPS {
                 pass_over((&mut self.copies, used), width, kernel);
             }
-            self.give_back(graph, first_colour);
+            self.give_back(graph, first_colour, part);
         }
-        &self.loaded
     }
 
     /// Copies them; returns which colours have some.
@@ -78,12 +78,12 @@ impl Newcomers {
         used
     }
 
-    /// Gives the contacts the impulses of their copies.
-    fn give_back(&self, graph: &mut ConstraintGraph, first_colour: usize) {
+    /// Gives the contacts the impulses of their copies, of which those along the tangent are this `part`.
+    fn give_back(&self, graph: &mut ConstraintGraph, first_colour: usize, part: f32) {
         for (colour, Colour { contacts, blocks, .. }) in (first_colour as u32..).zip(&self.copies) {
             for (number, &place) in contacts.iter().enumerate() {
                 let (block, place) = graph.block_mut((colour, place));
-                block.copy_impulses(place, &blocks[number / COLUMN], number % COLUMN);
+                block.copy_impulses(place, &blocks[number / COLUMN], number % COLUMN, part.recip());
             }
         }
     }

@@ -47,7 +47,7 @@ impl ContactBlock {
         columns.points[0].normal_k = Column::splat(THERE);
         for friction in &mut columns.frictions {
             // The warm start of a block whose contacts have one point each finds that of the first only.
-            friction.normal_share = Column::default();
+            friction.warm_start = Column::default();
         }
         // Those of one point come first.
         let last = indices.last().map(|&index| &from.contacts[index]);
