@@ -298,13 +298,15 @@ impl Lane for F32x8 {
     #[inline(always)]
     fn store_rows(states: &mut [BodyState], first: usize, state: &BodyState<Self>) {
         let states: &mut [BodyState; 8] = states[first..].first_chunk_mut().expect("eight rows");
+        // One pointer for all: to borrow the states again would end the one before it.
+        let states = states.as_mut_ptr();
         let firsts = transpose(state.first_numbers().map(|numbers| numbers.0));
         let seconds = transpose(state.second_numbers().map(|numbers| numbers.0));
         for (place, (first, second)) in firsts.into_iter().zip(seconds).enumerate() {
             // SAFETY: AVX2 is there, see the module. There are eight states of eight numbers, aligned to 32 bytes.
             unsafe {
-                let low: *mut f32 = states.as_mut_ptr().add(place).cast();
-                let high: *mut f32 = states.as_mut_ptr().add(place + 4).cast();
+                let low: *mut f32 = states.add(place).cast();
+                let high: *mut f32 = states.add(place + 4).cast();
                 _mm256_store_ps(low, _mm256_permute2f128_ps::<0x20>(first, second));
                 _mm256_store_ps(high, _mm256_permute2f128_ps::<0x31>(first, second));
             }

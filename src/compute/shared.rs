@@ -91,7 +91,11 @@ impl<T: Copy> Shared<'_, T> {
 }
 
 /// Rows that lanes gather: of a slice, or of one that several threads write to.
-pub(crate) trait Rows {
+///
+/// # Safety
+/// `first_row` points to `row_count` states in a row that may be read for as long as the rows are borrowed: lanes read
+/// them through the pointer, with no other check than that.
+pub(crate) unsafe trait Rows {
     fn row_count(&self) -> usize;
     /// Where the rows begin; read only, and only those of which `note_read` was told.
     fn first_row(&self) -> *const BodyState;
@@ -104,7 +108,8 @@ pub(crate) trait Rows {
     fn row(&self, row: u32) -> BodyState;
 }
 
-impl Rows for [BodyState] {
+// SAFETY: the pointer and the count are those of the slice.
+unsafe impl Rows for [BodyState] {
     #[inline(always)]
     fn row_count(&self) -> usize {
         self.len()
@@ -126,7 +131,8 @@ impl Rows for [BodyState] {
     }
 }
 
-impl Rows for Shared<'_, BodyState> {
+// SAFETY: the pointer and the count are those of the slice that it was made from, and borrows.
+unsafe impl Rows for Shared<'_, BodyState> {
     #[inline(always)]
     fn row_count(&self) -> usize {
         self.len

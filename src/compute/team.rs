@@ -115,11 +115,12 @@ impl Board {
         let begin =
             || self.stretches.0.compare_exchange(number, number + 1, Ordering::Acquire, Ordering::Relaxed);
         assert!(number.is_multiple_of(2) && begin().is_ok(), "one stretch of work at a time");
+        // Asked before the first of them is published: from there on nothing may unwind before all parts are done.
+        debug_assert!(posts.iter().all(|Apart(post)| post.is_done()));
         // SAFETY: only the lifetime changes. The work is used by those who have claimed a part and not done it yet, and this
         // function returns when all parts are done.
         let shared = unsafe { core::mem::transmute::<&(dyn Fn(usize) + Sync), &'static Work>(work) };
         for Apart(post) in posts {
-            debug_assert!(post.is_done());
             // SAFETY: all parts of stretches before this one are done, and that of this one is not here yet.
             unsafe {
                 *post.task.get() = Task { work: shared, number };
