@@ -6,7 +6,7 @@
 //!
 //! ```text
 //! find x ≥ 0 with  A x + q ≥ 0  and  x·(A x + q) = 0
-//! A = K + diag(leak·k),   q = vn + bias - K x₀,   x₀ the impulses so far
+//! A = K + diag(γ·k),   q = vn + bias - K x₀,   x₀ the impulses so far
 //! ```
 
 use crate::compute::Lane;

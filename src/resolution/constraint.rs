@@ -373,15 +373,16 @@ impl ContactConstraint<f32> {
         }
     }
 
-    /// Blows along the normal, N s per point, and then the friction of each, at most µ times as strong.
-    pub(crate) fn strike(&self, blows: [f32; 2], [a, b]: &mut [BodyState; 2]) {
-        for (point, blow) in self.points.iter().zip(blows) {
-            self.apply(Action::at(point, self.normal * blow), a, b);
+    /// Applies the impulses of a collision along the normal, N s per point, and then the friction of each, at most µ times
+    /// as strong.
+    pub(crate) fn apply_collision_impulses(&self, impulses: [f32; 2], [a, b]: &mut [BodyState; 2]) {
+        for (point, impulse) in self.points.iter().zip(impulses) {
+            self.apply(Action::at(point, self.normal * impulse), a, b);
         }
         let tangent = self.normal.perp();
-        for ((point, blow), friction) in self.points.iter().zip(blows).zip(&self.frictions) {
+        for ((point, normal_impulse), friction) in self.points.iter().zip(impulses).zip(&self.frictions) {
             let slip = tangent.dot(point.relative_velocity(a, b));
-            let limit = self.friction * blow;
+            let limit = self.friction * normal_impulse;
             let impulse = (-friction.mass * slip).clamp(-limit, limit);
             self.apply(Action::at(point, tangent * impulse), a, b);
         }

@@ -6,7 +6,7 @@
 //! (E. Catto, "Simulation Islands", 2023). Contacts with the ground take the last colours: solved last, they
 //! have the last word, and the ground gives no way.
 
-mod newcomers;
+mod cold_contacts;
 mod passes;
 
 use core::ops::Range;
@@ -15,7 +15,7 @@ use crate::body::{Bodies, Effort};
 use crate::collision::{Contacts, Kind};
 use crate::compute::COLUMN;
 use crate::resolution::constraint::ContactConstraint;
-pub(crate) use crate::resolution::constraint_graph::newcomers::Newcomers;
+pub(crate) use crate::resolution::constraint_graph::cold_contacts::ColdContacts;
 use crate::resolution::contact_block::{BlockEnd, BlockStart, ContactBlock};
 use crate::store::{BitSet, places_of};
 

@@ -24,9 +24,9 @@ pub(crate) struct ContactBlock {
     is_special: bool,
     fit: Fit,
     /// Contacts of two points and with friction that bear no load as the step begins.
-    newcomers: Marks,
+    cold_contacts: Marks,
     /// Contacts that bear load since the last sweep, and had no impulses to start this substep from; only in blocks with
-    /// newcomers.
+    /// cold contacts.
     newly_loaded: Marks,
     /// What the caller calls those of them that follow the surface; `NONE` where there are none.
     pub(crate) followers: u32,
@@ -64,13 +64,13 @@ impl ContactBlock {
     }
 
     /// Whether there are contacts that may begin to bear load.
-    pub(crate) fn has_newcomers(&self) -> bool {
-        self.newcomers.any()
+    pub(crate) fn has_cold_contacts(&self) -> bool {
+        self.cold_contacts.any()
     }
 
     /// Those of them that the last sweep has found to bear load, and that had no impulses to start this substep from.
     pub(crate) fn newly_loaded(&self) -> Marks {
-        self.newly_loaded.and(self.newcomers)
+        self.newly_loaded.and(self.cold_contacts)
     }
 
     /// Takes note of which contacts that is so, from `place` on, a multiple of the lane's width.

@@ -38,7 +38,7 @@ use crate::resolution::direct::point::{DirectPoint, TOLERANCE};
 use crate::resolution::direct::skyline::Skyline;
 
 /// Share of its own impulse that a contact gives back when the impulse changes, no unit. It makes redundant contacts
-/// share their load, as the leak of the sweeps does, and it damps: a house of cards, rigid to the last digit, trembles
+/// share their load, as the compliance of the sweeps does, and it damps: a house of cards, rigid to the last digit, trembles
 /// until it falls.
 const COMPLIANCE: f64 = 1e-2;
 

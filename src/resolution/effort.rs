@@ -1,7 +1,7 @@
 //! How hard the solver works on each island: as hard as the load of its contacts asks, and no harder.
 //!
 //! What sweeps leave wrong at rest is known beforehand: a contact sags under an impulse λ to where the bias makes up
-//! for the leak, which is 14 % of k λ (see [`softness`](super::softness)). Where that is more than an eightieth
+//! for the compliance, which is 14 % of k λ (see [`softness`](super::softness)). Where that is more than an eightieth
 //! of the thinner body, in a contact whose bodies hardly move against each other, for a few steps, the island is solved
 //! directly, if that is little work; where it is too much work, and many contacts would be crushed whole, the island
 //! gets 2, 4 or 8 times as many substeps. Where the direct solve has not solved a small island, that gets 8 times as many

@@ -419,7 +419,7 @@ impl BouncyContact {
                 change[1].map_or(0.0, |q| (-q / point_2.normal_k).max(0.0)),
             ],
         };
-        constraint.strike(impulses, pair);
+        constraint.apply_collision_impulses(impulses, pair);
         self.greatest_speed = self.greatest_speed.max(meeting.speed);
     }
 }

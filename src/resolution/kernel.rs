@@ -9,7 +9,7 @@ use crate::resolution::axis::Axis;
 use crate::resolution::block::{Row, solve_pair};
 use crate::resolution::constraint::ContactConstraint;
 use crate::resolution::contact_block::{ContactBlock, Fit};
-use crate::resolution::softness::{bias, gap_bias, one_and_leak};
+use crate::resolution::softness::{bias, gap_bias, one_and_compliance};
 
 /// Something that is done to contacts, as many at a time as a lane holds: those of `block` from `place` on. Several
 /// threads do it to contacts of one colour, which move no body in common: no other may it write to. It is to be
@@ -106,7 +106,7 @@ impl Kernel for ForgetImpulses {
 /// What a sweep does, beside stopping the approach.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Sweep {
-    /// Pushes overlapping bodies apart and lets contacts leak: the sweep before the bodies move.
+    /// Pushes overlapping bodies apart and lets contacts yield: the sweep before the bodies move.
     pub(crate) biased: bool,
     /// Solves friction after the normals.
     pub(crate) friction: bool,
@@ -181,7 +181,7 @@ impl SweepOver<'_> {
         }
         let mut states = block.gather_velocities(&self.states, place);
         let mut impulse = self.solve_normals::<L, POINTS>(block, place, kind, is_still, &mut states);
-        if POINTS == 2 && block.has_newcomers() {
+        if POINTS == 2 && block.has_cold_contacts() {
             block.note_newly_loaded(place, &block.load::<L>(place));
         }
         if kind.friction {
@@ -263,7 +263,7 @@ fn solve_frictions<L: Lane, const POINTS: usize>(
 /// approach: the row and its q of
 ///
 /// ```text
-/// (1 + leak) k x + coupling x' + q ≥ 0,   q = vn + bias - k λ - coupling λ'
+/// (1 + γ) k x + coupling x' + q ≥ 0,   q = vn + bias - k λ - coupling λ'
 /// ```
 ///
 /// where the impulses so far, λ and λ', have brought about vn.
@@ -281,7 +281,7 @@ fn row<L: Lane>(
     let separation = point.separation_now + constraint.special.awaits_impact[index];
     let load = point.normal_k * point.normal_impulse;
     let (row, bias) = if biased {
-        let [soft, whole] = one_and_leak(separation, load);
+        let [soft, whole] = one_and_compliance(separation, load);
         let row = Row { own: point.normal_k * soft, other: coupling * whole, scale: whole };
         (row, bias(separation, per_substep))
     } else {

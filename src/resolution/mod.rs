@@ -14,7 +14,6 @@ mod direct;
 mod effort;
 mod follow;
 mod follower;
-mod handover;
 mod impact_queue;
 mod impacts;
 mod integrate;
@@ -22,6 +21,7 @@ mod islands;
 mod kernel;
 mod load;
 mod projection;
+mod seams;
 mod softness;
 mod solver;
 

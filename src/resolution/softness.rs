@@ -1,31 +1,31 @@
-//! How soft a contact is: what pushes overlapping bodies apart, and what an impulse leaks.
+//! How soft a contact is: what pushes overlapping bodies apart, and by how much it yields to an impulse.
 //!
-//! A rigid contact asks for vn = 0. A soft one asks for vn + bias(s) + leak·k·λ = 0, where s is the
-//! separation, λ the impulse of the substep and k = 1/m_eff. The bias drives the overlap out, the leak lets
+//! A rigid contact asks for vn = 0. A soft one asks for vn + bias(s) + γ·k·λ = 0, where s is the
+//! separation, λ the impulse of the substep and k = 1/m_eff. The bias drives the overlap out, the compliance γ lets
 //! a redundant stack of contacts share its load instead of fighting over it (E. Catto, "Solver2D", 2024,
 //! "soft step"). The bias is a speed per depth in 1/s and not a spring tied to the substep, so that more
-//! substeps buy less error: at rest the overlap is s = leak·g·h/(2·BIAS_RATE) per unit of load.
+//! substeps buy less error: at rest the overlap is s = γ·g·h/(2·BIAS_RATE) per unit of load.
 
 use crate::compute::Lane;
 
 /// Share of its own impulse that a contact gives back per sweep, no unit. It acts on half an impulse, as
 /// each half of the kick is solved on its own, and so is about twice what a single kick would take. Overlap
-/// at rest goes with `LEAK / BIAS_RATE`: less leak with a slower bias sags alike but lets a large pyramid come to
+/// at rest goes with `COMPLIANCE / BIAS_RATE`: less compliance with a slower bias sags alike but lets a large pyramid come to
 /// rest more slowly.
-const LEAK: f32 = 0.14;
+const COMPLIANCE: f32 = 0.14;
 
-/// A contact leaks in full up to this speed, m/s, and `LEAK_SHARE_BEYOND` of what is more: where heavy bodies
-/// press on light ones, the full leak would let them sink in.
-const FULL_LEAK_SPEED: f32 = 0.5;
+/// A contact yields in full up to this speed, m/s, and `COMPLIANCE_SHARE_BEYOND` of what is more: where heavy bodies
+/// press on light ones, the full compliance would let them sink in.
+const FULL_COMPLIANCE_SPEED: f32 = 0.5;
 
-/// What remains of a leak beyond `FULL_LEAK_SPEED`, no unit. It must not be 0: a contact whose leak no longer
-/// grows with its load is undamped, and bodies that are pressed together from all sides explode.
-const LEAK_SHARE_BEYOND: f32 = 0.15;
+/// What remains of the compliance beyond `FULL_COMPLIANCE_SPEED`, no unit. It must not be 0: a contact that does not yield
+/// more under a greater load is undamped, and bodies that are pressed together from all sides explode.
+const COMPLIANCE_SHARE_BEYOND: f32 = 0.15;
 
-/// Beyond this speed, m/s, a leak does not change any more: it is within 0.3 % of what it comes to.
-const LAST_LEAK_SPEED: f32 = 1e3;
+/// Beyond this speed, m/s, the compliance does not change any more: it is within 0.3 % of what it comes to.
+const LAST_COMPLIANCE_SPEED: f32 = 1e3;
 
-/// Overlap up to `SHALLOW` is driven out at this rate, 1/s. Faster with the same leak, and large pyramids do
+/// Overlap up to `SHALLOW` is driven out at this rate, 1/s. Faster with the same compliance, and large pyramids do
 /// not come to rest; slower, and stacks sag more.
 const BIAS_RATE: f32 = 28.0;
 
@@ -44,10 +44,10 @@ const SHALLOW: f32 = 0.02;
 const PUSH_SPEED: f32 = 3.0;
 
 /// Overlap at rest under a load, m, whose impulse times k is `speed`, m/s, per substep: there the bias makes up for
-/// the leak of the half of it that acts before the move.
+/// what yields to the half of it that acts before the move.
 #[inline(always)]
 pub(crate) fn sag(speed: f32, per_substep: f32) -> f32 {
-    0.5 * LEAK * speed / BIAS_RATE.min(LARGEST_SHARE * per_substep)
+    0.5 * COMPLIANCE * speed / BIAS_RATE.min(LARGEST_SHARE * per_substep)
 }
 
 /// Speed with which the contact wants to close (positive, while apart: it may close the gap s within one
@@ -67,15 +67,15 @@ pub(crate) fn gap_bias<L: Lane>(separation: L, per_substep: L) -> L {
     separation.max(L::splat(0.0)) * per_substep
 }
 
-/// 1 + leak of a contact with this separation and `load`, k λ in m/s, as a fraction: numerator and denominator, both
-/// from 0.5 to 1100. While it is apart nothing leaks.
+/// 1 + γ of a contact with this separation and `load`, k λ in m/s, as a fraction: numerator and denominator, both
+/// from 0.5 to 1100. While it is apart nothing yields.
 #[inline(always)]
-pub(crate) fn one_and_leak<L: Lane>(separation: L, load: L) -> [L; 2] {
-    let speed = L::splat(LEAK) * load;
-    let whole = speed.max(L::splat(FULL_LEAK_SPEED)).min(L::splat(LAST_LEAK_SPEED));
-    // LEAK of what is up to the full speed, LEAK_SHARE_BEYOND of that of what is more.
-    let leak = L::splat(LEAK * (1.0 - LEAK_SHARE_BEYOND) * FULL_LEAK_SPEED);
-    let soft = L::splat(1.0 + LEAK * LEAK_SHARE_BEYOND) * whole + leak;
+pub(crate) fn one_and_compliance<L: Lane>(separation: L, load: L) -> [L; 2] {
+    let speed = L::splat(COMPLIANCE) * load;
+    let whole = speed.max(L::splat(FULL_COMPLIANCE_SPEED)).min(L::splat(LAST_COMPLIANCE_SPEED));
+    // COMPLIANCE of what is up to the full speed, COMPLIANCE_SHARE_BEYOND of that of what is more.
+    let full = L::splat(COMPLIANCE * (1.0 - COMPLIANCE_SHARE_BEYOND) * FULL_COMPLIANCE_SPEED);
+    let soft = L::splat(1.0 + COMPLIANCE * COMPLIANCE_SHARE_BEYOND) * whole + full;
     [L::select(separation.greater(L::splat(0.0)), whole, soft), whole]
 }
 
@@ -83,18 +83,18 @@ pub(crate) fn one_and_leak<L: Lane>(separation: L, load: L) -> [L; 2] {
 mod tests {
     use super::*;
 
-    /// The leak as its constants say it, in `f64`: `LEAK` of a load up to the full speed, `LEAK_SHARE_BEYOND` of that of what
-    /// is more. Beyond the last speed it is 0.3 % of the leak off, 1e-4 of the whole; the rest is rounding.
+    /// The compliance as its constants say it, in `f64`: `COMPLIANCE` of a load up to the full speed,
+    /// `COMPLIANCE_SHARE_BEYOND` of that of what is more. Beyond the last speed it is 0.3 % of the compliance off, 1e-4 of the whole; the rest is rounding.
     #[test]
-    fn a_leak_is_what_its_constants_say_and_fits_into_products_under_any_load() {
+    fn compliance_is_what_its_constants_say_and_fits_into_products_under_any_load() {
         for load in [0.0, 1.0, 3.5, 3.6, 10.0, 1e3, 1e4, 1e6, 1e27_f32] {
-            let [numerator, denominator] = one_and_leak(-0.01_f32, load);
+            let [numerator, denominator] = one_and_compliance(-0.01_f32, load);
             assert!((0.5..1100.0).contains(&numerator) && (0.5..1100.0).contains(&denominator), "{load}");
-            let (speed, full) = (f64::from(LEAK) * f64::from(load), f64::from(FULL_LEAK_SPEED));
-            let leaking = speed.min(full) + f64::from(LEAK_SHARE_BEYOND) * (speed - full).max(0.0);
-            let leak = f64::from(LEAK) * if speed > 0.0 { leaking / speed } else { 1.0 };
-            assert!((f64::from(numerator / denominator) - 1.0 - leak).abs() < 1e-4, "{load}");
-            let [numerator, denominator] = one_and_leak(0.01_f32, load);
+            let (speed, full) = (f64::from(COMPLIANCE) * f64::from(load), f64::from(FULL_COMPLIANCE_SPEED));
+            let yielding = speed.min(full) + f64::from(COMPLIANCE_SHARE_BEYOND) * (speed - full).max(0.0);
+            let compliance = f64::from(COMPLIANCE) * if speed > 0.0 { yielding / speed } else { 1.0 };
+            assert!((f64::from(numerator / denominator) - 1.0 - compliance).abs() < 1e-4, "{load}");
+            let [numerator, denominator] = one_and_compliance(0.01_f32, load);
             assert!(numerator == denominator, "apart under {load}");
         }
     }

@@ -8,18 +8,18 @@ use crate::collision::Contacts;
 use crate::compute::{BodyState, Crew, Shared, Width};
 use crate::math::Vec2;
 use crate::resolution::constraint::StepResidual;
-use crate::resolution::constraint_graph::{ConstraintGraph, Newcomers, place_in};
+use crate::resolution::constraint_graph::{ColdContacts, ConstraintGraph, place_in};
 use crate::resolution::contact_block::Beginning;
 use crate::resolution::damping::{Damped, is_damped};
 use crate::resolution::direct::{Aim, DirectSolver};
 use crate::resolution::effort::EffortClass;
 use crate::resolution::follow::Followers;
-use crate::resolution::handover::{HandoverScene, Handovers};
 use crate::resolution::impacts::{ImpactScene, Impacts};
 use crate::resolution::integrate::{Advance, Kick, Kicks, SpeedLimits, drift};
 use crate::resolution::kernel::{ForgetImpulses, Sweep, SweepOver, WarmStart, WarmStartTime};
 use crate::resolution::load::Loads;
 use crate::resolution::projection::Project;
+use crate::resolution::seams::{SeamScene, Seams};
 
 /// How a step is solved. One text covers the default and the classic scheme: the classic one has a single
 /// kick, one substep, many sweeps with friction, none to relax, and projects positions afterwards.
@@ -86,8 +86,8 @@ pub(crate) struct Solver {
     damped: Damped,
     pub(crate) impacts: Impacts,
     followers: Followers,
-    handovers: Handovers,
-    newcomers: Newcomers,
+    seams: Seams,
+    cold_contacts: ColdContacts,
     direct: DirectSolver,
 }
 
@@ -219,7 +219,7 @@ impl Solver {
 
     /// Impacts of contacts that approach fast enough to bounce; whether there were some, which move bodies.
     fn run_impacts(&mut self, scheme: &Scheme, tables: &mut SolveTables<'_>) -> bool {
-        self.handovers.release(tables.graph);
+        self.seams.release(tables.graph);
         if self.impacts.len() == 0 {
             return false;
         }
@@ -239,7 +239,7 @@ impl Solver {
         has_moved: bool,
     ) {
         let h = scheme.substep_time();
-        self.handovers.hold_back(tables.graph, &tables.bodies.states, h);
+        self.seams.hold_back(tables.graph, &tables.bodies.states, h);
         warm_start(WarmStartTime::BeforeMove, scheme, class, tables);
         let SolveTables { bodies, contacts, graph, crew, .. } = tables;
         let sweep = scheme.sweep_over(&mut bodies.states, scheme.main_sweep(), has_moved);
@@ -250,10 +250,10 @@ impl Solver {
             // There is no friction to start from, and a box set on a slope would go down freely for half a substep.
             let kind = Sweep { friction: true, ..scheme.main_sweep() };
             let sweep = scheme.sweep_over(&mut bodies.states, kind, false);
-            self.newcomers.sweep(graph, (scheme.width, scheme.warm_part()), &sweep);
+            self.cold_contacts.sweep(graph, (scheme.width, scheme.warm_part()), &sweep);
         }
         let starts_again = scheme.split_kick;
-        self.handovers.run(&mut HandoverScene { bodies, contacts, graph, starts_again, h });
+        self.seams.run(&mut SeamScene { bodies, contacts, graph, starts_again, h });
     }
 
     /// Contacts by sweeps, after the bodies have moved.
@@ -268,7 +268,7 @@ impl Solver {
         }
         if scheme.relax_iterations > 0 {
             let sweep = scheme.sweep_over(states, scheme.relax_sweep(), false);
-            self.newcomers.sweep(graph, (scheme.width, 1.0), &sweep);
+            self.cold_contacts.sweep(graph, (scheme.width, 1.0), &sweep);
         }
     }
 
@@ -343,22 +343,22 @@ impl Solver {
     /// Takes up the contacts of which something special is to be expected within the step.
     fn gather_special(&mut self, effort: Effort, graph: &ConstraintGraph) {
         self.impacts.clear();
-        self.handovers.clear();
-        self.newcomers.clear();
-        let Self { impacts, followers, handovers, newcomers, .. } = self;
+        self.seams.clear();
+        self.cold_contacts.clear();
+        let Self { impacts, followers, seams, cold_contacts, .. } = self;
         for (block, start) in graph.starts(effort) {
-            if start.newcomers.any() {
-                newcomers.take_up(block);
+            if start.cold_contacts.any() {
+                cold_contacts.take_up(block);
             }
             if start.bouncy.any() {
                 impacts.take_up_block(block, start.bouncy);
             }
             start.found_anew.for_each(|place| followers.find_anew(place_in(block, place), graph));
             if effort != Effort::Direct {
-                start.on_ground.for_each(|place| handovers.take_up(place_in(block, place), graph));
+                start.on_ground.for_each(|place| seams.take_up(place_in(block, place), graph));
             }
         }
-        self.handovers.group();
+        self.seams.group();
     }
 
     /// Finds the accelerations that depend on the place anew.

@@ -6,7 +6,6 @@ use crate::compute::{COLUMN, Column, Lane, RowPairs};
 use crate::resolution::constraint::{ConstraintPoint, THERE};
 use crate::resolution::contact_block::{ContactBlock, Fit, Marks};
 use crate::resolution::follower::Follower;
-use crate::resolution::handover::is_circle_on_ground;
 
 /// What constraints are made from as a step begins.
 #[derive(Clone, Copy, Debug)]
@@ -29,7 +28,17 @@ pub(crate) struct BlockStart {
     /// Those that follow the surface, and not in closed form.
     pub(crate) found_anew: Marks,
     /// Those of two points and with friction that bear no load yet.
-    pub(crate) newcomers: Marks,
+    pub(crate) cold_contacts: Marks,
+}
+
+/// Whether one of two bodies is a circle that contacts move, and the other is not moved by them.
+#[inline(always)]
+fn is_circle_on_ground([a, b]: [&Motion; 2]) -> bool {
+    match [a, b].map(|motion| motion.inverse_mass > 0.0) {
+        [true, false] => a.is_round,
+        [false, true] => b.is_round,
+        _ => false,
+    }
 }
 
 impl ContactBlock {
@@ -64,7 +73,7 @@ impl ContactBlock {
         for place in indices.len()..COLUMN {
             self.leave_empty(place);
         }
-        self.newcomers = start.newcomers;
+        self.cold_contacts = start.cold_contacts;
         start
     }
 
@@ -142,7 +151,7 @@ impl ContactBlock {
             self.put_point(1, place, second, scale);
             is_smooth &= second.tangent_impulse == 0.0;
             let begins = !contact.is_loaded() && points.len() == 2 && contact.friction > 0.0;
-            start.newcomers.set(place, begins);
+            start.cold_contacts.set(place, begins);
         }
         self.fit.is_smooth &= is_smooth;
         start.bouncy.set(place, contact.restitution > 0.0);

@@ -62,7 +62,7 @@ fn an_elastic_box_that_lands_flat_keeps_its_energy_and_stays_level() {
 fn an_inelastic_ball_stops_where_it_lands() {
     let (mut world, ball) = drop_onto_floor(Body::dynamic(Shape::circle(0.25)), 0.25, 2.0, 0.0);
     run(&mut world, 2.0);
-    // It sinks in by leak·g·h/(2·bias rate) = 1e-4 m.
+    // It sinks in by compliance·g·h/(2·bias rate) = 1e-4 m.
     assert_near(place(&world, ball)[1], 0.25, 2e-4, "height");
     assert_near(velocity(&world, ball)[1], 0.0, 1e-4, "speed");
 }

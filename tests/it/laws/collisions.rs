@@ -95,7 +95,7 @@ fn elastic_discs_in_a_box_keep_their_energy() {
 }
 
 /// A sweep that knew only where bodies were when the step began would let a box go on by the whole gap in each substep. One
-/// that knows where they are stops it at the floor, but for what leaks of the blow: of 14 % of 8 m/s what is up to 0.5 m/s
+/// that knows where they are stops it at the floor, but for what yields to the blow: of 14 % of 8 m/s what is up to 0.5 m/s
 /// and 15 % of the rest, 0.59 m/s for a substep. Where there is but one, that is 7.4 % of the way of a step; and 1 % is the
 /// overlap that holds the weight, g h 14 % / (0.3/h).
 #[test]

@@ -34,7 +34,7 @@ fn way_along([x0, y0]: [f64; 2], [x, y]: [f64; 2], [dx, dy]: [f64; 2]) -> f64 {
     (x - x0) * dx + (y - y0) * dy
 }
 
-/// It is set down without impulses to start from: the first substep finds friction to within the leak of 14 %, and
+/// It is set down without impulses to start from: the first substep finds friction to within the compliance of 14 %, and
 /// what is missing of g sin makes a way of h²/2 of it, before and after the box has found its place across the slope:
 /// 2 · 0.14 · 3.4 · (1/240)²/2 = 8 µm.
 #[test]

@@ -16,7 +16,7 @@ fn fastest(world: &World, ids: &[BodyId]) -> f64 {
     ids.iter().map(|&id| velocity(world, id)).map(|[x, y]| x.hypot(y)).fold(0.0, f64::max)
 }
 
-/// Contact k below the top carries k weights and overlaps by k·leak·g·h/(2·bias rate) = k × 1.0e-4 m per
+/// Contact k below the top carries k weights and overlaps by k·compliance·g·h/(2·bias rate) = k × 1.0e-4 m per
 /// point pair and substep of 1/240 s; the top sinks by the sum, about 1.3 cm for ten.
 #[test]
 fn ten_boxes_stand_for_a_minute() {

@@ -28,7 +28,7 @@ fn exact_time(start: f64, end: f64) -> f64 {
     time
 }
 
-/// The corner sinks in by leak·g·h/(2·bias rate) = 1e-4 m, a two-hundredth of the lean of 0.02 m at the start,
+/// The corner sinks in by compliance·g·h/(2·bias rate) = 1e-4 m, a two-hundredth of the lean of 0.02 m at the start,
 /// which time makes e^(λt): 1/200 of 1/λ = 0.4 s is 2e-3 s of 1.8. The tick in which the plank passes is
 /// interpolated.
 #[test]

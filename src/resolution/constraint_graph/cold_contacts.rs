@@ -1,4 +1,5 @@
-//! Contacts that begin to bear load, swept a few times more than the others.
+//! Cold contacts: those that begin to bear load, without impulses to warm start them. They are swept a few times more
+//! than the others.
 
 use crate::compute::{COLUMN, Width};
 use crate::resolution::constraint_graph::passes::pass_over;
@@ -9,11 +10,11 @@ use crate::resolution::kernel::Kernel;
 /// A contact of two points and with friction that begins to bear load is relaxed so many times more: without impulses
 /// to start from, one sweep lets friction turn the body instead of stopping it, and a box set on a slope keeps 7 mm/s
 /// too much for as long as it slides. Two leave a tenth of that, four nothing.
-const NEWCOMER_SWEEPS: u32 = 4;
+const COLD_SWEEPS: u32 = 4;
 
 /// The contacts of an effort, of two points and with friction, that bear no load yet as the step begins.
 #[derive(Clone, Debug, Default)]
-pub(crate) struct Newcomers {
+pub(crate) struct ColdContacts {
     /// Blocks of the graph with some of them, by colour and number in it, in the order in which they are solved.
     blocks: Vec<BlockPlace>,
     /// Scratch: places of those that begin to in this substep, in the same order.
@@ -23,7 +24,7 @@ pub(crate) struct Newcomers {
     copies: Vec<Colour>,
 }
 
-impl Newcomers {
+impl ColdContacts {
     pub(crate) fn clear(&mut self) {
         self.blocks.clear();
     }
@@ -48,7 +49,7 @@ impl Newcomers {
         if let Some(&(colour, _)) = self.loaded.first() {
             let first_colour = colour as usize / SECTION * SECTION;
             let used = self.copy_loaded(graph, first_colour);
-            for _ in 0..NEWCOMER_SWEEPS {
+            for _ in 0..COLD_SWEEPS {
                 pass_over((&mut self.copies, used), width, kernel);
             }
             self.give_back(graph, first_colour, part);

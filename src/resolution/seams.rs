@@ -1,4 +1,4 @@
-//! Handing over: a circle that rolls from one piece of the ground onto the next.
+//! Seams of the ground: a circle that rolls from one piece onto the next, across their internal edge.
 //!
 //! Ground is made of pieces. Where two of them meet at an angle δ, a rolling circle meets the next one with the
 //! speed v δ and loses δ² of its energy, as a wheel does on a polygonal track. The sweeps know only the end of
@@ -11,7 +11,7 @@
 //!
 //! Runs once per substep, on circles with two contacts with the ground or more.
 
-use crate::body::{Bodies, Motion};
+use crate::body::Bodies;
 use crate::collision::Contacts;
 use crate::compute::{BodyState, GROUND_ROW, LaneVec2};
 use crate::resolution::constraint::{ContactConstraint, OUT_OF_REACH};
@@ -42,7 +42,7 @@ struct Piece {
 
 /// Circles on ground of several pieces.
 #[derive(Clone, Debug, Default)]
-pub(crate) struct Handovers {
+pub(crate) struct Seams {
     /// By row of the circle.
     pieces: Vec<Piece>,
     /// By row: how many pieces the circle there has in reach.
@@ -51,7 +51,7 @@ pub(crate) struct Handovers {
 
 /// What the stage works on.
 #[derive(Debug)]
-pub(crate) struct HandoverScene<'a> {
+pub(crate) struct SeamScene<'a> {
     pub(crate) bodies: &'a mut Bodies,
     pub(crate) contacts: &'a Contacts,
     pub(crate) graph: &'a mut ConstraintGraph,
@@ -61,17 +61,7 @@ pub(crate) struct HandoverScene<'a> {
     pub(crate) h: f32,
 }
 
-/// Whether one of two bodies is a circle that contacts move, and the other is not moved by them.
-#[inline(always)]
-pub(crate) fn is_circle_on_ground([a, b]: [&Motion; 2]) -> bool {
-    match [a, b].map(|motion| motion.inverse_mass > 0.0) {
-        [true, false] => a.is_round,
-        [false, true] => b.is_round,
-        _ => false,
-    }
-}
-
-impl Handovers {
+impl Seams {
     pub(crate) fn clear(&mut self) {
         self.pieces.clear();
     }
@@ -116,7 +106,7 @@ impl Handovers {
 
     /// Before the sweeps: holds back the pieces that rolling circles have not reached yet, or only just now. A piece
     /// that was to be met at the very end of a substep may lie a rounding error behind it, and the sweeps would take
-    /// the blow of the meeting for load.
+    /// the impulse of the meeting for load.
     pub(crate) fn hold_back(&mut self, graph: &mut ConstraintGraph, states: &[BodyState], h: f32) {
         for pieces in self.by_circle() {
             let level = pieces.iter().fold(0.0, |level: f32, piece| {
@@ -137,7 +127,7 @@ impl Handovers {
     }
 
     /// Before the move: circles meet what they reach during it.
-    pub(crate) fn run(&mut self, scene: &mut HandoverScene<'_>) {
+    pub(crate) fn run(&mut self, scene: &mut SeamScene<'_>) {
         for pieces in self.by_circle() {
             let (mut now, mut rest) = (0.0, BodyState::REST.velocity);
             for piece in &mut *pieces {
@@ -151,7 +141,7 @@ impl Handovers {
                 let Some((time, next)) = times.min_by(|one, other| one.0.total_cmp(&other.0)) else { break };
                 now = time;
                 if pieces[next].meet(now, scene) {
-                    rest = rest + hand_over(pieces, next, now, scene);
+                    rest = rest + pass_load_on(pieces, next, now, scene);
                 }
             }
             let state = &mut scene.bodies.states[pieces[0].row() as usize];
@@ -186,7 +176,7 @@ impl Piece {
     }
 
     /// When the circle reaches the piece, s, if within this substep; not before `now`.
-    fn time_of_meeting(&self, now: f32, scene: &HandoverScene<'_>) -> Option<f32> {
+    fn time_of_meeting(&self, now: f32, scene: &SeamScene<'_>) -> Option<f32> {
         let constraint = scene.graph.constraint(self.graph_place);
         let [a, b] = self.states(&scene.bodies.states);
         let gap = constraint.separation(&constraint.points[0], &a, &b) - self.level;
@@ -196,7 +186,7 @@ impl Piece {
     }
 
     /// Stops the approach of the circle to the piece at `time`, s; false if they do not meet yet.
-    fn meet(&mut self, time: f32, scene: &mut HandoverScene<'_>) -> bool {
+    fn meet(&mut self, time: f32, scene: &mut SeamScene<'_>) -> bool {
         let before = self.states(&scene.bodies.states);
         let mut there = before;
         for state in &mut there {
@@ -217,7 +207,8 @@ impl Piece {
         }
         self.be_ahead(false, scene.graph);
         let mut after = before;
-        constraint.strike([(speed / constraint.points[0].normal_k).max(0.0), 0.0], &mut after);
+        constraint
+            .apply_collision_impulses([(speed / constraint.points[0].normal_k).max(0.0), 0.0], &mut after);
         let (before, mut after) = (before[self.circle], after[self.circle]);
         drift_until(time, &before, &mut after);
         scene.bodies.states[self.row() as usize] = after;
@@ -231,7 +222,7 @@ impl Piece {
 /// `time` and the new one for the rest, so that of the second half, the warm start after the move, 2 (1 - time/h) goes
 /// over: more than all of it, if the new piece is met in the first half. Returns the velocity that the rest is to give
 /// the circle after the move, m/s, along the old normals.
-fn hand_over(pieces: &mut [Piece], next: usize, time: f32, scene: &mut HandoverScene<'_>) -> LaneVec2<f32> {
+fn pass_load_on(pieces: &mut [Piece], next: usize, time: f32, scene: &mut SeamScene<'_>) -> LaneVec2<f32> {
     let share = 2.0 * (1.0 - time / scene.h);
     let mut rest = BodyState::REST.velocity;
     for left in (0..pieces.len()).filter(|&left| left != next) {
@@ -241,9 +232,9 @@ fn hand_over(pieces: &mut [Piece], next: usize, time: f32, scene: &mut HandoverS
         if old.points[0].normal_impulse == 0.0 || parting <= 0.0 {
             continue;
         }
-        let handed_over = std::mem::take(&mut pieces[left].warm_start);
-        pieces[next].warm_start += handed_over;
-        let goes = share * handed_over;
+        let passed_on = std::mem::take(&mut pieces[left].warm_start);
+        pieces[next].warm_start += passed_on;
+        let goes = share * passed_on;
         let [normal, tangent, warm_start] = load(&old, scene.starts_again);
         let borne = load(&scene.graph.constraint(pieces[next].graph_place), scene.starts_again);
         let met = [borne[0] + normal + warm_start - goes, borne[1] + tangent, borne[2] + goes];
