@@ -20,6 +20,10 @@ const EVERY: f64 = 0.8;
 const MIDDLE: f64 = 0.65;
 /// ... and no more time than the other peers.
 const OTHERS: f64 = 1.0;
+/// What could bounce, and mostly does not, costs at most this times as much as what cannot, ...
+const BOUNCY: f64 = 1.05;
+/// ... and of such scenes the middle one takes at most this part of the time of Box2D.
+const BOUNCY_MIDDLE: f64 = 0.68;
 /// An overlap up to this, m, is rest, which soft contacts have by design: below it engines rank alike.
 const REST: f64 = 2e-3;
 
@@ -71,7 +75,7 @@ pub(super) fn write(folder: &Path, courses: &[Course], rows: &[Row]) -> io::Resu
     let plots = folder.join("speed");
     fs::create_dir_all(&plots)?;
     fs::write(plots.join("overlap.svg"), picture::overlaps(first).to_svg())?;
-    let sizes = entries_of(first, CourseKind::Size);
+    let sizes = entries_of(first, &CourseKind::Size);
     fs::write(plots.join("size.svg"), picture::sizes(&sizes).to_svg())?;
     let path = folder.join("SPEED.md");
     fs::write(&path, page(&builds, first, rows))?;
@@ -79,8 +83,8 @@ pub(super) fn write(folder: &Path, courses: &[Course], rows: &[Row]) -> io::Resu
     Ok(())
 }
 
-fn entries_of<'a>(entries: &[Entry<'a>], kind: CourseKind) -> Vec<Entry<'a>> {
-    let of_kind = entries.iter().filter(|entry| entry.course.kind == kind);
+fn entries_of<'a>(entries: &[Entry<'a>], kind: &CourseKind) -> Vec<Entry<'a>> {
+    let of_kind = entries.iter().filter(|entry| entry.course.kind == *kind);
     of_kind.map(|entry| Entry { course: entry.course, rows: entry.rows.clone() }).collect()
 }
 
@@ -97,6 +101,7 @@ fn page(builds: &[(&str, Vec<Entry<'_>>)], first: &[Entry<'_>], rows: &[Row]) ->
     for (lanes, entries) in builds {
         times(lanes, entries, &mut text);
     }
+    materials(first, &mut text);
     for (lanes, entries) in builds {
         ends(lanes, entries, &mut text);
     }
@@ -145,6 +150,7 @@ fn tally<'a>(entries: &'a [Entry<'a>], holds: impl Fn(&Entry<'a>) -> bool) -> St
 fn in_short(lanes: &str, entries: &[Entry<'_>], text: &mut String) {
     // What we hold ourselves to is said of the build of Box2D that people get if they ask for nothing.
     let most = if lanes == "AVX2" { OTHERS } else { EVERY };
+    let entries = &plain(entries);
     let box2d = entries.iter().map(|entry| entry.ratio(1)).collect();
     let rapier = entries.iter().map(|entry| entry.ratio(2)).collect();
     _ = writeln!(text, "## In short, with Box2D for {lanes}\n");
@@ -171,6 +177,56 @@ fn in_short(lanes: &str, entries: &[Entry<'_>], text: &mut String) {
             "- Its mean overlap at the end is no larger than that of {name}, or at most {}, {}.",
             Unit::Of("m".into()).figure(REST),
             tally(entries, |entry| entry.is_as_tidy(peer))
+        );
+    }
+    text.push('\n');
+}
+
+/// The scenes that are not another one with other materials.
+fn plain<'a>(entries: &[Entry<'a>]) -> Vec<Entry<'a>> {
+    let own = entries.iter().filter(|entry| !matches!(entry.course.kind, CourseKind::Material { .. }));
+    own.map(|entry| Entry { course: entry.course, rows: entry.rows.clone() }).collect()
+}
+
+/// What the same scene costs with other materials.
+fn materials(entries: &[Entry<'_>], text: &mut String) {
+    let same = |entry: &Entry<'_>| match &entry.course.kind {
+        CourseKind::Material { of } => entries.iter().position(|other| other.course.name == *of),
+        _ => None,
+    };
+    let pairs: Vec<(&Entry<'_>, &Entry<'_>)> =
+        entries.iter().filter_map(|entry| Some((entry, &entries[same(entry)?]))).collect();
+    if pairs.is_empty() {
+        return;
+    }
+    let factor_of = |(with, without): &(&Entry<'_>, &Entry<'_>), row: usize| {
+        with.rows[row].step_time[0] / without.rows[row].step_time[0]
+    };
+    let tally = |holds: &dyn Fn(&(&Entry<'_>, &Entry<'_>)) -> bool| {
+        words::tally("scenes", pairs.iter().map(|pair| (pair.0.course.name.as_str(), holds(pair))))
+    };
+    _ = writeln!(
+        text,
+        "## What could bounce\n\nThe same scenes with the default material, and with a material of its own for each body. \
+         \"Of its own\": the time as a part of that of the same scene and engine where nothing bounces.\n\n\
+         - Time of rustycs: at most {BOUNCY} of its own on {}.\n\
+         - It is at most {EVERY} of that of Box2D on {}; in the middle scene {} (we want {BOUNCY_MIDDLE}).\n\n\
+         | scene | rustycs, of its own | Box2D, of its own | Rapier, of its own | of Box2D | of Rapier |\n|---|{}",
+        tally(&|pair| factor_of(pair, 0) <= BOUNCY),
+        tally(&|pair| pair.0.ratio(1) <= EVERY),
+        factor(middle(pairs.iter().map(|pair| pair.0.ratio(1)).collect())),
+        "---:|".repeat(5)
+    );
+    for pair in &pairs {
+        _ = writeln!(
+            text,
+            "| `{}` | {} | {} | {} | {} | {} |",
+            pair.0.course.name,
+            factor(factor_of(pair, 0)),
+            factor(factor_of(pair, 1)),
+            factor(factor_of(pair, 2)),
+            factor(pair.0.ratio(1)),
+            factor(pair.0.ratio(2)),
         );
     }
     text.push('\n');
@@ -333,7 +389,7 @@ fn floors(entries: &[Entry<'_>], text: &mut String) {
 
 /// From the smallest to the largest of the sizes.
 fn growth(entries: &[Entry<'_>], text: &mut String) {
-    let sizes = entries_of(entries, CourseKind::Size);
+    let sizes = entries_of(entries, &CourseKind::Size);
     let [first, .., last] = sizes.as_slice() else { return };
     text.push_str("## How the time of a body grows\n\n");
     for (engine, row) in first.rows.iter().enumerate() {

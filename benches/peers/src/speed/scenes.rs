@@ -1,12 +1,14 @@
 //! The scenes: large ones as engines race on them, piles that grow, and such as people have.
 
 mod everyday;
+mod materials;
 mod piles;
 mod turning;
 
 use crate::scene::{BodySpec, Kind, Outline, Scene};
 
 /// A scene, and how long it is run.
+#[derive(Clone)]
 pub(crate) struct Course {
     /// In lower case, without spaces.
     pub(crate) name: String,
@@ -24,7 +26,7 @@ pub(crate) struct Course {
 }
 
 /// What kind of scene it is.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) enum CourseKind {
     /// One of those that engines race on.
     Race,
@@ -32,6 +34,11 @@ pub(crate) enum CourseKind {
     Size,
     /// One as people have.
     Everyday,
+    /// Another one with other materials.
+    Material {
+        /// Its name.
+        of: String,
+    },
 }
 
 impl Course {
@@ -79,6 +86,8 @@ pub(crate) fn all() -> Vec<Course> {
     all.extend(turning::races());
     all.extend(piles::sizes());
     all.extend(everyday::courses());
+    let materials = materials::courses(&all);
+    all.extend(materials);
     all
 }
 
