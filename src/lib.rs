@@ -77,23 +77,23 @@ pub(crate) mod store;
 pub(crate) mod testing;
 pub mod world;
 
-pub use body::{Body, BodyError, BodyId, BodyType, Effort, Material, Mix};
+pub use body::{Body, BodyError, BodyId, BodyType, Material, Mix};
 pub use collision::{FeatureId, Manifold, ManifoldPoint};
 pub use math::{Aabb, Point, Pose, Rot, Vec2};
 pub use shape::{Shape, ShapeError};
 pub use world::{
     Attractor, AttractorError, AttractorId, BodyMut, BodyRef, Clock, ContactEvent, ContactRef, Counters,
     Events, Force, ForceError, ForceId, HitEvent, Lanes, PositionCorrection, Profile, RayHit, Settings,
-    SettingsError, Stage, StageReport, StepError, World,
+    SettingsError, Stage, StageReport, StepError, Tier, World,
 };
 
 /// Everything a program needs by name.
 pub mod prelude {
     pub use crate::{
         Aabb, Attractor, AttractorError, AttractorId, Body, BodyError, BodyId, BodyMut, BodyRef, BodyType,
-        Clock, ContactEvent, ContactRef, Counters, Effort, Events, FeatureId, Force, ForceError, ForceId,
-        HitEvent, Lanes, Manifold, ManifoldPoint, Material, Mix, Point, Pose, PositionCorrection, Profile,
-        RayHit, Rot, Settings, SettingsError, Shape, ShapeError, Stage, StageReport, StepError, Vec2, World,
+        Clock, ContactEvent, ContactRef, Counters, Events, FeatureId, Force, ForceError, ForceId, HitEvent,
+        Lanes, Manifold, ManifoldPoint, Material, Mix, Point, Pose, PositionCorrection, Profile, RayHit, Rot,
+        Settings, SettingsError, Shape, ShapeError, Stage, StageReport, StepError, Tier, Vec2, World,
         collision,
     };
 }

@@ -254,7 +254,7 @@ pub(crate) const ROWS: &[Row] = &[
         in_use: Some(|| stacks(Settings::default(), 0.0, None)),
     },
     Row {
-        name: "adaptive effort",
+        name: "direct solve",
         statement: "switched on, no great load",
         absent: || stacks(Settings { sleep: false, adaptive: false, ..Settings::default() }, 0.0, None),
         set_out: Some(|| stacks(Settings { sleep: false, ..Settings::default() }, 0.0, None)),

@@ -1,6 +1,6 @@
 //! All bodies of a world, in tables indexed by slot.
 
-use crate::body::{Body, BodyId, BodyType, Effort, Material};
+use crate::body::{Body, BodyId, BodyType, Material};
 use crate::compute::{BodyState, COLUMN, GROUND_ROW, prefetch};
 use crate::math::{Aabb, Point, Pose, Vec2};
 use crate::shape::{MassProperties, Shape};
@@ -24,14 +24,6 @@ pub(crate) struct Record {
     pub(crate) user_data: u64,
     /// First contact of the body, or `NONE`.
     pub(crate) first_contact: u32,
-    /// How hard the solver works on the body's island.
-    pub(crate) effort: Effort,
-    /// For how many steps less effort would have done.
-    pub(crate) calm_steps: u8,
-    /// The tick from which on more effort may be thought of.
-    pub(crate) quiet_until: u64,
-    /// How many times the direct solve did not solve its island.
-    pub(crate) unsolved_times: u8,
     /// The sleeping group the body belongs to, or `NONE` while it is awake or fixed.
     pub(crate) sleep_group: u32,
 }
@@ -109,10 +101,6 @@ pub(crate) struct Bodies {
     pub(crate) states: Vec<BodyState>,
     /// By row: the slot of the body, `NONE` for the ground.
     pub(crate) slot_of_row: Vec<u32>,
-    /// How many rows are of bodies with more than plain effort.
-    raised: usize,
-    /// Scratch.
-    sorted_rows: (Vec<u32>, Vec<BodyState>),
 }
 
 impl Default for Bodies {
@@ -124,8 +112,6 @@ impl Default for Bodies {
             shapes: Vec::new(),
             states: vec![BodyState::REST; COLUMN],
             slot_of_row: vec![NONE],
-            raised: 0,
-            sorted_rows: (Vec::new(), Vec::new()),
         }
     }
 }
@@ -143,10 +129,6 @@ impl Bodies {
             fixed_rotation: body.fixed_rotation,
             user_data: body.user_data,
             first_contact: NONE,
-            effort: Effort::Plain,
-            calm_steps: 0,
-            quiet_until: 0,
-            unsolved_times: 0,
             sleep_group: NONE,
         };
         let is_dynamic = body.body_type == BodyType::Dynamic;
@@ -228,9 +210,7 @@ impl Bodies {
             self.states.resize(self.row_count() + COLUMN, BodyState::REST);
         }
         self.slot_of_row.push(slot);
-        let motion = &mut self.motions[slot as usize];
-        motion.row = row;
-        self.raised += usize::from(self.records[slot].effort != Effort::Plain);
+        self.motions[slot as usize].row = row;
         row
     }
 
@@ -240,7 +220,6 @@ impl Bodies {
         if row == GROUND_ROW {
             return;
         }
-        self.raised -= usize::from(self.records[slot].effort != Effort::Plain);
         let last = self.row_count() - 1;
         self.states.swap(row as usize, last);
         self.states[last] = BodyState::REST;
@@ -248,43 +227,6 @@ impl Bodies {
         if let Some(&moved) = self.slot_of_row.get(row as usize) {
             self.motions[moved as usize].row = row;
         }
-    }
-
-    /// How many rows are of bodies with more than plain effort.
-    pub(crate) fn raised_count(&self) -> usize {
-        self.raised
-    }
-
-    /// Sets how hard the solver works on the awake body in `slot`.
-    pub(crate) fn set_effort(&mut self, slot: u32, effort: Effort) {
-        debug_assert!(self.is_awake(slot));
-        let old = std::mem::replace(&mut self.records[slot].effort, effort);
-        self.raised += usize::from(effort != Effort::Plain);
-        self.raised -= usize::from(old != Effort::Plain);
-    }
-
-    /// Brings the rows into the order of their efforts, plain ones first; those of one effort keep theirs.
-    pub(crate) fn sort_rows_by_effort(&mut self) {
-        let effort_of = |slot: &u32| self.records[*slot].effort;
-        if self.slot_of_row[1..].is_sorted_by_key(effort_of) {
-            return;
-        }
-        let (mut slots, mut states) = std::mem::take(&mut self.sorted_rows);
-        std::mem::swap(&mut slots, &mut self.slot_of_row);
-        states.clone_from(&self.states);
-        self.slot_of_row.clear();
-        self.slot_of_row.push(NONE);
-        for effort in Effort::ALL {
-            for (&slot, &state) in slots.iter().zip(&states).skip(1) {
-                if self.records[slot].effort == effort {
-                    let row = self.slot_of_row.len();
-                    self.motions[slot as usize].row = row as u32;
-                    self.states[row] = state;
-                    self.slot_of_row.push(slot);
-                }
-            }
-        }
-        self.sorted_rows = (slots, states);
     }
 
     /// Velocity of the body in `slot`: its row, or rest.

@@ -6,13 +6,11 @@
 
 mod bodies;
 pub(crate) mod description;
-mod effort;
 mod error;
 mod material;
 
 pub(crate) use bodies::{Bodies, Forcing, Motion, NONE, Record};
 pub use description::{Body, BodyType};
-pub use effort::Effort;
 pub use error::BodyError;
 pub(crate) use error::Number;
 pub use material::{Material, Mix};

@@ -38,7 +38,7 @@ const SPECULATIVE_MARGIN: f32 = 0.02;
 const RECYCLE_DISTANCE: f32 = 0.05;
 
 /// And while what a normal that has not turned with its face cannot see of the separations is at most this share of the
-/// width of the thinner body, no unit: less than what a contact under load may sag before its island gets more effort.
+/// width of the thinner body, no unit: less than what a contact under load may sag before its island is solved directly.
 const STALE_SHARE: f32 = 0.01;
 
 /// Cosine of the angle that either body may turn before the manifold is found anew: 11 degrees.

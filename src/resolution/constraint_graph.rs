@@ -4,19 +4,20 @@
 //! Contacts of one colour can be solved in any order, or at once in lanes, with the same result. Colours are
 //! kept across steps: a contact enters one when it gets points and leaves it when it loses them, greedily
 //! (E. Catto, "Simulation Islands", 2023). Contacts with the ground take the last colours: solved last, they
-//! have the last word, and the ground gives no way.
+//! have the last word, and the ground gives no way. The contacts of islands that are solved directly have no colour.
 
 mod cold_contacts;
 mod passes;
 
 use core::ops::Range;
 
-use crate::body::{Bodies, Effort};
+use crate::body::Bodies;
 use crate::collision::{Contacts, Kind};
 use crate::compute::COLUMN;
 use crate::resolution::constraint::ContactConstraint;
 pub(crate) use crate::resolution::constraint_graph::cold_contacts::ColdContacts;
 use crate::resolution::contact_block::{BlockEnd, BlockStart, ContactBlock};
+use crate::resolution::tiers::Tier;
 use crate::store::{BitSet, places_of};
 
 /// How many colours there are. A body can be in one contact per colour; the few contacts of a very crowded
@@ -29,8 +30,8 @@ const FIRST_GROUND_COLOUR: usize = 18;
 /// The place of contacts that found no colour: solved one after the other, before all colours.
 const OVERFLOW: usize = COLOURS;
 
-/// How many places each effort has: the colours, then the overflow.
-const SECTION: usize = COLOURS + 1;
+/// The place of contacts that are solved directly.
+const DIRECT: usize = COLOURS + 1;
 
 /// Where a block is in the graph: its colour, and its number in it.
 pub(crate) type BlockPlace = (u32, usize);
@@ -40,7 +41,7 @@ pub(crate) fn place_in((colour, number): BlockPlace, place: usize) -> (u32, u32)
     (colour, (number * COLUMN + place) as u32)
 }
 
-/// Contacts that share no movable body.
+/// Contacts of one colour, which share no movable body; or those that have none.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Colour {
     /// Slots of the movable bodies in it.
@@ -57,18 +58,20 @@ pub(crate) struct Colour {
     ends: Vec<BlockEnd>,
 }
 
-/// All contacts with points, by effort and colour.
+/// All contacts with points, by colour.
 #[derive(Clone, Debug)]
 pub(crate) struct ConstraintGraph {
-    /// For each effort the colours, then the overflow.
+    /// The colours, the overflow, and what is solved directly.
     colours: Vec<Colour>,
-    /// By effort: which colours have contacts, the overflow being the last.
-    used: [Used; Effort::ALL.len()],
-    /// By effort: how many contacts there are.
-    lens: [usize; Effort::ALL.len()],
+    /// Which of them have contacts.
+    used: Used,
+    /// How many contacts there are.
+    len: usize,
+    /// Slots of the bodies whose contacts are solved directly.
+    direct: BitSet,
 }
 
-/// Which colours have contacts, one bit each.
+/// Which colours have contacts, the overflow and what is solved directly among them, one bit each.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 struct Used(u32);
 
@@ -78,7 +81,12 @@ impl Used {
     }
 
     fn has_overflow(self) -> bool {
-        self.0 >> OVERFLOW != 0
+        self.0 >> OVERFLOW & 1 != 0
+    }
+
+    /// Without what is solved directly.
+    fn swept(self) -> Self {
+        Self(self.0 & !(1 << DIRECT))
     }
 
     /// Without the overflow, in ascending order.
@@ -91,57 +99,75 @@ impl Used {
 impl Default for ConstraintGraph {
     fn default() -> Self {
         Self {
-            colours: vec![Colour::default(); Effort::ALL.len() * SECTION],
-            used: Default::default(),
-            lens: Default::default(),
+            colours: vec![Colour::default(); DIRECT + 1],
+            used: Used::default(),
+            len: 0,
+            direct: BitSet::default(),
         }
     }
 }
 
 impl ConstraintGraph {
-    /// The colour of a place in the graph, the same for all efforts.
-    pub(crate) fn colour((number, _): (u32, u32)) -> u32 {
-        number % SECTION as u32
-    }
-
     /// How many contacts there are.
     pub(crate) fn len(&self) -> usize {
-        self.lens.iter().sum()
+        self.len
     }
 
     /// How many colours have contacts, and how many contacts overflow.
     pub(crate) fn occupancy(&self) -> (usize, usize) {
-        let colours = self.used.iter().map(|used| used.colours().count()).max().unwrap_or_default();
-        let overflow = |effort: Effort| self.section(effort)[OVERFLOW].contacts.len();
-        (colours, Effort::ALL.into_iter().map(overflow).sum())
+        (self.used.swept().colours().count(), self.colours[OVERFLOW].contacts.len())
     }
 
-    /// How many contacts each colour of an effort has.
-    pub(crate) fn sizes(&self, effort: Effort) -> impl Iterator<Item = usize> {
-        self.section(effort).iter().map(|colour| colour.contacts.len())
+    /// How many contacts each colour has.
+    pub(crate) fn sizes(&self) -> impl Iterator<Item = usize> {
+        self.colours[..COLOURS].iter().map(|colour| colour.contacts.len())
     }
 
-    fn section(&self, effort: Effort) -> &[Colour] {
-        &self.colours[effort as usize * SECTION..][..SECTION]
+    /// The colours with their numbers, in the order in which they are solved: the overflow first, and last what is solved
+    /// directly.
+    fn in_order(&self) -> impl Iterator<Item = (u32, &Colour)> {
+        let order = core::iter::once(OVERFLOW).chain(0..COLOURS).chain([DIRECT]);
+        order.map(|number| (number as u32, &self.colours[number]))
     }
 
-    fn section_mut(&mut self, effort: Effort) -> &mut [Colour] {
-        &mut self.colours[effort as usize * SECTION..][..SECTION]
-    }
-
-    /// The colours of an effort with their numbers, in the order in which they are solved: the overflow first.
-    fn in_order(&self, effort: Effort) -> impl Iterator<Item = (u32, &Colour)> {
-        let (colours, overflow) = self.section(effort).split_at(COLOURS);
-        let first = (effort as usize * SECTION) as u32;
-        (first + OVERFLOW as u32..).zip(overflow).chain((first..).zip(colours))
-    }
-
-    /// The blocks of an effort with what is special about their contacts as the step begins, in the order in which they are
-    /// solved.
-    pub(crate) fn starts(&self, effort: Effort) -> impl Iterator<Item = (BlockPlace, BlockStart)> {
-        self.in_order(effort).flat_map(|(number, colour)| {
+    /// The blocks with what is special about their contacts as the step begins, in the order in which they are solved.
+    pub(crate) fn starts(&self) -> impl Iterator<Item = (BlockPlace, BlockStart)> {
+        self.in_order().flat_map(|(number, colour)| {
             colour.starts.iter().enumerate().map(move |(block, &start)| ((number, block), start))
         })
+    }
+
+    /// The colour of a place in the graph; `None` where the contact has none.
+    pub(crate) fn colour((colour, _): (u32, u32)) -> Option<u32> {
+        (colour < OVERFLOW as u32).then_some(colour)
+    }
+
+    /// Whether the contacts at a place of the graph are solved directly.
+    pub(crate) fn is_solved_directly((colour, _): BlockPlace) -> bool {
+        colour as usize == DIRECT
+    }
+
+    /// How the contacts of the body in `slot` are solved.
+    pub(crate) fn tier(&self, slot: u32) -> Tier {
+        if self.is_direct(slot) { Tier::Direct } else { Tier::Swept }
+    }
+
+    /// Whether the contacts of the body in `slot` are solved directly.
+    pub(crate) fn is_direct(&self, slot: u32) -> bool {
+        self.direct.contains(slot)
+    }
+
+    /// Sets how the contacts of the body in `slot` are solved, those that enter from now on; returns whether that is new.
+    pub(crate) fn set_tier(&mut self, slot: u32, tier: Tier) -> bool {
+        match tier {
+            Tier::Direct => self.direct.insert(slot),
+            Tier::Swept => self.direct.remove(slot),
+        }
+    }
+
+    /// Whether any contacts are solved directly.
+    pub(crate) fn solves_directly(&self) -> bool {
+        !self.colours[DIRECT].is_empty()
     }
 
     /// Calls `visit` with the places of the contacts of a block that the last sweep has found to begin to bear load.
@@ -149,48 +175,45 @@ impl ConstraintGraph {
         self.block_at(place).newly_loaded().for_each(|of_block| visit(place_in(place, of_block)));
     }
 
-    /// Indices of all contacts of an effort, in the order in which they are solved.
-    pub(crate) fn contacts_of(&self, effort: Effort) -> impl Iterator<Item = u32> {
-        self.in_order(effort).flat_map(|(_, colour)| colour.contacts.iter().copied())
-    }
-
-    /// Indices of all contacts.
-    pub(crate) fn contacts(&self) -> impl Iterator<Item = u32> {
-        Effort::ALL.into_iter().flat_map(|effort| self.contacts_of(effort))
-    }
-
-    /// Enters the contact with this index into a colour of the greater effort of its bodies, if it is in none.
+    /// Enters the contact with this index, if it is not in the graph: into a colour, or to what is solved directly, if that
+    /// holds for one of its bodies.
     pub(crate) fn enter(&mut self, contacts: &mut Contacts, bodies: &Bodies, index: u32) {
         if contacts[index].graph_place.is_some() {
             return;
         }
         let slots = contacts[index].slots;
-        let [a_moves, b_moves] = slots.map(|slot| bodies.is_dynamic(slot));
-        let effort = effort_of(bodies, slots);
-        let is_free = |colour: &Colour| {
-            !(a_moves && colour.bodies.contains(slots[0]) || b_moves && colour.bodies.contains(slots[1]))
-        };
-        let section = self.section_mut(effort);
-        let colour = if a_moves && b_moves {
-            section[..FIRST_GROUND_COLOUR].iter().position(is_free)
-        } else {
-            section[..COLOURS].iter().rposition(is_free)
-        }
-        .unwrap_or(OVERFLOW);
-        let entered = &mut section[colour];
-        if colour != OVERFLOW {
+        let moves = slots.map(|slot| bodies.is_dynamic(slot));
+        let colour = if self.is_any_direct(slots) { DIRECT } else { self.free_colour(slots, moves) };
+        let entered = &mut self.colours[colour];
+        if colour < COLOURS {
             // For any body, so that none asks for memory when all else has settled.
             entered.bodies.make_room(bodies.motions.len());
-            for (slot, moves) in slots.into_iter().zip([a_moves, b_moves]) {
+            for (slot, moves) in slots.into_iter().zip(moves) {
                 if moves {
                     entered.bodies.insert(slot);
                 }
             }
         }
-        let number = effort as usize * SECTION + colour;
-        entered.push(number as u32, index, contacts);
-        self.used[effort as usize].set(colour, true);
-        self.lens[effort as usize] += 1;
+        entered.push(colour as u32, index, contacts);
+        self.used.set(colour, true);
+        self.len += 1;
+    }
+
+    fn is_any_direct(&self, slots: [u32; 2]) -> bool {
+        slots.into_iter().any(|slot| self.is_direct(slot))
+    }
+
+    /// A colour in which neither of two bodies is, of those that contacts move; else the overflow.
+    fn free_colour(&self, slots: [u32; 2], [a_moves, b_moves]: [bool; 2]) -> usize {
+        let is_free = |colour: &Colour| {
+            !(a_moves && colour.bodies.contains(slots[0]) || b_moves && colour.bodies.contains(slots[1]))
+        };
+        let found = if a_moves && b_moves {
+            self.colours[..FIRST_GROUND_COLOUR].iter().position(is_free)
+        } else {
+            self.colours[..COLOURS].iter().rposition(is_free)
+        };
+        found.unwrap_or(OVERFLOW)
     }
 
     /// Moves a contact of the graph to where those of its kind are.
@@ -202,25 +225,21 @@ impl ConstraintGraph {
         }
     }
 
-    /// Moves the contact with this index, which is in a colour, to the effort that its bodies have now. Its impulses,
-    /// which are those of a substep, become those of a substep there. What the direct solve has found is forgotten:
-    /// light bodies between heavy ones would be thrown about by the part of it that sweeps give back.
+    /// Moves the contact with this index, if it is in the graph, to where it is solved as its bodies are now. What the direct
+    /// solve has found is forgotten: light bodies between heavy ones would be thrown about by the part of it that sweeps
+    /// give back.
     pub(crate) fn rehome(&mut self, contacts: &mut Contacts, bodies: &Bodies, index: u32) {
         let Some((colour, _)) = contacts[index].graph_place else { return };
-        let from = Effort::ALL[colour as usize / SECTION];
-        let to = effort_of(bodies, contacts[index].slots);
-        if from == to {
+        let was_direct = colour as usize == DIRECT;
+        if was_direct == self.is_any_direct(contacts[index].slots) {
             return;
         }
         self.leave(contacts, index);
         self.enter(contacts, bodies, index);
-        let scale = match from {
-            Effort::Direct => 0.0,
-            _ => from.substep_factor() as f32 / to.substep_factor() as f32,
-        };
-        for point in contacts[index].manifold.points_mut() {
-            point.normal_impulse *= scale;
-            point.tangent_impulse *= scale;
+        if was_direct {
+            for point in contacts[index].manifold.points_mut() {
+                (point.normal_impulse, point.tangent_impulse) = (0.0, 0.0);
+            }
         }
     }
 
@@ -229,15 +248,12 @@ impl ConstraintGraph {
         let Some((colour, place)) = contacts[index].graph_place.take() else { return };
         let left = &mut self.colours[colour as usize];
         left.take(colour, place as usize, contacts);
-        let (effort, colour) = (colour as usize / SECTION, colour as usize % SECTION);
-        if colour != OVERFLOW {
-            // Fixed and kinematic bodies were never entered; taking them out does nothing.
-            for slot in contacts[index].slots {
-                left.bodies.remove(slot);
-            }
+        // Fixed and kinematic bodies were never entered; taking them out does nothing.
+        for slot in contacts[index].slots {
+            left.bodies.remove(slot);
         }
-        self.used[effort].set(colour, !left.is_empty());
-        self.lens[effort] -= 1;
+        self.used.set(colour as usize, !left.is_empty());
+        self.len -= 1;
     }
 
     /// The block at its place of the graph.
@@ -306,21 +322,17 @@ impl ConstraintGraph {
     /// Checks that every contact with a place is at that place, and no colour holds a movable body twice.
     pub(crate) fn validate(&self, contacts: &Contacts, bodies: &Bodies) -> Result<(), String> {
         let mut found = 0;
-        let used = |colours: &[Colour]| {
-            let mut used = Used::default();
-            colours.iter().enumerate().for_each(|(number, colour)| used.set(number, !colour.is_empty()));
-            used
-        };
-        if !self.colours.chunks(SECTION).map(used).eq(self.used) {
+        let mut used = Used::default();
+        self.colours.iter().enumerate().for_each(|(number, colour)| used.set(number, !colour.is_empty()));
+        if used != self.used {
             return Err("the graph does not know which colours have contacts".into());
         }
         for (number, colour) in self.colours.iter().enumerate() {
             let mut seen = BitSet::default();
             for (place, &index) in colour.contacts.iter().enumerate() {
                 found += 1;
-                let effort = effort_of(bodies, contacts[index].slots);
-                if effort as usize != number / SECTION {
-                    return Err(format!("contact {index} is not solved with the effort of its bodies"));
+                if self.is_any_direct(contacts[index].slots) != (number == DIRECT) {
+                    return Err(format!("contact {index} is not solved as its bodies are"));
                 }
                 if contacts[index].graph_place != Some((number as u32, place as u32)) {
                     return Err(format!("contact {index} is not where the constraint graph holds it"));
@@ -329,7 +341,7 @@ impl ConstraintGraph {
                     return Err(format!("contact {index} is not among those of its kind"));
                 }
                 for slot in contacts[index].slots {
-                    if number % SECTION != OVERFLOW && bodies.is_dynamic(slot) && !seen.insert(slot) {
+                    if number < COLOURS && bodies.is_dynamic(slot) && !seen.insert(slot) {
                         return Err(format!("colour {number} holds body {slot} twice"));
                     }
                 }
@@ -341,12 +353,6 @@ impl ConstraintGraph {
             Err(format!("the graph counts {} of {found} contacts", self.len()))
         }
     }
-}
-
-/// The greater effort of two bodies.
-fn effort_of(bodies: &Bodies, slots: [u32; 2]) -> Effort {
-    let [a, b] = slots.map(|slot| bodies.records[slot].effort);
-    a.max(b)
 }
 
 impl Colour {

@@ -60,6 +60,11 @@ const NEWTON_STEPS: usize = 20;
 /// Sweeps where Newton's method has not come to an end. Fewer leave more small piles awake.
 const FALL_BACK_SWEEPS: usize = 20;
 
+/// Where Newton's method does not solve an island of no more bodies than this, that is tried again in the next step: to
+/// leave it to the sweeps of [`Tier::Swept`](crate::Tier), 42 of 10,000 random worlds show an overlap of 1 cm, and 1 so. More
+/// bodies take more time than that is worth.
+const LARGEST_SMALL_ISLAND: usize = 32;
+
 /// The limits of friction follow the normal impulses in so many Newton steps, then they hold still until the next
 /// substep, so that the steps end.
 const LIMIT_STEPS: usize = 3;
@@ -172,9 +177,15 @@ impl DirectSolver {
         });
     }
 
-    /// Rows of the bodies of islands that Newton's method did not solve in this step.
+    pub(crate) fn is_empty(&self) -> bool {
+        self.parts.is_empty()
+    }
+
+    /// Rows of the bodies of islands that Newton's method did not solve in this step, but for small ones: those are swept
+    /// as well here as anywhere.
     pub(crate) fn unsolved_rows(&self) -> impl Iterator<Item = u32> {
-        let unsolved = self.parts.iter().filter(|part| part.is_unsolved);
+        let is_large = |part: &&Part| part.movers.len() > LARGEST_SMALL_ISLAND;
+        let unsolved = self.parts.iter().filter(|part| part.is_unsolved).filter(is_large);
         unsolved.flat_map(|part| &self.movers[part.movers.clone()]).map(|mover| mover.row)
     }
 
@@ -194,6 +205,9 @@ impl DirectSolver {
 
     /// Finds the velocities with contacts, from those of now, which are without; and the impulses.
     pub(crate) fn solve(&mut self, graph: &mut ConstraintGraph, states: &mut [BodyState], aim: Aim, h: f32) {
+        if self.is_empty() {
+            return;
+        }
         self.keep_free(states);
         // Half the forces have acted before the move, all of them after it.
         let share = if aim == Aim::Push { 0.5 } else { 1.0 };

@@ -5,7 +5,7 @@
 //! swung on is not where a blow lands. So circles, and corners under load, follow the surface from substep to
 //! substep, unless the bodies hardly move, and an impact finds its manifold at its own time.
 
-use crate::body::{Bodies, Effort};
+use crate::body::Bodies;
 use crate::collision::{Contact, Contacts, Manifold, detect_within};
 use crate::compute::{BodyState, Column, Crew, Lane, Shared, Width};
 use crate::math::{Rot, Vec2};
@@ -68,7 +68,7 @@ impl Followers {
     /// Brings the constraints up to where the bodies are now.
     pub(crate) fn follow(
         &self,
-        (crew, effort, width): (&Crew, Effort, Width),
+        (crew, width): (&Crew, Width),
         (contacts, bodies, graph): (&Contacts, &Bodies, &mut ConstraintGraph),
     ) {
         for &(index, place) in &self.found_anew {
@@ -81,7 +81,7 @@ impl Followers {
             }
         }
         if !self.is_empty() {
-            graph.for_each(crew, (effort, width), &Follow { columns: &self.columns, states: &bodies.states });
+            graph.for_each(crew, width, &Follow { columns: &self.columns, states: &bodies.states });
         }
     }
 }

@@ -1,34 +1,74 @@
-//! Islands: which bodies are connected by touching contacts, found by union-find.
+//! Islands: dynamic bodies that are connected by contacts with points.
 //!
-//! Bodies that nothing moves (fixed, kinematic) do not connect: two stacks on one floor are two islands.
+//! Bodies that nothing moves (fixed, kinematic) do not connect: two stacks on one floor are two islands. An island is
+//! found when somebody asks about one of its bodies: those under load, those that have come to rest. Nothing is kept
+//! of the others from step to step.
 
-/// A forest over numbers 0 .. n; each tree is an island (R. Tarjan, 1975; path halving, union by smaller
-/// root, so that the result does not depend on the order of unions).
+use crate::body::Bodies;
+use crate::collision::{Contact, Contacts};
+use crate::store::BitSet;
+
+/// Some islands, each the slots of its bodies.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Islands {
-    parent: Vec<u32>,
+    slots: Vec<u32>,
+    /// Where each of them ends.
+    ends: Vec<usize>,
 }
 
 impl Islands {
-    /// Starts with `count` islands of one member each.
-    pub(crate) fn reset(&mut self, count: usize) {
-        self.parent.clear();
-        self.parent.extend(0..count as u32);
+    pub(crate) fn clear(&mut self) {
+        self.slots.clear();
+        self.ends.clear();
     }
 
-    /// The smallest member of the island of `member`, which names the island.
-    pub(crate) fn root(&mut self, mut member: u32) -> u32 {
-        while self.parent[member as usize] != member {
-            let grandparent = self.parent[self.parent[member as usize] as usize];
-            self.parent[member as usize] = grandparent;
-            member = grandparent;
+    pub(crate) fn push(&mut self, island: &[u32]) {
+        self.slots.extend(island);
+        self.ends.push(self.slots.len());
+    }
+
+    /// How many there are.
+    pub(crate) fn len(&self) -> usize {
+        self.ends.len()
+    }
+
+    /// How many bodies they have.
+    pub(crate) fn body_count(&self) -> usize {
+        self.slots.len()
+    }
+
+    pub(crate) fn iter(&self) -> impl Iterator<Item = &[u32]> {
+        let starts = core::iter::once(0).chain(self.ends.iter().copied());
+        starts.zip(&self.ends).map(|(start, &end)| &self.slots[start..end])
+    }
+}
+
+/// Appends the body in `slot` to `island`, and all that contacts connect with it, nearest first; none that was `seen`
+/// before. Calls `look_at` with every contact of theirs, with those between two of them twice.
+pub(crate) fn find_island(
+    slot: u32,
+    bodies: &Bodies,
+    contacts: &Contacts,
+    seen: &mut BitSet,
+    island: &mut Vec<u32>,
+    mut look_at: impl FnMut(&Contact),
+) {
+    let mut next = island.len();
+    if seen.insert(slot) {
+        island.push(slot);
+    }
+    while let Some(&slot) = island.get(next) {
+        next += 1;
+        for index in contacts.of_body(bodies, slot) {
+            let contact = &contacts[index];
+            if contact.manifold.points().is_empty() {
+                continue;
+            }
+            look_at(contact);
+            let other = contact.other(slot);
+            if bodies.is_dynamic(other) && seen.insert(other) {
+                island.push(other);
+            }
         }
-        member
-    }
-
-    /// Makes one island of the islands of two members.
-    pub(crate) fn union(&mut self, a: u32, b: u32) {
-        let (a, b) = (self.root(a), self.root(b));
-        self.parent[a.max(b) as usize] = a.min(b);
     }
 }

@@ -3,15 +3,12 @@
 //! A load is told by the overlap that sweeps leave under it, see [`sag`], as a share of the width
 //! of the thinner body. Contacts without a lasting load cost one comparison.
 
-use crate::body::{Bodies, Effort};
+use crate::body::Bodies;
 use crate::collision::Contact;
 use crate::resolution::softness::sag;
 
 /// Overlap at rest, as a share of the width of the thinner body, from which an island is solved directly.
 pub(super) const DIRECT_SHARE: f32 = 0.0125;
-
-/// The same from which an island gets more substeps: heaps of many bodies are no worse for less, and pay for more.
-const SWEEP_SHARE: f32 = 1.0;
 
 /// Substeps per second that sags are told for, if there are no fewer, 1/s.
 pub(super) const USUAL_RATE: f32 = 240.0;
@@ -19,17 +16,13 @@ pub(super) const USUAL_RATE: f32 = 240.0;
 /// A contact must be under such a load for so many steps: a blow is over sooner.
 pub(super) const LASTING_STEPS: u8 = 4;
 
-/// Less effort is enough only when the load is below this share of what asked for more, so that it does not go to
-/// and fro.
+/// An island goes back to sweeps only when the load is below this share of what asked for more, so that it does not go
+/// to and fro.
 pub(super) const CALM_SHARE: f32 = 0.7;
 
 /// The contacts under lasting load, found at the end of a step.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Loads {
-    /// One over the length of the substep that sags are told for, 1/s, and how many of those of now it takes; 0 where
-    /// nothing adapts.
-    per_substep: f32,
-    factor: f32,
     /// Indices of the contacts.
     pub(crate) lasting: Vec<u32>,
     /// Contacts that begin between bodies at rest, see [`begins_at_rest`].
@@ -45,28 +38,25 @@ impl Loads {
         self.begun_at_rest.clear();
         self.unsolved.clear();
     }
-
-    /// Begins with the contacts of an effort, that are solved in substeps of length 1/`per_substep`. More substeps than
-    /// usual do not make an island less worth its effort: they are asked for to have less error.
-    pub(crate) fn begin(&mut self, adapts: bool, effort: Effort, per_substep: f32) {
-        self.per_substep = (per_substep / effort.substep_factor() as f32).min(USUAL_RATE);
-        self.factor = if adapts { per_substep / self.per_substep } else { 0.0 };
-    }
-
-    /// How the contacts of an effort are measured.
-    pub(crate) fn measure(&self) -> LoadMeasure {
-        LoadMeasure { per_substep: self.per_substep, factor: self.factor }
-    }
 }
 
 /// How loads are told.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct LoadMeasure {
+    /// One over the length of the substep that sags are told for, 1/s.
     per_substep: f32,
+    /// How many substeps of now that one takes, no unit; 0 where loads do not matter.
     factor: f32,
 }
 
 impl LoadMeasure {
+    /// For substeps of length 1/`per_substep`, s. More of them than usual do not make an island less worth its direct
+    /// solve: they are asked for to have less error. Nothing counts as a load unless `loads_matter`.
+    pub(crate) fn new(loads_matter: bool, per_substep: f32) -> Self {
+        let usual = per_substep.min(USUAL_RATE);
+        Self { per_substep: usual, factor: if loads_matter { per_substep / usual } else { 0.0 } }
+    }
+
     /// Takes note of the load of a contact, whose greatest k λ is `speed`, m/s. Returns whether it lasts.
     #[inline(always)]
     pub(crate) fn is_lasting(self, contact: &mut Contact, speed: f32) -> bool {
@@ -88,20 +78,13 @@ pub(super) struct Load {
     pub(super) largest: f32,
     /// Whether one of those that sag too far has not done so for long.
     pub(super) is_recent: bool,
-    /// How many contacts there are, and how many sag by 1, 2 and 4 times `SWEEP_SHARE`.
-    pub(super) contacts: f32,
-    pub(super) asking: [f32; 3],
 }
 
 impl Load {
     pub(super) fn add(&mut self, contact: &Contact) {
-        self.contacts += 1.0;
         if contact.loaded_steps >= LASTING_STEPS {
             self.largest = self.largest.max(contact.sag);
             self.is_recent |= contact.sag > DIRECT_SHARE && contact.loaded_steps < u8::MAX;
-            for (asking, times) in self.asking.iter_mut().zip([1.0, 2.0, 4.0]) {
-                *asking += f32::from(u8::from(contact.sag > times * SWEEP_SHARE));
-            }
         }
     }
 }

@@ -11,7 +11,6 @@ mod constraint_graph;
 mod contact_block;
 mod damping;
 mod direct;
-mod effort;
 mod follow;
 mod follower;
 mod impact_queue;
@@ -24,13 +23,15 @@ mod projection;
 mod seams;
 mod softness;
 mod solver;
+mod tiers;
 
 pub(crate) use constraint::StepResidual;
 pub(crate) use constraint_graph::ConstraintGraph;
-pub(crate) use effort::{Allowance, EffortTables, Efforts};
 pub(crate) use integrate::SpeedLimits;
-pub(crate) use islands::Islands;
+pub(crate) use islands::{Islands, find_island};
 #[cfg(feature = "report")]
 pub(crate) use kernel::work_of_a_substep;
 pub(crate) use load::{Loads, begins_at_rest};
 pub(crate) use solver::{Acceleration, Scheme, SolveTables, Solver, solve};
+pub use tiers::Tier;
+pub(crate) use tiers::{TierRule, TierTables, Tiers};

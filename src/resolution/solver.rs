@@ -1,9 +1,8 @@
 //! The substep loop.
 
-use core::ops::Range;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-use crate::body::{Bodies, Effort};
+use crate::body::Bodies;
 use crate::collision::Contacts;
 use crate::compute::{BodyState, Crew, Shared, Width};
 use crate::math::Vec2;
@@ -12,12 +11,12 @@ use crate::resolution::constraint_graph::{ColdContacts, ConstraintGraph, place_i
 use crate::resolution::contact_block::Beginning;
 use crate::resolution::damping::{Damped, is_damped};
 use crate::resolution::direct::{Aim, DirectSolver};
-use crate::resolution::effort::EffortClass;
 use crate::resolution::follow::Followers;
 use crate::resolution::impacts::{ImpactScene, Impacts};
-use crate::resolution::integrate::{Advance, Kick, Kicks, SpeedLimits, drift};
+use crate::resolution::integrate::{Advance, Kick, Kicks, SpeedLimits};
+use crate::resolution::islands::Islands;
 use crate::resolution::kernel::{ForgetImpulses, Sweep, SweepOver, WarmStart, WarmStartTime};
-use crate::resolution::load::Loads;
+use crate::resolution::load::{LoadMeasure, Loads};
 use crate::resolution::projection::Project;
 use crate::resolution::seams::{SeamScene, Seams};
 
@@ -36,7 +35,7 @@ pub(crate) struct Scheme {
     pub(crate) relax_iterations: u32,
     /// Half a kick before and half after the drift, rather than a whole one before it.
     pub(crate) split_kick: bool,
-    /// Whether islands under great load may be given more effort.
+    /// Whether islands under great load may be solved directly.
     pub(crate) adapts: bool,
     pub(crate) warm_starting: bool,
     pub(crate) block_solve: bool,
@@ -77,7 +76,7 @@ pub(crate) trait Acceleration: Sync {
 /// What it costs to write the carry of a body back, ns.
 const CARRY_COST: usize = 3;
 
-/// Buffers of the solver for one effort, kept from step to step.
+/// Buffers of the solver, kept from step to step.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Solver {
     kicks: Kicks,
@@ -102,18 +101,17 @@ pub(crate) struct SolveTables<'a> {
     pub(crate) crew: &'a Crew,
 }
 
-/// One step of the islands of one effort: moves the velocities and deltas of their rows, and the impulses of their
-/// contacts.
+/// One step: moves the velocities and deltas of all rows, and the impulses of contacts.
 ///
 /// ```text
 /// repeat substeps:
 ///     kick h/2     v += h/2 a(x)
 ///     impacts      what approaches fast enough bounces, each at its time
-///     push         half of the last impulses, and a sweep that pushes overlaps apart; or a direct solve
+///     push         half of the last impulses, and a sweep that pushes overlaps apart; stiff islands are solved directly
 ///     drift h      x += h v
 ///     kick h/2     v += h/2 a(x)
 ///     refresh      contacts of circles and loaded corners follow the surface
-///     relax        the other half of the last impulses, and a sweep without bias, with friction; or a direct solve
+///     relax        the other half of the last impulses, and a sweep without bias, with friction; or directly
 /// ```
 ///
 /// Each half of the last impulses acts with the geometry of its moment: a circle that rolls along a curve is turned by
@@ -121,35 +119,28 @@ pub(crate) struct SolveTables<'a> {
 pub(crate) fn solve(
     solver: &mut Solver,
     scheme: &Scheme,
-    class: &EffortClass<'_>,
+    islands: &Islands,
     tables: &mut SolveTables<'_>,
     acceleration: &impl Acceleration,
 ) -> StepResidual {
     let h = scheme.substep_time();
-    solver.prepare(scheme, class, tables, acceleration);
+    solver.prepare(scheme, islands, tables, acceleration);
     for substep in 0..scheme.substeps {
-        solver.kick(scheme, class, tables, scheme.kick_time());
+        solver.kick(scheme, tables);
         // What a sweep after the move has found of where bodies are holds until they move again.
         let has_moved = solver.run_impacts(scheme, tables) || (substep > 0 && scheme.relax_iterations == 0);
-        match class.effort {
-            Effort::Direct => solver.direct.solve(tables.graph, &mut tables.bodies.states, Aim::Push, h),
-            _ => solver.push(scheme, class, tables, has_moved),
-        }
-        solver.drift_and_kick(scheme, class, tables, acceleration);
-        solver.followers.follow(
-            (tables.crew, class.effort, scheme.width),
-            (tables.contacts, tables.bodies, tables.graph),
-        );
-        match class.effort {
-            Effort::Direct => solver.direct.solve(tables.graph, &mut tables.bodies.states, Aim::Relax, h),
-            _ => solver.relax(scheme, class, tables),
-        }
+        solver.push(scheme, tables, has_moved);
+        solver.direct.solve(tables.graph, &mut tables.bodies.states, Aim::Push, h);
+        solver.drift_and_kick(scheme, tables, acceleration);
+        solver.followers.follow((tables.crew, scheme.width), (tables.contacts, tables.bodies, tables.graph));
+        solver.relax(scheme, tables);
+        solver.direct.solve(tables.graph, &mut tables.bodies.states, Aim::Relax, h);
     }
     for _ in 0..scheme.projections.unwrap_or(0) {
         let project = Project { states: Shared::new(&mut tables.bodies.states) };
-        tables.graph.for_each(tables.crew, (class.effort, Width::ONE), &project);
+        tables.graph.for_each_swept(tables.crew, Width::ONE, &project);
     }
-    solver.finish(scheme, class, tables)
+    solver.finish(scheme, tables)
 }
 
 impl Scheme {
@@ -187,34 +178,28 @@ impl Scheme {
 
 impl Solver {
     /// v += t a, and damping.
-    fn kick(&mut self, scheme: &Scheme, class: &EffortClass<'_>, tables: &mut SolveTables<'_>, t: f32) {
-        self.integrate(scheme, class, tables, Advance { drift: None, kick: Some(t) });
+    fn kick(&mut self, scheme: &Scheme, tables: &mut SolveTables<'_>) {
+        self.integrate(scheme, tables, Advance { drift: None, kick: Some(scheme.kick_time()) });
     }
 
     /// x += h v, and the second kick: in one pass, unless something is to be found in between.
     fn drift_and_kick(
         &mut self,
         scheme: &Scheme,
-        class: &EffortClass<'_>,
         tables: &mut SolveTables<'_>,
         acceleration: &impl Acceleration,
     ) {
-        let (h, is_direct) = (scheme.substep_time(), class.effort == Effort::Direct);
+        let drift = Some(scheme.substep_time());
         let kick = scheme.split_kick.then_some(scheme.kick_time());
-        for &(_, row) in class.kinematic {
-            drift(&mut tables.bodies.states[row as usize], h);
+        if !acceleration.varies() && self.direct.is_empty() {
+            return self.integrate(scheme, tables, Advance { drift, kick });
         }
-        if !acceleration.varies() && !is_direct {
-            return self.integrate(scheme, class, tables, Advance { drift: Some(h), kick });
-        }
-        self.integrate(scheme, class, tables, Advance { drift: Some(h), kick: None });
+        self.integrate(scheme, tables, Advance { drift, kick: None });
         if acceleration.varies() {
-            self.accelerate(tables, &class.rows, acceleration);
+            self.accelerate(tables, acceleration);
         }
-        if is_direct {
-            self.direct.restore_free(&mut tables.bodies.states);
-        }
-        self.integrate(scheme, class, tables, Advance { drift: None, kick });
+        self.direct.restore_free(&mut tables.bodies.states);
+        self.integrate(scheme, tables, Advance { drift: None, kick });
     }
 
     /// Impacts of contacts that approach fast enough to bounce; whether there were some, which move bodies.
@@ -231,20 +216,14 @@ impl Solver {
     }
 
     /// Contacts by sweeps, before the bodies move. `has_moved` says that they have since the last sweep.
-    fn push(
-        &mut self,
-        scheme: &Scheme,
-        class: &EffortClass<'_>,
-        tables: &mut SolveTables<'_>,
-        has_moved: bool,
-    ) {
+    fn push(&mut self, scheme: &Scheme, tables: &mut SolveTables<'_>, has_moved: bool) {
         let h = scheme.substep_time();
         self.seams.hold_back(tables.graph, &tables.bodies.states, h);
-        warm_start(WarmStartTime::BeforeMove, scheme, class, tables);
+        warm_start(WarmStartTime::BeforeMove, scheme, tables);
         let SolveTables { bodies, contacts, graph, crew, .. } = tables;
         let sweep = scheme.sweep_over(&mut bodies.states, scheme.main_sweep(), has_moved);
         for _ in 0..scheme.iterations {
-            graph.for_each(crew, (class.effort, scheme.width), &sweep);
+            graph.for_each_swept(crew, scheme.width, &sweep);
         }
         if scheme.split_kick && scheme.warm_starting {
             // There is no friction to start from, and a box set on a slope would go down freely for half a substep.
@@ -257,14 +236,14 @@ impl Solver {
     }
 
     /// Contacts by sweeps, after the bodies have moved.
-    fn relax(&mut self, scheme: &Scheme, class: &EffortClass<'_>, tables: &mut SolveTables<'_>) {
+    fn relax(&mut self, scheme: &Scheme, tables: &mut SolveTables<'_>) {
         if scheme.split_kick {
-            warm_start(WarmStartTime::AfterMove, scheme, class, tables);
+            warm_start(WarmStartTime::AfterMove, scheme, tables);
         }
         let (graph, states) = (&mut *tables.graph, &mut tables.bodies.states);
         for iteration in 0..scheme.relax_iterations {
             let sweep = scheme.sweep_over(states, scheme.relax_sweep(), iteration == 0);
-            graph.for_each(tables.crew, (class.effort, scheme.width), &sweep);
+            graph.for_each_swept(tables.crew, scheme.width, &sweep);
         }
         if scheme.relax_iterations > 0 {
             let sweep = scheme.sweep_over(states, scheme.relax_sweep(), false);
@@ -276,40 +255,31 @@ impl Solver {
     fn prepare(
         &mut self,
         scheme: &Scheme,
-        class: &EffortClass<'_>,
+        islands: &Islands,
         tables: &mut SolveTables<'_>,
         acceleration: &impl Acceleration,
     ) {
-        self.prepare_kicks(scheme, class, tables, acceleration);
-        let which = (class.effort, scheme.width);
+        self.prepare_kicks(scheme, tables, acceleration);
         let SolveTables { bodies, contacts, graph, crew, .. } = &mut *tables;
         let from = Beginning { contacts, bodies, impulse_scale: scheme.impulse_scale, dt: scheme.dt };
-        graph.prepare(crew, which, from, &mut self.followers);
-        self.gather_special(class.effort, graph);
+        graph.prepare(crew, scheme.width, from, &mut self.followers);
+        self.gather_special(graph);
         self.direct.clear();
-        let mut start = 0;
-        for &end in class.direct_ends {
-            let island = &class.direct[start..end];
+        for island in islands.iter() {
             self.direct.add_island(island, tables.bodies, tables.contacts, tables.graph);
-            start = end;
         }
     }
 
-    fn prepare_kicks(
-        &mut self,
-        scheme: &Scheme,
-        class: &EffortClass<'_>,
-        tables: &SolveTables<'_>,
-        acceleration: &impl Acceleration,
-    ) {
+    fn prepare_kicks(&mut self, scheme: &Scheme, tables: &SolveTables<'_>, acceleration: &impl Acceleration) {
         let (bodies, varies) = (&*tables.bodies, acceleration.varies());
+        let rows = 1..bodies.row_count();
         let forcing_of = |row: usize| &bodies.forcings[bodies.slot_of_row[row] as usize];
         let has_damping = AtomicBool::new(false);
         self.kicks.reset(bodies.row_count());
         self.steady.clear();
         self.steady.resize(if varies { bodies.row_count() } else { 0 }, Vec2::ZERO);
         let steady_of_row = Shared::new(&mut self.steady);
-        self.kicks.fill(tables.crew, class.rows.clone(), |row| {
+        self.kicks.fill(tables.crew, rows.clone(), |row| {
             let motion = &bodies.motions[bodies.slot_of_row[row] as usize];
             if motion.inverse_mass == 0.0 {
                 return Kick::default();
@@ -330,31 +300,32 @@ impl Solver {
         });
         self.damped.clear();
         if has_damping.into_inner() {
-            let rows = class.rows.clone().map(|row| (row, forcing_of(row)));
+            let rows = rows.map(|row| (row, forcing_of(row)));
             let is_moved = |row: usize| bodies.is_dynamic(bodies.slot_of_row[row]);
             let damped = rows.filter(|&(row, forcing)| is_damped(forcing) && is_moved(row));
             self.damped.add(damped, scheme.kick_time());
         }
         if varies {
-            self.accelerate(tables, &class.rows, acceleration);
+            self.accelerate(tables, acceleration);
         }
     }
 
     /// Takes up the contacts of which something special is to be expected within the step.
-    fn gather_special(&mut self, effort: Effort, graph: &ConstraintGraph) {
+    fn gather_special(&mut self, graph: &ConstraintGraph) {
         self.impacts.clear();
         self.seams.clear();
         self.cold_contacts.clear();
         let Self { impacts, followers, seams, cold_contacts, .. } = self;
-        for (block, start) in graph.starts(effort) {
-            if start.cold_contacts.any() {
+        for (block, start) in graph.starts() {
+            let is_swept = !ConstraintGraph::is_solved_directly(block);
+            if is_swept && start.cold_contacts.any() {
                 cold_contacts.take_up(block);
             }
             if start.bouncy.any() {
                 impacts.take_up_block(block, start.bouncy);
             }
             start.found_anew.for_each(|place| followers.find_anew(place_in(block, place), graph));
-            if effort != Effort::Direct {
+            if is_swept {
                 start.on_ground.for_each(|place| seams.take_up(place_in(block, place), graph));
             }
         }
@@ -362,42 +333,33 @@ impl Solver {
     }
 
     /// Finds the accelerations that depend on the place anew.
-    fn accelerate(
-        &mut self,
-        tables: &SolveTables<'_>,
-        rows: &Range<usize>,
-        acceleration: &impl Acceleration,
-    ) {
+    fn accelerate(&mut self, tables: &SolveTables<'_>, acceleration: &impl Acceleration) {
         let bodies = &*tables.bodies;
-        self.kicks.accelerate(tables.crew, rows.clone(), |row| {
+        self.kicks.accelerate(tables.crew, 1..bodies.row_count(), |row| {
             let (slot, state) = (bodies.slot_of_row[row], &bodies.states[row]);
             let varying = || acceleration.at(bodies, slot, state.delta_position.into());
             bodies.is_dynamic(slot).then(|| self.steady[row] + varying())
         });
     }
 
-    /// Moves the bodies of a class on.
-    fn integrate(
-        &mut self,
-        scheme: &Scheme,
-        class: &EffortClass<'_>,
-        tables: &mut SolveTables<'_>,
-        advance: Advance,
-    ) {
+    /// Moves all bodies on.
+    fn integrate(&mut self, scheme: &Scheme, tables: &mut SolveTables<'_>, advance: Advance) {
+        let rows = 1..tables.bodies.row_count();
         let SolveTables { bodies: Bodies { states, .. }, crew, .. } = tables;
         let means = (*crew, scheme.width);
         let tables = (&mut states[..], &mut self.kicks);
-        self.damped.integrate(means, class.rows.clone(), tables, advance, scheme.limits);
+        self.damped.integrate(means, rows, tables, advance, scheme.limits);
     }
 
     /// Writes impulses back into the contacts and carries back into the bodies.
-    fn finish(&self, scheme: &Scheme, class: &EffortClass<'_>, tables: &mut SolveTables<'_>) -> StepResidual {
+    fn finish(&self, scheme: &Scheme, tables: &mut SolveTables<'_>) -> StepResidual {
+        let rows = 1..tables.bodies.row_count();
         let SolveTables { bodies, contacts, graph, loads, crew } = tables;
-        loads.begin(scheme.adapts, class.effort, 1.0 / scheme.substep_time());
+        let measure = LoadMeasure::new(scheme.adapts, 1.0 / scheme.substep_time());
         loads.unsolved.extend(self.direct.unsolved_rows().map(|row| bodies.slot_of_row[row as usize]));
-        let residual = graph.finish(crew, (class.effort, scheme.width), &bodies.states, contacts, loads);
+        let residual = graph.finish(crew, scheme.width, &bodies.states, contacts, (measure, loads));
         let (motions, slots) = (Shared::new(&mut bodies.motions), &bodies.slot_of_row);
-        crew.run(class.rows.clone(), CARRY_COST, |rows| {
+        crew.run(rows, CARRY_COST, |rows| {
             for row in rows {
                 motions.change(slots[row] as usize, |motion| motion.velocity_carry = self.kicks.carry(row));
             }
@@ -406,16 +368,14 @@ impl Solver {
     }
 }
 
-/// One of the warm starts of the contacts of a class; without warm starting, their impulses are forgotten.
-fn warm_start(time: WarmStartTime, scheme: &Scheme, class: &EffortClass<'_>, tables: &mut SolveTables<'_>) {
-    let means = (class.effort, scheme.width);
-    if !scheme.warm_starting {
-        if time == WarmStartTime::BeforeMove {
-            tables.graph.for_each(tables.crew, means, &ForgetImpulses);
-        }
-        return;
+/// One of the warm starts of a substep; without warm starting, impulses are forgotten.
+fn warm_start(time: WarmStartTime, scheme: &Scheme, tables: &mut SolveTables<'_>) {
+    let SolveTables { bodies, graph, crew, .. } = tables;
+    if scheme.warm_starting {
+        let (states, part) = (Shared::new(&mut bodies.states), scheme.warm_part());
+        let start = WarmStart { states, part, time, is_fitted: scheme.fitted_kernels };
+        graph.for_each_swept(crew, scheme.width, &start);
+    } else if time == WarmStartTime::BeforeMove {
+        graph.for_each_swept(crew, scheme.width, &ForgetImpulses);
     }
-    let (states, part) = (Shared::new(&mut tables.bodies.states), scheme.warm_part());
-    let start = WarmStart { states, part, time, is_fitted: scheme.fitted_kernels };
-    tables.graph.for_each(tables.crew, means, &start);
 }

@@ -4,11 +4,11 @@ use crate::body::description::{
     check_damping, check_friction, check_gravity_scale, check_place, check_restitution, check_strength,
     check_vector,
 };
-use crate::body::{Body, BodyError, BodyId, BodyType, Effort, Forcing, Material, Motion, NONE, Record};
+use crate::body::{Body, BodyError, BodyId, BodyType, Forcing, Material, Motion, NONE, Record};
 use crate::compute::BodyState;
 use crate::math::{Aabb, Point, Pose, Rot, Vec2};
 use crate::shape::Shape;
-use crate::world::World;
+use crate::world::{Tier, World};
 
 /// A body of a world, seen.
 #[derive(Clone, Copy, Debug)]
@@ -19,6 +19,7 @@ pub struct BodyRef<'a> {
     forcing: &'a Forcing,
     state: &'a BodyState,
     shape: &'a Shape,
+    tier: Tier,
 }
 
 impl<'a> BodyRef<'a> {
@@ -32,6 +33,7 @@ impl<'a> BodyRef<'a> {
             forcing: &world.bodies.forcings[slot as usize],
             state: world.bodies.state(slot),
             shape: &world.bodies.shapes[slot as usize],
+            tier: world.graph.tier(slot),
         })
     }
 
@@ -90,9 +92,9 @@ impl<'a> BodyRef<'a> {
         if self.motion.inverse_inertia > 0.0 { self.record.inertia } else { f32::INFINITY }
     }
 
-    /// How hard the last step worked on it and all that contacts connect with it.
-    pub fn effort(&self) -> Effort {
-        self.record.effort
+    /// How the last step solved its contacts, and those of all bodies that contacts connect with it.
+    pub fn tier(&self) -> Tier {
+        self.tier
     }
 
     /// Whether it is dynamic, fixed or kinematic.
@@ -175,6 +177,7 @@ impl<'a> BodyMut<'a> {
             forcing: &bodies.forcings[slot as usize],
             state: bodies.state(slot),
             shape: &bodies.shapes[slot as usize],
+            tier: self.world.graph.tier(slot),
         }
     }
 

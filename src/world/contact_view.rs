@@ -54,10 +54,10 @@ impl<'a> ContactRef<'a> {
         self.points().iter().map(move |point| center + point.anchor_a)
     }
 
-    /// The colour of the constraint graph that the contact is solved in, `None` while it sleeps. Contacts of one
-    /// colour share no body that moves; the highest number holds what found no colour.
+    /// The colour of the constraint graph that the contact is solved in; `None` while it sleeps, where it found no colour,
+    /// and where it is solved directly. Contacts of one colour share no body that moves.
     pub fn colour(&self) -> Option<u32> {
-        self.contact.graph_place.map(ConstraintGraph::colour)
+        self.contact.graph_place.and_then(ConstraintGraph::colour)
     }
 
     /// Coefficient of friction of the contact.

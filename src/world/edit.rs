@@ -3,7 +3,7 @@
 use crate::body::{Body, BodyError, BodyId, BodyType};
 use crate::math::Vec2;
 use crate::world::events::ContactEvent;
-use crate::world::{Attractor, AttractorId, Force, ForceId, World};
+use crate::world::{Attractor, AttractorId, Force, ForceId, Tier, World};
 
 impl World {
     /// Adds a body.
@@ -44,6 +44,8 @@ impl World {
         }
         self.distant.note_removed(slot);
         self.broad_phase.remove(slot);
+        self.graph.set_tier(slot, Tier::Swept);
+        self.tiers.forget(slot);
         self.bodies.remove(id.0)
     }
 

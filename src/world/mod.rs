@@ -17,6 +17,7 @@ mod step;
 mod validate;
 
 pub use crate::compute::Lanes;
+pub use crate::resolution::Tier;
 pub use attractor::{Attractor, AttractorError, AttractorId};
 pub use body_view::{BodyMut, BodyRef};
 pub use contact_view::ContactRef;
@@ -26,13 +27,13 @@ pub use profile::{Clock, Counters, Profile, Stage, StageReport};
 pub use query::RayHit;
 pub use settings::{PositionCorrection, Settings, SettingsError};
 
-use crate::body::{Bodies, BodyId, Effort};
+use crate::body::{Bodies, BodyId};
 use crate::collision::broad_phase::BroadPhase;
 use crate::collision::{Contacts, DistantPairs};
 use crate::compute::Crew;
 use crate::math::{Aabb, Vec2};
-use crate::resolution::{ConstraintGraph, Efforts, Islands, Loads, Solver, StepResidual};
-use crate::store::Slots;
+use crate::resolution::{ConstraintGraph, Loads, Solver, StepResidual, Tiers, find_island};
+use crate::store::{BitSet, Slots};
 use crate::world::attractor::Field;
 use crate::world::sleep::{SleepTables, Sleepers};
 
@@ -67,14 +68,13 @@ pub struct World {
     /// The sum of all forces, m/s².
     acceleration: Vec2,
     attractors: Slots<Attractor>,
-    /// By effort.
-    solvers: [Solver; Effort::ALL.len()],
-    efforts: Efforts,
+    solver: Solver,
+    tiers: Tiers,
     loads: Loads,
     events: Events,
     profile: Profile,
     residual: StepResidual,
-    /// Length of a substep of plain effort in the last step, s; 0 before the first.
+    /// Length of a substep in the last step, s; 0 before the first.
     last_substep: f32,
     /// Awake bodies that have been at rest for long enough to sleep.
     resting: usize,
@@ -131,8 +131,8 @@ impl World {
             forces: Slots::default(),
             acceleration: Vec2::ZERO,
             attractors: Slots::default(),
-            solvers: Default::default(),
-            efforts: Efforts::default(),
+            solver: Solver::default(),
+            tiers: Tiers::default(),
             loads: Loads::default(),
             events: Events::default(),
             profile: Profile::default(),
@@ -238,21 +238,19 @@ impl World {
     /// The islands: dynamic bodies that are connected by contacts with points, by ascending place, the island of
     /// the first place first. Found anew at each call.
     pub fn islands(&self) -> Vec<Vec<BodyId>> {
-        let mut forest = Islands::default();
-        forest.reset(self.bodies.motions.len());
-        for (_, contact) in self.contacts.iter() {
-            let [a, b] = contact.slots;
-            let connects = self.bodies.is_dynamic(a) && self.bodies.is_dynamic(b);
-            if connects && !contact.manifold.points().is_empty() {
-                forest.union(a, b);
+        let mut seen = BitSet::default();
+        let mut islands = Vec::new();
+        for (key, _) in self.bodies.records.iter() {
+            let slot = key.index();
+            if self.bodies.is_dynamic(slot) && !seen.contains(slot) {
+                let mut slots = Vec::new();
+                find_island(slot, &self.bodies, &self.contacts, &mut seen, &mut slots, |_| ());
+                slots.sort_unstable();
+                islands
+                    .push(slots.into_iter().map(|slot| BodyId(self.bodies.records.key_at(slot))).collect());
             }
         }
-        let dynamic = self.bodies.records.iter().filter(|(key, _)| self.bodies.is_dynamic(key.index()));
-        let mut members: Vec<(u32, BodyId)> =
-            dynamic.map(|(key, _)| (forest.root(key.index()), BodyId(key))).collect();
-        members.sort_unstable_by_key(|&(root, id)| (root, id.0.index()));
-        let island = |of: &[(u32, BodyId)]| of.iter().map(|&(_, id)| id).collect();
-        members.chunk_by(|one, next| one.0 == next.0).map(island).collect()
+        islands
     }
 
     /// How many islands of bodies sleep.

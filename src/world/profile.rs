@@ -76,11 +76,11 @@ pub struct Counters {
     pub colours: usize,
     /// Contacts that found no colour.
     pub overflow: usize,
-    /// Substeps, the most of any island; 0 where nothing is awake.
+    /// Substeps; 0 where nothing is awake.
     pub substeps: u32,
-    /// Awake bodies of islands with more than plain [effort](crate::Effort).
-    pub raised_bodies: usize,
-    /// Islands that were solved directly.
+    /// Bodies of islands that were solved [directly](crate::Tier::Direct).
+    pub direct_bodies: usize,
+    /// Those islands.
     pub direct_islands: usize,
 }
 

@@ -2,10 +2,10 @@
 
 use core::fmt;
 
-use crate::body::{Effort, Mix, Number};
+use crate::body::{Mix, Number};
 use crate::compute::{Lanes, MOST_THREADS};
 use crate::math::{Aabb, Vec2};
-use crate::resolution::{Allowance, Scheme, SpeedLimits};
+use crate::resolution::{Scheme, SpeedLimits, TierRule};
 
 /// How overlapping bodies are parted.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -34,8 +34,8 @@ pub struct Settings {
     pub tick_rate: f32,
     /// Substeps per tick, 1 to 256. The error of contacts falls as their number grows. Default 4.
     pub substeps: u32,
-    /// Whether islands under great load, heavy bodies on light ones or tall stacks, are solved with more
-    /// [effort](crate::Effort): directly, or in up to 8 times as many substeps. The others pay nothing. Default true.
+    /// Whether islands under great load, heavy bodies on light ones or tall stacks, may be solved
+    /// [directly](crate::Tier::Direct). The others pay nothing. Default true.
     pub adaptive: bool,
     /// Sequential-impulse sweeps over all contacts before the bodies move, per substep, 1 to 1000. Default 1.
     pub iterations: u32,
@@ -177,33 +177,27 @@ impl Settings {
         Ok(())
     }
 
-    /// What islands may be given beyond the plain effort, where all bodies are accelerated by `acceleration`, m/s².
-    pub(crate) fn allowance(&self, acceleration: f32) -> Allowance {
+    /// When islands may be solved directly, where all bodies are accelerated by `acceleration`, m/s².
+    pub(crate) fn tier_rule(&self, acceleration: f32) -> TierRule {
         let is_biased = self.position_correction == PositionCorrection::Bias;
-        Allowance {
-            adapts: self.adaptive,
-            direct: self.split_kick && is_biased,
+        TierRule {
+            allows_direct: self.adaptive && self.split_kick && is_biased,
             per_substep: 1.0 / self.substep_seconds(),
             acceleration,
         }
     }
 
-    /// Length of a substep of plain effort, s.
+    /// Length of a substep, s.
     pub(crate) fn substep_seconds(&self) -> f32 {
         self.tick_seconds() as f32 / self.substeps as f32
     }
 
-    /// What the solver needs to know for a step with this effort, that computes with so many bodies or contacts after each
-    /// other, where the last step had plain substeps of length `last_substep`, s; 0 if there was none.
-    pub(crate) fn scheme(
-        &self,
-        effort: Effort,
-        sizes: impl Iterator<Item = usize>,
-        last_substep: f32,
-    ) -> Scheme {
+    /// What the solver needs to know for a step that computes with so many bodies or contacts after each other, where the
+    /// last step had substeps of length `last_substep`, s; 0 if there was none.
+    pub(crate) fn scheme(&self, sizes: impl Iterator<Item = usize>, last_substep: f32) -> Scheme {
         Scheme {
             dt: self.tick_seconds() as f32,
-            substeps: self.substeps * effort.substep_factor(),
+            substeps: self.substeps,
             impulse_scale: if last_substep > 0.0 { self.substep_seconds() / last_substep } else { 1.0 },
             iterations: self.iterations,
             relax_iterations: self.relax_iterations,

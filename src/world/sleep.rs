@@ -6,9 +6,8 @@
 
 use crate::body::{Bodies, NONE};
 use crate::collision::Contacts;
-use crate::compute::GROUND_ROW;
-use crate::resolution::{ConstraintGraph, Islands};
-use crate::store::Slots;
+use crate::resolution::{ConstraintGraph, Islands, find_island};
+use crate::store::{BitSet, Slots};
 
 /// Below this speed of any of its points a body counts as nearly at rest, m/s: a pixel per second or two.
 pub(crate) const REST_SPEED: f32 = 0.05;
@@ -25,13 +24,19 @@ pub(crate) fn is_due(tick: u64, tick_rate: f32) -> bool {
     tick.is_multiple_of((tick_rate / LOOKS_PER_SECOND).max(1.0) as u64)
 }
 
+/// Whether the body in `slot` has been nearly at rest for long enough.
+fn is_still(bodies: &Bodies, slot: u32) -> bool {
+    bodies.motions[slot as usize].still_time >= TIME_TO_SLEEP
+}
+
 /// Sleeping islands, each the slots of its bodies.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Sleepers {
     groups: Slots<Vec<u32>>,
-    islands: Islands,
-    /// By row, scratch: whether the island named by the row may sleep.
-    may_sleep: Vec<bool>,
+    /// Scratch: slots of the bodies whose islands have been found, one of these, and those at rest.
+    seen: BitSet,
+    island: Vec<u32>,
+    resting: Islands,
 }
 
 /// The tables that putting to sleep and waking change.
@@ -50,53 +55,35 @@ impl Sleepers {
 
     /// Puts every island to sleep whose bodies have all been at rest for long enough.
     pub(crate) fn put_to_sleep(&mut self, tables: &mut SleepTables<'_>) {
-        self.find_islands(tables);
-        let mut members: Vec<(u32, u32)> = Vec::new();
-        for row in 1..tables.bodies.row_count() as u32 {
-            let root = self.islands.root(row);
-            let slot = tables.bodies.slot_of_row[row as usize];
-            if self.may_sleep[root as usize] && tables.bodies.is_dynamic(slot) {
-                members.push((root, slot));
+        self.seen.clear();
+        self.resting.clear();
+        for row in 1..tables.bodies.row_count() {
+            let slot = tables.bodies.slot_of_row[row];
+            let is_candidate = tables.bodies.is_dynamic(slot) && is_still(tables.bodies, slot);
+            if is_candidate && !self.seen.contains(slot) {
+                self.look_at_island(slot, tables);
             }
         }
-        members.sort_unstable();
-        for island in members.chunk_by(|one, next| one.0 == next.0) {
-            self.lay_down(tables, island.iter().map(|&(_, slot)| slot).collect());
+        let resting = std::mem::take(&mut self.resting);
+        for island in resting.iter() {
+            self.lay_down(tables, island.to_vec());
         }
+        self.resting = resting;
     }
 
-    /// Joins rows that touch, and finds which islands may sleep.
-    fn find_islands(&mut self, tables: &SleepTables<'_>) {
+    /// Finds the island of the body in `slot`, and whether it is at rest, and so is what it touches.
+    fn look_at_island(&mut self, slot: u32, tables: &SleepTables<'_>) {
         let bodies = &*tables.bodies;
-        self.islands.reset(bodies.row_count());
-        let still = |row: u32| {
-            let slot = bodies.slot_of_row[row as usize];
-            bodies.motions[slot as usize].still_time >= TIME_TO_SLEEP
-        };
-        for index in tables.graph.contacts() {
-            let [a, b] = tables.contacts[index].slots;
-            let [row_a, row_b] = [a, b].map(|slot| bodies.motions[slot as usize].row);
-            if bodies.is_dynamic(a) && bodies.is_dynamic(b) {
-                self.islands.union(row_a, row_b);
-            }
-        }
-        self.may_sleep.clear();
-        self.may_sleep.resize(bodies.row_count(), true);
-        for row in 1..bodies.row_count() as u32 {
-            if !still(row) {
-                let root = self.islands.root(row);
-                self.may_sleep[root as usize] = false;
-            }
-        }
-        // What a moving kinematic body touches stays awake.
-        for index in tables.graph.contacts() {
-            let rows = tables.contacts[index].slots.map(|slot| bodies.motions[slot as usize].row);
-            for (row, other) in [(rows[0], rows[1]), (rows[1], rows[0])] {
-                if row != GROUND_ROW && other != GROUND_ROW && !still(other) {
-                    let root = self.islands.root(row);
-                    self.may_sleep[root as usize] = false;
-                }
-            }
+        let mut rests = true;
+        self.island.clear();
+        find_island(slot, bodies, tables.contacts, &mut self.seen, &mut self.island, |contact| {
+            // What a moving kinematic body touches stays awake.
+            let moves = |&slot: &u32| bodies.is_awake(slot) && !is_still(bodies, slot);
+            rests &= !contact.slots.iter().any(moves);
+        });
+        if rests {
+            self.island.sort_unstable();
+            self.resting.push(&self.island);
         }
     }
 

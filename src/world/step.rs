@@ -2,11 +2,11 @@
 
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-use crate::body::{Bodies, BodyId, BodyType, Effort, Forcing, Motion, NONE};
+use crate::body::{Bodies, BodyId, BodyType, Forcing, Motion, NONE};
 use crate::collision::{AHEAD, Refresh, refresh};
 use crate::compute::{BodyState, Shared};
 use crate::math::{Rot, Vec2};
-use crate::resolution::{EffortTables, SolveTables, StepResidual, begins_at_rest, solve};
+use crate::resolution::{SolveTables, StepResidual, TierTables, begins_at_rest, solve};
 use crate::world::World;
 use crate::world::attractor::Field;
 use crate::world::events::{ContactEvent, HitEvent};
@@ -41,10 +41,8 @@ impl World {
         if self.bodies.awake_count() == 0 {
             // The solver will not run; what it found last is no longer so.
             self.residual = StepResidual::default();
-            self.efforts.clear();
-            for solver in &mut self.solvers {
-                solver.impacts.clear();
-            }
+            self.tiers.clear();
+            self.solver.impacts.clear();
         }
         profile.run_stage(Stage::Pairs, self.broad_phase.moved_count(), || self.find_pairs());
         let pairs = self.distant.len() + self.contacts.awake().len();
@@ -186,37 +184,21 @@ impl World {
         }
     }
 
-    /// The substep loop, for the islands of each effort.
+    /// The substep loop.
     fn solve(&mut self) {
         let settings = &self.settings;
-        let allowance = settings.allowance(self.acceleration.length());
-        let Self { bodies, contacts, graph, crew, .. } = self;
-        self.efforts.decide(self.ticks, allowance, &self.loads, EffortTables { bodies, contacts, graph });
-        self.loads.clear();
+        let rule = settings.tier_rule(self.acceleration.length());
+        let Self { bodies, contacts, graph, loads, crew, .. } = self;
+        self.tiers.decide(self.ticks, rule, loads, TierTables { bodies, contacts, graph });
+        loads.clear();
         let field = Field {
             uniform: self.acceleration,
             attractors: &self.attractors,
             gravitational_constant: settings.gravitational_constant,
         };
-        self.residual = StepResidual::default();
-        // Plain effort last, which moves all kinematic bodies.
-        for effort in Effort::ALL.into_iter().rev() {
-            let class = self.efforts.class(effort, bodies);
-            let solver = &mut self.solvers[effort as usize];
-            if class.rows.is_empty() {
-                solver.impacts.clear();
-                continue;
-            }
-            let sizes = graph.sizes(effort).chain([class.rows.len()]);
-            let scheme = settings.scheme(effort, sizes, self.last_substep);
-            let mut tables = SolveTables { bodies, contacts, graph, loads: &mut self.loads, crew };
-            let residual = solve(solver, &scheme, &class, &mut tables, &field);
-            self.residual = self.residual.max(residual);
-            // They move through the step once more with the next class.
-            for &(_, row) in class.kinematic {
-                bodies.states[row as usize].stand_still();
-            }
-        }
+        let scheme = settings.scheme(graph.sizes().chain([bodies.awake_count()]), self.last_substep);
+        let mut tables = SolveTables { bodies, contacts, graph, loads, crew };
+        self.residual = solve(&mut self.solver, &scheme, &self.tiers.direct, &mut tables, &field);
         self.last_substep = settings.substep_seconds();
     }
 
@@ -269,13 +251,12 @@ impl World {
 
     /// How many contacts may have begun or ceased to touch.
     fn changing_count(&self) -> usize {
-        let bounced: usize = self.solvers.iter().map(|solver| solver.impacts.count()).sum();
-        self.contacts.changing_count() + bounced
+        self.contacts.changing_count() + self.solver.impacts.count()
     }
 
     /// Reports which contacts began, ended or hit.
     fn report_events(&mut self) {
-        for (index, speed) in self.solvers.iter().flat_map(|solver| solver.impacts.bounced()) {
+        for (index, speed) in self.solver.impacts.bounced() {
             let contact = &mut self.contacts[index];
             contact.has_bounced = true;
             contact.approach_speed = contact.approach_speed.max(speed);
@@ -335,13 +316,13 @@ impl World {
             awake_bodies: self.bodies.awake_count(),
             contacts: self.graph.len(),
             pairs: self.distant.len() + self.contacts.len(),
-            bouncy_contacts: self.solvers.iter().map(|solver| solver.impacts.len()).sum(),
-            impacts: self.solvers.iter().map(|solver| solver.impacts.count()).sum(),
+            bouncy_contacts: self.solver.impacts.len(),
+            impacts: self.solver.impacts.count(),
             colours,
             overflow,
-            substeps: self.settings.substeps * self.efforts.most_substeps(),
-            raised_bodies: self.bodies.raised_count(),
-            direct_islands: self.efforts.direct_count(),
+            substeps: if self.bodies.awake_count() > 0 { self.settings.substeps } else { 0 },
+            direct_bodies: self.tiers.direct.body_count(),
+            direct_islands: self.tiers.direct.len(),
         }
     }
 }

@@ -52,20 +52,26 @@ fn sleeping_stack(count: usize) -> (World, BodyId, Vec<BodyId>) {
     (world, ground, ids)
 }
 
+/// Of 300 piles of 100 bodies, each of its own seed, 250 to 255 were asleep after 30 s: in the others a body swings on, or
+/// a wedge trembles. Of 16 with that chance fewer than 9 sleep in one draw of 1,000.
+const PILES: u64 = 16;
+const LEAST_ASLEEP: usize = 9;
+
 #[test]
-fn a_pile_at_rest_sleeps_and_runs_no_stage() {
-    // A disc may roll on for ever: what leaves the pile is removed, and another pile is taken where one rolls within it.
+fn most_piles_fall_asleep_and_then_run_no_stage() {
+    // A disc may roll on for ever: what leaves the pile is removed.
     let bounds = Some(Aabb::new(Vec2::new(-12.0, -20.0), Vec2::new(12.0, 500.0)));
-    let mut piles = (1..=8).map(|seed| {
+    let piles = (1..=PILES).filter_map(|seed| {
         let mut world =
             rustycs_scenes::pile::build_with(100, seed, Settings { bounds, ..Settings::default() });
         let is_dynamic = |body: &BodyRef<'_>| body.body_type() == BodyType::Dynamic;
         let ids: Vec<BodyId> =
             world.bodies().filter(|(_, body)| is_dynamic(body)).map(|(id, _)| id).collect();
-        let sleeps = falls_asleep(&mut world, &ids);
-        (world, sleeps)
+        falls_asleep(&mut world, &ids).then_some(world)
     });
-    let (mut world, _) = piles.find(|&(_, sleeps)| sleeps).expect("a pile that is asleep within 30 s");
+    let mut piles: Vec<World> = piles.collect();
+    assert!(piles.len() >= LEAST_ASLEEP, "{} of {PILES} piles are asleep after 30 s", piles.len());
+    let world = &mut piles[0];
     // The step after the one that put the last to sleep looks at the boxes that had moved in it.
     world.step();
     let hash = world.state_hash();

@@ -1,6 +1,6 @@
 //! Which bodies belong together: islands, those that sleep, and those that the solver works harder on.
 
-use rustycs::{BodyId, Effort, Vec2, World};
+use rustycs::{BodyId, Tier, Vec2, World};
 
 use crate::camera::Camera;
 use crate::canvas::{Canvas, Face, Style};
@@ -10,7 +10,7 @@ use crate::run::Run;
 use crate::theme::{self, Tone};
 
 const SLEEP_MARK: Style = Style::new(Face::Strong, 11, theme::SLEEP);
-const EFFORT_MARK: Style = Style::new(Face::Strong, 11, theme::PALETTE[0]);
+const DIRECT_MARK: Style = Style::new(Face::Strong, 11, theme::PALETTE[0]);
 
 /// Colours of bodies that take the place of those of their materials, by ascending id.
 #[derive(Debug, Default)]
@@ -76,22 +76,16 @@ pub(super) fn draw_sleeping(canvas: &mut Canvas, run: &Run, camera: Camera, lege
     legend.swatches(canvas, &[theme::SLEEP], format!("{count} asleep in {islands} islands"));
 }
 
-/// A mark on every body of an island that gets more than plain effort: how many times as many substeps, or a D where
-/// all its contacts are solved at once.
-pub(super) fn draw_effort(canvas: &mut Canvas, run: &Run, camera: Camera, legend: &mut Legend) {
+/// A D on every body of an island whose contacts are all solved at once.
+pub(super) fn draw_direct(canvas: &mut Canvas, run: &Run, camera: Camera, legend: &mut Legend) {
     for (_, body, pose) in run.bodies() {
-        let mark = match body.effort() {
-            Effort::Plain => continue,
-            Effort::Direct => "D".to_owned(),
-            effort => format!("×{}", effort.substep_factor()),
-        };
-        if camera.sees(body.aabb()) {
+        if body.tier() == Tier::Direct && camera.sees(body.aabb()) {
             let at = camera.to_screen(pose.center);
-            canvas.text_around(&mark, at + Vec2::new(0.0, 4.0), EFFORT_MARK);
+            canvas.text_around("D", at + Vec2::new(0.0, 4.0), DIRECT_MARK);
         }
     }
     let counters = run.world.profile().counters();
-    let (bodies, direct) = (counters.raised_bodies, counters.direct_islands);
-    let text = format!("{bodies} bodies with more effort, {direct} islands solved directly");
+    let (bodies, direct) = (counters.direct_bodies, counters.direct_islands);
+    let text = format!("{bodies} bodies in {direct} islands solved directly");
     legend.swatches(canvas, &theme::PALETTE[..1], text);
 }

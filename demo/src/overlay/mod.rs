@@ -5,7 +5,7 @@
 //! | `boxes` | bounding boxes, tree of the broad phase |
 //! | `contacts` | contact points with impulses, penetration, colours of the constraint graph |
 //! | `motion` | velocity and spin, centres of mass, trails |
-//! | `groups` | islands, sleeping bodies, the effort of the solver |
+//! | `groups` | islands, sleeping bodies, what is solved directly |
 //! | `words` | names, grid with units, energy and momentum |
 //! | `legend` | what lengths mean |
 
@@ -39,7 +39,7 @@ pub(crate) enum Overlay {
     Islands,
     Colours,
     Sleeping,
-    Effort,
+    Direct,
     Names,
     Grid,
     Trails,
@@ -58,7 +58,7 @@ impl Overlay {
         Self::Islands,
         Self::Colours,
         Self::Sleeping,
-        Self::Effort,
+        Self::Direct,
         Self::Names,
         Self::Grid,
         Self::Trails,
@@ -92,7 +92,7 @@ impl Overlay {
             Self::Islands => ("islands", "Islands", KeyCode::I, "I"),
             Self::Colours => ("colours", "Graph colours", KeyCode::O, "O"),
             Self::Sleeping => ("sleeping", "Sleeping bodies", KeyCode::Z, "Z"),
-            Self::Effort => ("effort", "Solver's effort", KeyCode::F6, "F6"),
+            Self::Direct => ("direct", "Solved directly", KeyCode::F6, "F6"),
             Self::Names => ("names", "Names", KeyCode::L, "L"),
             Self::Grid => ("grid", "Grid with units", KeyCode::G, "G"),
             Self::Trails => ("trails", "Trails", KeyCode::J, "J"),
@@ -184,8 +184,8 @@ impl Drawer {
         if shown.has(Overlay::Sleeping) {
             groups::draw_sleeping(canvas, run, camera, &mut legend);
         }
-        if shown.has(Overlay::Effort) {
-            groups::draw_effort(canvas, run, camera, &mut legend);
+        if shown.has(Overlay::Direct) {
+            groups::draw_direct(canvas, run, camera, &mut legend);
         }
         legend.places()
     }

@@ -3,7 +3,7 @@
 
 use crate::compute::{COLUMN, Width};
 use crate::resolution::constraint_graph::passes::pass_over;
-use crate::resolution::constraint_graph::{BlockPlace, Colour, ConstraintGraph, SECTION, Used};
+use crate::resolution::constraint_graph::{BlockPlace, Colour, ConstraintGraph, DIRECT, Used};
 use crate::resolution::contact_block::ContactBlock;
 use crate::resolution::kernel::Kernel;
 
@@ -12,7 +12,7 @@ use crate::resolution::kernel::Kernel;
 /// too much for as long as it slides. Two leave a tenth of that, four nothing.
 const COLD_SWEEPS: u32 = 4;
 
-/// The contacts of an effort, of two points and with friction, that bear no load yet as the step begins.
+/// The contacts of two points and with friction, that bear no load yet as the step begins.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct ColdContacts {
     /// Blocks of the graph with some of them, by colour and number in it, in the order in which they are solved.
@@ -46,19 +46,18 @@ impl ColdContacts {
         for &block in &self.blocks {
             graph.newly_loaded(block, |place| self.loaded.push(place));
         }
-        if let Some(&(colour, _)) = self.loaded.first() {
-            let first_colour = colour as usize / SECTION * SECTION;
-            let used = self.copy_loaded(graph, first_colour);
+        if !self.loaded.is_empty() {
+            let used = self.copy_loaded(graph);
             for _ in 0..COLD_SWEEPS {
                 pass_over((&mut self.copies, used), width, kernel);
             }
-            self.give_back(graph, first_colour, part);
+            self.give_back(graph, part);
         }
     }
 
     /// Copies them; returns which colours have some.
-    fn copy_loaded(&mut self, graph: &ConstraintGraph, first_colour: usize) -> Used {
-        self.copies.resize(SECTION, Colour::default());
+    fn copy_loaded(&mut self, graph: &ConstraintGraph) -> Used {
+        self.copies.resize(DIRECT, Colour::default());
         for colour in &mut self.copies {
             colour.contacts.clear();
             colour.blocks.clear();
@@ -66,9 +65,8 @@ impl ColdContacts {
         let mut used = Used::default();
         for &(colour, place) in &self.loaded {
             let (from, from_place) = graph.block((colour, place));
-            let of_section = colour as usize - first_colour;
-            used.set(of_section, true);
-            let Colour { contacts, blocks, .. } = &mut self.copies[of_section];
+            used.set(colour as usize, true);
+            let Colour { contacts, blocks, .. } = &mut self.copies[colour as usize];
             let (number, to_place) = (contacts.len() / COLUMN, contacts.len() % COLUMN);
             if to_place == 0 {
                 blocks.push(ContactBlock::default());
@@ -80,8 +78,8 @@ impl ColdContacts {
     }
 
     /// Gives the contacts the impulses of their copies, of which those along the tangent are this `part`.
-    fn give_back(&self, graph: &mut ConstraintGraph, first_colour: usize, part: f32) {
-        for (colour, Colour { contacts, blocks, .. }) in (first_colour as u32..).zip(&self.copies) {
+    fn give_back(&self, graph: &mut ConstraintGraph, part: f32) {
+        for (colour, Colour { contacts, blocks, .. }) in (0_u32..).zip(&self.copies) {
             for (number, &place) in contacts.iter().enumerate() {
                 let (block, place) = graph.block_mut((colour, place));
                 block.copy_impulses(place, &blocks[number / COLUMN], number % COLUMN, part.recip());

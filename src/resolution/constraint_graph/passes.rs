@@ -1,11 +1,10 @@
-//! What is done to all contacts of an effort, colour by colour: made into constraints, swept over, written back.
+//! What is done to all contacts, colour by colour: made into constraints, swept over, written back.
 //!
 //! The contacts of a colour move no body in common, so that several threads may each have some of its blocks.
 
 use core::ops::Range;
 use std::sync::Mutex;
 
-use crate::body::Effort;
 use crate::collision::{Contacts, SharedContacts};
 use crate::compute::{self, BodyState, COLUMN, Column, Crew, Job, Lane, Shared, Width, lock};
 use crate::resolution::constraint::StepResidual;
@@ -26,14 +25,13 @@ impl ConstraintGraph {
     pub(crate) fn prepare(
         &mut self,
         crew: &Crew,
-        (effort, width): (Effort, Width),
+        width: Width,
         from: Beginning<'_>,
         followers: &mut Followers,
     ) {
-        let section = self.section_mut(effort);
-        followers.reset(section.iter().map(|colour| colour.blocks_with_followers().len()).sum());
+        followers.reset(self.colours.iter().map(|colour| colour.blocks_with_followers().len()).sum());
         let (followers, mut first_name) = (&followers.shared(), 0);
-        for colour in section {
+        for colour in &mut self.colours {
             let count = colour.contacts.len().div_ceil(COLUMN);
             if count == 0 && colour.blocks.is_empty() {
                 continue;
@@ -57,15 +55,15 @@ impl ConstraintGraph {
     pub(crate) fn finish(
         &mut self,
         crew: &Crew,
-        (effort, width): (Effort, Width),
+        width: Width,
         states: &[BodyState],
         contacts: &mut Contacts,
-        loads: &mut Loads,
+        (measure, loads): (LoadMeasure, &mut Loads),
     ) -> StepResidual {
         let residual = Mutex::new(StepResidual::default());
-        for colour in self.section_mut(effort).iter_mut().filter(|colour| !colour.is_empty()) {
+        for colour in self.colours.iter_mut().filter(|colour| !colour.is_empty()) {
             let count = colour.blocks.len();
-            let (of_colour, measure, contacts) = (&colour.contacts, loads.measure(), &contacts.shared());
+            let (of_colour, contacts) = (&colour.contacts, &contacts.shared());
             let places = ((0..count), (&colour.blocks[..], &mut colour.ends[..]));
             crew.run(places, FINISH_COST, |(numbers, (blocks, ends))| {
                 let first = numbers.start;
@@ -76,7 +74,7 @@ impl ConstraintGraph {
                 );
             });
         }
-        for colour in self.section(effort).iter().filter(|colour| !colour.is_empty()) {
+        for colour in self.colours.iter().filter(|colour| !colour.is_empty()) {
             for (number, end) in colour.ends.iter().enumerate() {
                 let indices = part(&colour.contacts, number);
                 end.lasting.for_each(|place| loads.lasting.push(indices[place]));
@@ -86,19 +84,26 @@ impl ConstraintGraph {
         *lock(&residual)
     }
 
-    /// Does something to every constraint of an effort, colour by colour: as many at a time as the width says, but
+    /// Does something to every constraint that is swept over, colour by colour: as many at a time as the width says, but
     /// for the overflow, whose contacts may share bodies.
-    pub(crate) fn for_each(&mut self, crew: &Crew, (effort, width): (Effort, Width), kernel: &impl Kernel) {
-        let used = self.used[effort as usize];
-        let section = self.section_mut(effort);
+    pub(crate) fn for_each_swept(&mut self, crew: &Crew, width: Width, kernel: &impl Kernel) {
+        self.for_each_of(self.used.swept(), crew, width, kernel);
+    }
+
+    /// Does something to every constraint that moves no body: contacts that are solved directly may share bodies.
+    pub(crate) fn for_each(&mut self, crew: &Crew, width: Width, kernel: &impl Kernel) {
+        self.for_each_of(self.used, crew, width, kernel);
+    }
+
+    fn for_each_of(&mut self, used: Used, crew: &Crew, width: Width, kernel: &impl Kernel) {
         if crew.is_alone() {
-            return pass_over((section, used), width, kernel);
+            return pass_over((&mut self.colours, used), width, kernel);
         }
         if used.has_overflow() {
-            BlockPass::over(&mut section[OVERFLOW], kernel).run::<f32>();
+            BlockPass::over(&mut self.colours[OVERFLOW], kernel).run::<f32>();
         }
         for colour in used.colours() {
-            let colour = &mut section[colour];
+            let colour = &mut self.colours[colour];
             let places = (0..colour.blocks.len(), &mut colour.blocks[..]);
             crew.run(places, SWEEP_COST, |(numbers, blocks)| {
                 let contacts = colour.contacts.len().min(numbers.end * COLUMN) - numbers.start * COLUMN;
@@ -110,13 +115,13 @@ impl ConstraintGraph {
 
 /// Does something to every constraint of some colours and their overflow. Compiled once for each kernel, which is large.
 #[inline(never)]
-pub(super) fn pass_over((section, used): (&mut [Colour], Used), width: Width, kernel: &impl Kernel) {
-    compute::run(width, Pass { section, used, kernel });
+pub(super) fn pass_over((colours, used): (&mut [Colour], Used), width: Width, kernel: &impl Kernel) {
+    compute::run(width, Pass { colours, used, kernel });
 }
 
-/// A pass over all contacts of an effort.
+/// A pass over the contacts of some colours.
 struct Pass<'a, K> {
-    section: &'a mut [Colour],
+    colours: &'a mut [Colour],
     used: Used,
     kernel: &'a K,
 }
@@ -131,14 +136,14 @@ struct BlockPass<'a, K> {
 impl<K: Kernel> Job for Pass<'_, K> {
     #[inline(always)]
     fn run<L: Lane>(self) {
-        let Self { section, used, kernel } = self;
+        let Self { colours, used, kernel } = self;
         if used.has_overflow() {
-            BlockPass::over(&mut section[OVERFLOW], kernel).run::<f32>();
+            BlockPass::over(&mut colours[OVERFLOW], kernel).run::<f32>();
         }
         // One of its own stays in registers, whatever is written through it.
         let kernel = &kernel.clone();
         for colour in used.colours() {
-            BlockPass::over(&mut section[colour], kernel).run::<L>();
+            BlockPass::over(&mut colours[colour], kernel).run::<L>();
         }
     }
 }

@@ -1,6 +1,6 @@
 //! What statics says stands.
 
-use rustycs::Effort::{Direct, Plain};
+use rustycs::Tier::{Direct, Swept};
 use rustycs::prelude::*;
 
 use crate::support::{add, add_floor, assert_near, earth, earth_with, place, run, unit_box, velocity};
@@ -102,13 +102,13 @@ fn a_light_box_carries_ten_thousand_times_its_mass_and_the_others_pay_nothing() 
     let heavy = add(&mut world, unit_box(0.0, 1.5).density(10_000.0));
     let beside = add(&mut world, unit_box(5.0, 0.5));
     run(&mut world, 10.0);
-    let effort_of = |world: &World, id: BodyId| world.body(id).unwrap().effort();
-    assert_eq!([light, heavy, beside].map(|id| effort_of(&world, id)), [Direct, Direct, Plain]);
+    let tier_of = |world: &World, id: BodyId| world.body(id).unwrap().tier();
+    assert_eq!([light, heavy, beside].map(|id| tier_of(&world, id)), [Direct, Direct, Swept]);
     assert_near(place(&world, light)[1], 0.5, 1e-5, "height of the light box");
     assert_near(place(&world, heavy)[1], 1.5, 1e-5, "height of the heavy box");
     world.remove(heavy);
     run(&mut world, 3.0);
-    assert_eq!(effort_of(&world, light), Plain);
+    assert_eq!(tier_of(&world, light), Swept);
 }
 
 /// A stack of 200 boxes: sweeps would leave it 4.6 m shorter. It must lose no more than the tolerance of the direct

@@ -22,9 +22,9 @@ pub(super) fn of(case: &str) -> &'static str {
              relax sweep takes out what the contacts can see at the end of the substep, not what has made them part."
         }
         "random-worlds-100" | "random-worlds-10000" => {
-            "Light bodies under ones up to a hundred times as heavy sag at rest: most by plain effort, some of them as a load on a \
-             single corner does not count as lasting and so asks for no more; others in islands that Newton's method does not \
-             solve, with eight times as many substeps. A few still move after 10 s, under little gravity."
+            "Light bodies under ones up to a hundred times as heavy sag at rest: most where they are swept, some of them as a load on a \
+             single corner does not count as lasting and so is not solved directly; others in islands that Newton's method \
+             does not solve. A few still move after 10 s, under little gravity."
         }
         _ => "",
     }

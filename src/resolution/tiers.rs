@@ -1,0 +1,321 @@
+//! Which islands are solved directly, and which by sweeps: sweeps are enough for nearly all.
+//!
+//! What sweeps leave wrong at rest is known beforehand: a contact sags under an impulse λ to where the bias makes up
+//! for the compliance, which is 14 % of k λ (see [`softness`](super::softness)). Where that is more than an eightieth
+//! of the thinner body, in a contact whose bodies hardly move against each other, for a few steps, the island is solved
+//! directly, if that is little work. This ends when the load does, or when the direct solve does not solve the island: that
+//! is tried again later, but for a large island that lies still. Only the state decides, never a clock: a clone is solved
+//! as its original.
+//!
+//! A heap of great weight that begins at rest is solved directly from its first step on: its loads have yet to build up,
+//! and it would fall meanwhile.
+//!
+//! Islands without such a contact are never looked at.
+
+mod history;
+
+use crate::body::{Bodies, NONE};
+use crate::collision::{Contact, Contacts};
+use crate::resolution::constraint_graph::ConstraintGraph;
+use crate::resolution::islands::{Islands, find_island};
+use crate::resolution::load::{
+    CALM_SHARE, DIRECT_SHARE, LASTING_STEPS, Load, Loads, USUAL_RATE, begins_at_rest,
+};
+use crate::resolution::softness::sag;
+use crate::resolution::tiers::history::{History, RETRY_STEPS};
+use crate::store::BitSet;
+
+/// How the contacts of an island are solved.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum Tier {
+    /// By sweeps over all contacts, one after the other.
+    #[default]
+    Swept,
+    /// All contacts at once.
+    Direct,
+}
+
+/// Contacts under lasting load are looked at every so many steps: a heap has many, and is left alone for most of the time.
+const LOOK_STEPS: u64 = 4;
+
+/// An island that is too large for its load is left alone for so many steps.
+const QUIET_STEPS: u64 = 120;
+
+/// Sweeps must have been enough for so many steps in a row before an island goes back to them.
+const CALM_STEPS: u8 = 30;
+
+/// A heap that the direct solve has not solved, and that lies still, is not tried again unless a contact sags by more than
+/// this share of the width of the thinner body, no unit.
+const UNSOLVED_SHARE: f32 = 0.05;
+
+/// A heap lies still where nothing is faster than this, m/s.
+const STILL_SPEED: f32 = 1e-3;
+
+/// Islands of more bodies are not solved directly.
+const LARGEST_DIRECT_ISLAND: usize = 256;
+
+/// Nor those whose factorization takes more multiplications.
+const LARGEST_FACTORIZATION: u64 = 100_000;
+
+/// A body that touches more others is a hub: a plate on many balls.
+const HUB_NEIGHBOURS: usize = 12;
+
+/// When islands may be solved directly.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct TierRule {
+    /// Whether at all: not by schemes that solve velocities once per substep.
+    pub(crate) allows_direct: bool,
+    /// One over the length of a substep, 1/s.
+    pub(crate) per_substep: f32,
+    /// What all bodies are accelerated by, m/s².
+    pub(crate) acceleration: f32,
+}
+
+impl TierRule {
+    /// The overlap that sweeps would leave in the end in a contact under the weight of `mass`, kg, whose k is `k`, 1/kg,
+    /// m.
+    fn sag_under(&self, mass: f32, k: f32) -> f32 {
+        let rate = self.per_substep.min(USUAL_RATE);
+        sag(k * mass * self.acceleration / rate, rate)
+    }
+}
+
+/// The tables that a change of tier changes.
+#[derive(Debug)]
+pub(crate) struct TierTables<'a> {
+    pub(crate) bodies: &'a Bodies,
+    pub(crate) contacts: &'a mut Contacts,
+    pub(crate) graph: &'a mut ConstraintGraph,
+}
+
+impl TierTables<'_> {
+    fn moves(&self, slot: u32) -> bool {
+        self.bodies.is_dynamic(slot) && self.bodies.is_awake(slot)
+    }
+
+    /// The bodies of a contact that are moved by it; none if it has ended since it was told of.
+    fn slots(&self, index: u32) -> impl Iterator<Item = u32> + use<> {
+        let slots = self.contacts.get(index).map_or([NONE; 2], |contact| contact.slots);
+        slots.map(|slot| (slot != NONE && self.moves(slot)).then_some(slot)).into_iter().flatten()
+    }
+
+    /// Velocity that a unit of impulse through both centres gives the bodies of a contact, 1/kg.
+    fn inverse_mass(&self, contact: &Contact) -> f32 {
+        contact.slots.iter().map(|&slot| self.bodies.motions[slot as usize].inverse_mass).sum()
+    }
+
+    /// The bodies that the one in `slot` touches and that contacts move.
+    fn neighbours(&self, slot: u32) -> impl Iterator<Item = u32> {
+        let has_points = |index: &u32| !self.contacts[*index].manifold.points().is_empty();
+        let touching = self.contacts.of_body(self.bodies, slot).filter(has_points);
+        touching.map(move |index| self.contacts[index].other(slot)).filter(|&other| self.moves(other))
+    }
+}
+
+/// Chooses the tier of each island.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Tiers {
+    /// The islands that are solved directly, their bodies in the order of the matrix.
+    pub(crate) direct: Islands,
+    /// By slot; shorter where no island of later slots was ever looked at.
+    histories: Vec<History>,
+    /// Scratch.
+    island: Vec<u32>,
+    found: Vec<u32>,
+    hubs: Vec<u32>,
+    to_move: Vec<u32>,
+    seen: BitSet,
+    begun: BitSet,
+    ordered: BitSet,
+    place_of_slot: Vec<u32>,
+    first: Vec<u32>,
+}
+
+impl Tiers {
+    /// Nothing is solved.
+    pub(crate) fn clear(&mut self) {
+        self.direct.clear();
+    }
+
+    /// Forgets what the body that had a slot has been through.
+    pub(crate) fn forget(&mut self, slot: u32) {
+        if let Some(history) = self.histories.get_mut(slot as usize) {
+            *history = History::default();
+        }
+    }
+
+    /// Decides for the next step, from the contacts under lasting load that the last one found.
+    pub(crate) fn decide(&mut self, tick: u64, rule: TierRule, loads: &Loads, mut tables: TierTables<'_>) {
+        self.direct.clear();
+        for &slot in &loads.unsolved {
+            // It may have been removed since.
+            if tables.bodies.records.at(slot).is_some() {
+                self.histories[slot as usize].leave_alone(tick);
+            }
+        }
+        let has_work = !(loads.lasting.is_empty() && loads.begun_at_rest.is_empty());
+        if !has_work && !tables.graph.solves_directly() {
+            return;
+        }
+        self.histories.resize(tables.bodies.motions.len(), History::default());
+        self.seen.clear();
+        if rule.allows_direct && !loads.begun_at_rest.is_empty() {
+            self.begun.clear();
+            for &index in &loads.begun_at_rest {
+                for slot in tables.slots(index) {
+                    self.begin_island(slot, rule, &mut tables);
+                }
+            }
+        }
+        let lasting = if tick.is_multiple_of(LOOK_STEPS) { &loads.lasting[..] } else { &[] };
+        for &index in lasting {
+            for slot in tables.slots(index) {
+                self.decide_island(slot, tick, rule, &mut tables);
+            }
+        }
+        if tables.graph.solves_directly() {
+            for row in 1..tables.bodies.row_count() {
+                let slot = tables.bodies.slot_of_row[row];
+                if tables.graph.is_direct(slot) {
+                    self.decide_island(slot, tick, rule, &mut tables);
+                }
+            }
+        }
+    }
+
+    /// Decides for the island of the body in `slot`, if that was not done yet.
+    fn decide_island(&mut self, slot: u32, tick: u64, rule: TierRule, tables: &mut TierTables<'_>) {
+        let was_direct = tables.graph.is_direct(slot);
+        if self.seen.contains(slot) || (!was_direct && self.histories[slot as usize].quiet_until > tick) {
+            return;
+        }
+        let mut load = Load::default();
+        self.find_island(slot, tables, |contact| load.add(contact));
+        let was_direct = self.island.iter().any(|&slot| tables.graph.is_direct(slot));
+        let history = History::of_island(self.island.iter().map(|&slot| self.histories[slot as usize]));
+        let is_hopeless = !was_direct
+            && (history.is_given_up() && !load.is_recent || self.is_better_left_alone(history, load, tables));
+        let is_quiet = history.quiet_until > tick || is_hopeless;
+        let may_be_direct = rule.allows_direct && !is_quiet && self.is_little_work(tables);
+        let share = if was_direct { CALM_SHARE * DIRECT_SHARE } else { DIRECT_SHARE };
+        let is_calm = was_direct && may_be_direct && load.largest <= share;
+        let stays = is_calm && history.calm_steps < CALM_STEPS;
+        let is_direct = may_be_direct && (load.largest > share || stays);
+        let calm_steps = if is_calm { history.calm_steps.saturating_add(1) } else { 0 };
+        self.give(if is_direct { Tier::Direct } else { Tier::Swept }, calm_steps, tables);
+        let pause = if may_be_direct { RETRY_STEPS } else { QUIET_STEPS };
+        for &slot in &self.island {
+            let of_body = &mut self.histories[slot as usize];
+            if was_direct && !may_be_direct && !is_quiet {
+                of_body.leave_alone(tick);
+            } else if !is_direct {
+                let is_paused = history.quiet_until > tick;
+                of_body.quiet_until = if is_paused { history.quiet_until } else { tick + pause };
+                if is_calm {
+                    of_body.unsolved_times = 0;
+                }
+            }
+        }
+    }
+
+    /// Whether a heap that lies still was not solved directly before: it would be lifted out of its sag, and fall back.
+    fn is_better_left_alone(&self, history: History, load: Load, tables: &TierTables<'_>) -> bool {
+        let lies_still = |&slot: &u32| {
+            tables.bodies.motions[slot as usize].top_speed(tables.bodies.state(slot)) < STILL_SPEED
+        };
+        history.unsolved_times > 0 && load.largest <= UNSOLVED_SHARE && self.island.iter().all(lies_still)
+    }
+
+    /// Has the island of the body in `slot` solved directly from its first step on, if all of it begins at rest and some
+    /// contact would sag too far if it bore all the weight: sweeps pass the weight on from row to row, and what is to
+    /// stand would fall first.
+    fn begin_island(&mut self, slot: u32, rule: TierRule, tables: &mut TierTables<'_>) {
+        if self.begun.contains(slot) {
+            return;
+        }
+        let (mut begins, mut softest) = (true, 0.0_f32);
+        self.island.clear();
+        find_island(slot, tables.bodies, tables.contacts, &mut self.begun, &mut self.island, |contact| {
+            begins &= begins_at_rest(contact, tables.bodies);
+            softest = softest.max(tables.inverse_mass(contact) / contact.thickness);
+        });
+        let mass =
+            self.island.iter().map(|&slot| tables.bodies.motions[slot as usize].inverse_mass.recip()).sum();
+        let may_sag = rule.sag_under(mass, softest) > DIRECT_SHARE;
+        if begins && may_sag && self.is_little_work(tables) {
+            for &slot in &self.island {
+                self.seen.insert(slot);
+            }
+            // Until it is known what the contacts bear, and no longer if that is little.
+            self.give(Tier::Direct, CALM_STEPS - LASTING_STEPS - 1, tables);
+        }
+    }
+
+    /// Finds the island of the body in `slot`, and looks at its contacts.
+    fn find_island(&mut self, slot: u32, tables: &TierTables<'_>, look_at: impl FnMut(&Contact)) {
+        self.island.clear();
+        find_island(slot, tables.bodies, tables.contacts, &mut self.seen, &mut self.island, look_at);
+    }
+
+    /// Gives the island a tier.
+    fn give(&mut self, tier: Tier, calm_steps: u8, tables: &mut TierTables<'_>) {
+        for &slot in &self.island {
+            self.histories[slot as usize].calm_steps = calm_steps;
+            if tables.graph.set_tier(slot, tier) {
+                self.to_move.extend(tables.contacts.of_body(tables.bodies, slot));
+            }
+        }
+        for index in self.to_move.drain(..) {
+            tables.graph.rehome(tables.contacts, tables.bodies, index);
+        }
+        if tier == Tier::Direct {
+            self.direct.push(&self.island);
+        }
+    }
+
+    /// Brings the bodies of the island in an order in which neighbours are near each other: from a far end on, by
+    /// distance. Those that touch many others come last, where they fill a row of the matrix and no more.
+    fn order(&mut self, tables: &TierTables<'_>) {
+        std::mem::swap(&mut self.found, &mut self.island);
+        self.island.clear();
+        self.ordered.clear();
+        let is_hub = |&slot: &u32| tables.neighbours(slot).nth(HUB_NEIGHBOURS).is_some();
+        self.hubs.clear();
+        self.hubs.extend(self.found.iter().copied().filter(is_hub));
+        for &slot in &self.hubs {
+            self.ordered.insert(slot);
+        }
+        for &slot in self.found.iter().rev() {
+            if !self.ordered.contains(slot) {
+                let (seen, island) = (&mut self.ordered, &mut self.island);
+                find_island(slot, tables.bodies, tables.contacts, seen, island, |_| ());
+            }
+        }
+        self.island.reverse();
+        self.island.extend(&self.hubs);
+    }
+
+    /// Whether the island is small enough to be solved directly; then it is in the order of the matrix.
+    fn is_little_work(&mut self, tables: &TierTables<'_>) -> bool {
+        if self.island.len() > LARGEST_DIRECT_ISLAND {
+            return false;
+        }
+        self.order(tables);
+        self.place_of_slot.resize(tables.bodies.motions.len(), NONE);
+        for (place, &slot) in (0_u32..).zip(&self.island) {
+            self.place_of_slot[slot as usize] = place;
+        }
+        self.first.clear();
+        let mut work = 0;
+        for (place, &slot) in (0_u32..).zip(&self.island) {
+            let neighbours = tables.neighbours(slot);
+            let first = neighbours.map(|other| self.place_of_slot[other as usize]).fold(place, u32::min);
+            self.first.push(first);
+            // Each entry of a row takes the common part of two rows, in blocks of 3 × 3.
+            let common = |column: u32| u64::from(column - first.max(self.first[column as usize]) + 1);
+            work += 27 * (first..=place).map(common).sum::<u64>();
+        }
+        work <= LARGEST_FACTORIZATION
+    }
+}

@@ -1,0 +1,44 @@
+//! What an island has been through: how long sweeps would have done, and how often the direct solve was in vain.
+
+/// An island that sweeps are enough for, or that the direct solve could not solve, is left alone for so many steps: it may
+/// have come into another state by then.
+pub(super) const RETRY_STEPS: u64 = 10;
+
+/// Each further time that it was not solved, it is left alone for twice as long, so many times: Newton's method comes to
+/// an end where bodies have come to another place. Then it is given up until a load is new: a heap that sags under sweeps
+/// is lifted by each try, sinks back, and would never lie still.
+const MOST_UNSOLVED_TIMES: u8 = 6;
+
+/// What a body has been through in its islands, or an island, which is the worst of its bodies.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct History {
+    /// For how many steps sweeps would have been enough.
+    pub(super) calm_steps: u8,
+    /// The tick from which on the direct solve may be thought of.
+    pub(super) quiet_until: u64,
+    /// How many times it did not solve the island.
+    pub(super) unsolved_times: u8,
+}
+
+impl History {
+    /// That of an island, of the histories of its bodies.
+    pub(super) fn of_island(bodies: impl Iterator<Item = Self>) -> Self {
+        let none = Self { calm_steps: u8::MAX, ..Self::default() };
+        bodies.fold(none, |one, other| Self {
+            calm_steps: one.calm_steps.min(other.calm_steps),
+            quiet_until: one.quiet_until.max(other.quiet_until),
+            unsolved_times: one.unsolved_times.max(other.unsolved_times),
+        })
+    }
+
+    /// Whether the direct solve has failed so often that it is not tried again under the same load.
+    pub(super) fn is_given_up(&self) -> bool {
+        self.unsolved_times == MOST_UNSOLVED_TIMES
+    }
+
+    /// Leaves the island alone for a while, as it could not be solved directly.
+    pub(super) fn leave_alone(&mut self, tick: u64) {
+        self.quiet_until = tick + (RETRY_STEPS << self.unsolved_times);
+        self.unsolved_times = (self.unsolved_times + 1).min(MOST_UNSOLVED_TIMES);
+    }
+}
