@@ -1,7 +1,7 @@
 //! All bodies of a world, in tables indexed by slot.
 
 use crate::body::{Body, BodyId, BodyType, Effort, Material};
-use crate::compute::{BodyState, COLUMN, GROUND_ROW, prefetch};
+use crate::compute::{BodyState, COLUMN, DistinctIndices, GROUND_ROW, prefetch};
 use crate::math::{Aabb, Point, Pose, Vec2};
 use crate::shape::{MassProperties, Shape};
 use crate::store::{Key, Slots};
@@ -107,12 +107,12 @@ pub(crate) struct Bodies {
     pub(crate) shapes: Vec<Shape>,
     /// By row: the ground, then every awake body that can move; and rows at rest that are no body's, to whole columns.
     pub(crate) states: Vec<BodyState>,
-    /// By row: the slot of the body, `NONE` for the ground.
-    pub(crate) slot_of_row: Vec<u32>,
+    /// The slots of the bodies with rows, in their order, from the row after the ground's on.
+    pub(crate) awake: DistinctIndices,
     /// How many rows are of bodies with more than plain effort.
     raised: usize,
     /// Scratch.
-    sorted_rows: (Vec<u32>, Vec<BodyState>),
+    sorted_rows: (DistinctIndices, Vec<BodyState>),
 }
 
 impl Default for Bodies {
@@ -123,9 +123,9 @@ impl Default for Bodies {
             forcings: Vec::new(),
             shapes: Vec::new(),
             states: vec![BodyState::REST; COLUMN],
-            slot_of_row: vec![NONE],
+            awake: DistinctIndices::default(),
             raised: 0,
-            sorted_rows: (Vec::new(), Vec::new()),
+            sorted_rows: (DistinctIndices::default(), Vec::new()),
         }
     }
 }
@@ -227,7 +227,7 @@ impl Bodies {
         if self.row_count() == self.states.len() {
             self.states.resize(self.row_count() + COLUMN, BodyState::REST);
         }
-        self.slot_of_row.push(slot);
+        self.awake.push(slot);
         let motion = &mut self.motions[slot as usize];
         motion.row = row;
         self.raised += usize::from(self.records[slot].effort != Effort::Plain);
@@ -244,8 +244,8 @@ impl Bodies {
         let last = self.row_count() - 1;
         self.states.swap(row as usize, last);
         self.states[last] = BodyState::REST;
-        self.slot_of_row.swap_remove(row as usize);
-        if let Some(&moved) = self.slot_of_row.get(row as usize) {
+        self.awake.swap_remove(row as usize - 1);
+        if let Some(&moved) = self.awake.get(row as usize - 1) {
             self.motions[moved as usize].row = row;
         }
     }
@@ -266,21 +266,20 @@ impl Bodies {
     /// Brings the rows into the order of their efforts, plain ones first; those of one effort keep theirs.
     pub(crate) fn sort_rows_by_effort(&mut self) {
         let effort_of = |slot: &u32| self.records[*slot].effort;
-        if self.slot_of_row[1..].is_sorted_by_key(effort_of) {
+        if self.awake.is_sorted_by_key(effort_of) {
             return;
         }
         let (mut slots, mut states) = std::mem::take(&mut self.sorted_rows);
-        std::mem::swap(&mut slots, &mut self.slot_of_row);
+        std::mem::swap(&mut slots, &mut self.awake);
         states.clone_from(&self.states);
-        self.slot_of_row.clear();
-        self.slot_of_row.push(NONE);
+        self.awake.clear();
         for effort in Effort::ALL {
-            for (&slot, &state) in slots.iter().zip(&states).skip(1) {
+            for (&slot, &state) in slots.iter().zip(&states[1..]) {
                 if self.records[slot].effort == effort {
-                    let row = self.slot_of_row.len();
+                    let row = self.row_count();
                     self.motions[slot as usize].row = row as u32;
                     self.states[row] = state;
-                    self.slot_of_row.push(slot);
+                    self.awake.push(slot);
                 }
             }
         }
@@ -295,12 +294,18 @@ impl Bodies {
 
     /// How many bodies the solver moves.
     pub(crate) fn awake_count(&self) -> usize {
-        self.row_count() - 1
+        self.awake.len()
+    }
+
+    /// The slot of the body in a row, which is not the ground's.
+    #[inline(always)]
+    pub(crate) fn slot_of_row(&self, row: usize) -> u32 {
+        self.awake[row - 1]
     }
 
     /// How many rows there are, the ground's with them.
     pub(crate) fn row_count(&self) -> usize {
-        self.slot_of_row.len()
+        1 + self.awake.len()
     }
 
     /// Whether forces and contacts move the body in `slot`.

@@ -218,7 +218,7 @@ impl Efforts {
         }
         if tables.bodies.raised_count() > 0 {
             for row in 1..tables.bodies.row_count() {
-                let slot = tables.bodies.slot_of_row[row];
+                let slot = tables.bodies.slot_of_row(row);
                 if tables.bodies.records[slot].effort != Effort::Plain {
                     self.decide_island(slot, (tick, allowance), &mut tables);
                 }
@@ -240,7 +240,7 @@ impl Efforts {
             if effort == Effort::Plain { all } else { 0..0 }
         } else {
             let effort_of = |slot: &u32| bodies.records[*slot].effort;
-            let slots = &bodies.slot_of_row[1..];
+            let slots = &bodies.awake;
             1 + slots.partition_point(|slot| effort_of(slot) < effort)
                 ..1 + slots.partition_point(|slot| effort_of(slot) <= effort)
         };

@@ -3,9 +3,9 @@
 use core::ops::Range;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-use crate::body::{Bodies, Effort};
+use crate::body::{Bodies, Effort, Forcing, Motion};
 use crate::collision::Contacts;
-use crate::compute::{BodyState, Crew, Shared, Width};
+use crate::compute::{Chosen, Crew, Width};
 use crate::math::Vec2;
 use crate::resolution::constraint::StepResidual;
 use crate::resolution::constraint_graph::{ColdContacts, ConstraintGraph, place_in};
@@ -146,8 +146,8 @@ pub(crate) fn solve(
         }
     }
     for _ in 0..scheme.projections.unwrap_or(0) {
-        let project = Project { states: Shared::new(&mut tables.bodies.states) };
-        tables.graph.for_each(tables.crew, (class.effort, Width::ONE), &project);
+        let states = &mut tables.bodies.states;
+        tables.graph.for_each(tables.crew, (class.effort, Width::ONE), states, &Project);
     }
     solver.finish(scheme, class, tables)
 }
@@ -168,15 +168,9 @@ impl Scheme {
     }
 
     /// A sweep of this kind; `have_moved` says whether bodies have since the last.
-    fn sweep_over<'a>(&self, states: &'a mut [BodyState], kind: Sweep, have_moved: bool) -> SweepOver<'a> {
+    fn sweep_over(&self, kind: Sweep, have_moved: bool) -> SweepOver {
         let per_substep = 1.0 / self.substep_time();
-        SweepOver {
-            states: Shared::new(states),
-            kind,
-            have_moved,
-            per_substep,
-            is_fitted: self.fitted_kernels,
-        }
+        SweepOver { kind, have_moved, per_substep, is_fitted: self.fitted_kernels }
     }
 
     /// What of the last impulses is applied before the move, and again after it where the kick is split.
@@ -242,15 +236,16 @@ impl Solver {
         self.seams.hold_back(tables.graph, &tables.bodies.states, h);
         warm_start(WarmStartTime::BeforeMove, scheme, class, tables);
         let SolveTables { bodies, contacts, graph, crew, .. } = tables;
-        let sweep = scheme.sweep_over(&mut bodies.states, scheme.main_sweep(), has_moved);
+        let sweep = scheme.sweep_over(scheme.main_sweep(), has_moved);
         for _ in 0..scheme.iterations {
-            graph.for_each(crew, (class.effort, scheme.width), &sweep);
+            graph.for_each(crew, (class.effort, scheme.width), &mut bodies.states, &sweep);
         }
         if scheme.split_kick && scheme.warm_starting {
             // There is no friction to start from, and a box set on a slope would go down freely for half a substep.
             let kind = Sweep { friction: true, ..scheme.main_sweep() };
-            let sweep = scheme.sweep_over(&mut bodies.states, kind, false);
-            self.cold_contacts.sweep(graph, (scheme.width, scheme.warm_part()), &sweep);
+            let sweep = scheme.sweep_over(kind, false);
+            let how = (scheme.width, scheme.warm_part());
+            self.cold_contacts.sweep(graph, how, &mut bodies.states, &sweep);
         }
         let starts_again = scheme.split_kick;
         self.seams.run(&mut SeamScene { bodies, contacts, graph, starts_again, h });
@@ -263,12 +258,12 @@ impl Solver {
         }
         let (graph, states) = (&mut *tables.graph, &mut tables.bodies.states);
         for iteration in 0..scheme.relax_iterations {
-            let sweep = scheme.sweep_over(states, scheme.relax_sweep(), iteration == 0);
-            graph.for_each(tables.crew, (class.effort, scheme.width), &sweep);
+            let sweep = scheme.sweep_over(scheme.relax_sweep(), iteration == 0);
+            graph.for_each(tables.crew, (class.effort, scheme.width), states, &sweep);
         }
         if scheme.relax_iterations > 0 {
-            let sweep = scheme.sweep_over(states, scheme.relax_sweep(), false);
-            self.cold_contacts.sweep(graph, (scheme.width, 1.0), &sweep);
+            let sweep = scheme.sweep_over(scheme.relax_sweep(), false);
+            self.cold_contacts.sweep(graph, (scheme.width, 1.0), states, &sweep);
         }
     }
 
@@ -303,27 +298,23 @@ impl Solver {
         acceleration: &impl Acceleration,
     ) {
         let (bodies, varies) = (&*tables.bodies, acceleration.varies());
-        let forcing_of = |row: usize| &bodies.forcings[bodies.slot_of_row[row] as usize];
+        let forcing_of = |row: usize| &bodies.forcings[bodies.slot_of_row(row) as usize];
+        let steady_of = |forcing: &Forcing, motion: &Motion| {
+            acceleration.uniform() * forcing.gravity_scale + forcing.force * motion.inverse_mass
+        };
         let has_damping = AtomicBool::new(false);
         self.kicks.reset(bodies.row_count());
-        self.steady.clear();
-        self.steady.resize(if varies { bodies.row_count() } else { 0 }, Vec2::ZERO);
-        let steady_of_row = Shared::new(&mut self.steady);
         self.kicks.fill(tables.crew, class.rows.clone(), |row| {
-            let motion = &bodies.motions[bodies.slot_of_row[row] as usize];
+            let motion = &bodies.motions[bodies.slot_of_row(row) as usize];
             if motion.inverse_mass == 0.0 {
                 return Kick::default();
             }
             let forcing = forcing_of(row);
-            let steady = acceleration.uniform() * forcing.gravity_scale + forcing.force * motion.inverse_mass;
-            if varies {
-                steady_of_row.change(row, |to| *to = steady);
-            }
             if is_damped(forcing) {
                 has_damping.store(true, Ordering::Relaxed);
             }
             Kick {
-                acceleration: steady.into(),
+                acceleration: steady_of(forcing, motion).into(),
                 carry: motion.velocity_carry.into(),
                 angular_acceleration: forcing.torque * motion.inverse_inertia,
             }
@@ -331,11 +322,16 @@ impl Solver {
         self.damped.clear();
         if has_damping.into_inner() {
             let rows = class.rows.clone().map(|row| (row, forcing_of(row)));
-            let is_moved = |row: usize| bodies.is_dynamic(bodies.slot_of_row[row]);
+            let is_moved = |row: usize| bodies.is_dynamic(bodies.slot_of_row(row));
             let damped = rows.filter(|&(row, forcing)| is_damped(forcing) && is_moved(row));
             self.damped.add(damped, scheme.kick_time());
         }
+        self.steady.clear();
         if varies {
+            // Of those that nothing moves it is not asked.
+            let of_row = |row| steady_of(forcing_of(row), &bodies.motions[bodies.slot_of_row(row) as usize]);
+            self.steady.resize(class.rows.start, Vec2::ZERO);
+            self.steady.extend(class.rows.clone().map(of_row));
             self.accelerate(tables, &class.rows, acceleration);
         }
     }
@@ -370,7 +366,7 @@ impl Solver {
     ) {
         let bodies = &*tables.bodies;
         self.kicks.accelerate(tables.crew, rows.clone(), |row| {
-            let (slot, state) = (bodies.slot_of_row[row], &bodies.states[row]);
+            let (slot, state) = (bodies.slot_of_row(row), &bodies.states[row]);
             let varying = || acceleration.at(bodies, slot, state.delta_position.into());
             bodies.is_dynamic(slot).then(|| self.steady[row] + varying())
         });
@@ -394,12 +390,13 @@ impl Solver {
     fn finish(&self, scheme: &Scheme, class: &EffortClass<'_>, tables: &mut SolveTables<'_>) -> StepResidual {
         let SolveTables { bodies, contacts, graph, loads, crew } = tables;
         loads.begin(scheme.adapts, class.effort, 1.0 / scheme.substep_time());
-        loads.unsolved.extend(self.direct.unsolved_rows().map(|row| bodies.slot_of_row[row as usize]));
+        loads.unsolved.extend(self.direct.unsolved_rows().map(|row| bodies.slot_of_row(row as usize)));
         let residual = graph.finish(crew, (class.effort, scheme.width), &bodies.states, contacts, loads);
-        let (motions, slots) = (Shared::new(&mut bodies.motions), &bodies.slot_of_row);
-        crew.run(class.rows.clone(), CARRY_COST, |rows| {
-            for row in rows {
-                motions.change(slots[row] as usize, |motion| motion.velocity_carry = self.kicks.carry(row));
+        let Range { start, end } = class.rows;
+        let motions = Chosen::new(&mut bodies.motions, &bodies.awake).at_places(start - 1..end - 1);
+        crew.run((class.rows.clone(), motions), CARRY_COST, |(rows, mut motions)| {
+            for (place, row) in rows.enumerate() {
+                motions.get_mut(place).velocity_carry = self.kicks.carry(row);
             }
         });
         residual
@@ -411,11 +408,10 @@ fn warm_start(time: WarmStartTime, scheme: &Scheme, class: &EffortClass<'_>, tab
     let means = (class.effort, scheme.width);
     if !scheme.warm_starting {
         if time == WarmStartTime::BeforeMove {
-            tables.graph.for_each(tables.crew, means, &ForgetImpulses);
+            tables.graph.for_each(tables.crew, means, &mut tables.bodies.states, &ForgetImpulses);
         }
         return;
     }
-    let (states, part) = (Shared::new(&mut tables.bodies.states), scheme.warm_part());
-    let start = WarmStart { states, part, time, is_fitted: scheme.fitted_kernels };
-    tables.graph.for_each(tables.crew, means, &start);
+    let start = WarmStart { part: scheme.warm_part(), time, is_fitted: scheme.fitted_kernels };
+    tables.graph.for_each(tables.crew, means, &mut tables.bodies.states, &start);
 }

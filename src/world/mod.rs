@@ -79,6 +79,8 @@ pub struct World {
     /// Awake bodies that have been at rest for long enough to sleep.
     resting: usize,
     ticks: u64,
+    /// Whether a step has begun and not ended: between steps it has only where one panicked.
+    is_within_step: bool,
     /// Time that `advance` was given and no tick has used yet, s.
     unused_time: f64,
     crew: Crew,
@@ -140,6 +142,7 @@ impl World {
             last_substep: 0.0,
             resting: 0,
             ticks: 0,
+            is_within_step: false,
             unused_time: 0.0,
             crew: Crew::default(),
             new_pairs: Vec::new(),

@@ -54,7 +54,7 @@ impl Sleepers {
         let mut members: Vec<(u32, u32)> = Vec::new();
         for row in 1..tables.bodies.row_count() as u32 {
             let root = self.islands.root(row);
-            let slot = tables.bodies.slot_of_row[row as usize];
+            let slot = tables.bodies.slot_of_row(row as usize);
             if self.may_sleep[root as usize] && tables.bodies.is_dynamic(slot) {
                 members.push((root, slot));
             }
@@ -70,7 +70,7 @@ impl Sleepers {
         let bodies = &*tables.bodies;
         self.islands.reset(bodies.row_count());
         let still = |row: u32| {
-            let slot = bodies.slot_of_row[row as usize];
+            let slot = bodies.slot_of_row(row as usize);
             bodies.motions[slot as usize].still_time >= TIME_TO_SLEEP
         };
         for index in tables.graph.contacts() {
