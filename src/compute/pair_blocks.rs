@@ -105,18 +105,16 @@ pub(crate) struct BlocksOver<'a, B> {
 // them, see `divide`.
 unsafe impl<B: Send> Send for BlocksOver<'_, B> {}
 
-impl<'a, B> BlocksOver<'a, B> {
-    /// The blocks, each with the states of its bodies.
+impl<B> BlocksOver<'_, B> {
+    /// A block, and the states of its bodies.
     ///
     /// # Panics
-    /// If there is no state in one of the rows of a block that is asked for.
+    /// If there is no such block, or no state in one of its rows.
     #[inline(always)]
-    pub(crate) fn each(self) -> impl Iterator<Item = (&'a mut B, PairStates<'a>)> {
-        let Self { rows, blocks, states, count, .. } = self;
-        rows.iter().zip(blocks).map(move |(rows, block)| {
-            rows.check_among(count);
-            (block, PairStates { rows, states })
-        })
+    pub(crate) fn get_mut(&mut self, number: usize) -> (&mut B, PairStates<'_>) {
+        let rows = &self.rows[number];
+        rows.check_among(self.count);
+        (&mut self.blocks[number], PairStates { rows, states: self.states })
     }
 }
 
@@ -135,7 +133,7 @@ impl<B: Send> Divide for BlocksOver<'_, B> {
 }
 
 /// The states of the bodies of a block, which no other thread writes, and of which no other reads what the pairs move.
-/// Those of the blocks of a part stay in one thread, as they are not `Send`, and lend none of the states.
+/// Borrowed from the blocks: a part has one at a time.
 #[derive(Debug)]
 pub(crate) struct PairStates<'a> {
     /// In every one of them there is a state.
@@ -320,7 +318,8 @@ mod tests {
         let mut blocks = blocks(&[([1, 2], [true, false])]);
         let mut states = [BodyState::REST; 3];
         let pushed = BodyState { angular_velocity: 1.0, ..BodyState::REST };
-        let ((), mut pairs) = blocks.over(&mut states).each().next().unwrap();
+        let mut over = blocks.over(&mut states);
+        let ((), mut pairs) = over.get_mut(0);
         pairs.scatter_one(0, &[pushed; 2]);
         assert_eq!(pairs.gather::<f32>(0).map(|state| state.angular_velocity), [1.0, 0.0]);
         assert_eq!(states.map(|state| state.angular_velocity), [0.0, 1.0, 0.0]);

@@ -328,7 +328,8 @@ fn push_all<L: Lane>(rows: &RowPairs) -> Vec<BodyState> {
     let (mut states, mut blocks) = (states(), PairBlocks::<()>::default());
     blocks.resize(1);
     blocks.all_mut().0[0] = *rows;
-    let ((), mut of_block) = blocks.over(&mut states).each().next().unwrap();
+    let mut over = blocks.over(&mut states);
+    let ((), mut of_block) = over.get_mut(0);
     for first in (0..COLUMN).step_by(L::WIDTH) {
         let mut pair = of_block.gather::<L>(first);
         push(&mut pair);
@@ -371,8 +372,8 @@ impl Job for Refuse {
                     let (mut states, mut blocks) = (states(), PairBlocks::<()>::default());
                     blocks.resize(1);
                     blocks.all_mut().0[0] = rows;
-                    let ((), mut of_block) = blocks.over(&mut states).each().next().unwrap();
-                    of_block.scatter_velocities::<L>(first, &[BodyState::at_rest(); 2]);
+                    let mut over = blocks.over(&mut states);
+                    over.get_mut(0).1.scatter_velocities::<L>(first, &[BodyState::at_rest(); 2]);
                 };
                 assert!(std::panic::catch_unwind(scatter).is_err(), "row {row} was scattered to");
             }
