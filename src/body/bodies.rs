@@ -1,7 +1,7 @@
 //! All bodies of a world, in tables indexed by slot.
 
 use crate::body::{Body, BodyId, BodyType, Material};
-use crate::compute::{BodyState, COLUMN, GROUND_ROW, prefetch};
+use crate::compute::{BodyState, COLUMN, DistinctIndices, GROUND_ROW, prefetch};
 use crate::math::{Aabb, Point, Pose, Vec2};
 use crate::shape::{MassProperties, Shape};
 use crate::store::{Key, Slots};
@@ -99,8 +99,8 @@ pub(crate) struct Bodies {
     pub(crate) shapes: Vec<Shape>,
     /// By row: the ground, then every awake body that can move; and rows at rest that are no body's, to whole columns.
     pub(crate) states: Vec<BodyState>,
-    /// By row: the slot of the body, `NONE` for the ground.
-    pub(crate) slot_of_row: Vec<u32>,
+    /// The slots of the bodies with rows, in their order, from the row after the ground's on.
+    pub(crate) awake: DistinctIndices,
 }
 
 impl Default for Bodies {
@@ -111,7 +111,7 @@ impl Default for Bodies {
             forcings: Vec::new(),
             shapes: Vec::new(),
             states: vec![BodyState::REST; COLUMN],
-            slot_of_row: vec![NONE],
+            awake: DistinctIndices::default(),
         }
     }
 }
@@ -209,7 +209,7 @@ impl Bodies {
         if self.row_count() == self.states.len() {
             self.states.resize(self.row_count() + COLUMN, BodyState::REST);
         }
-        self.slot_of_row.push(slot);
+        self.awake.push(slot);
         self.motions[slot as usize].row = row;
         row
     }
@@ -223,8 +223,8 @@ impl Bodies {
         let last = self.row_count() - 1;
         self.states.swap(row as usize, last);
         self.states[last] = BodyState::REST;
-        self.slot_of_row.swap_remove(row as usize);
-        if let Some(&moved) = self.slot_of_row.get(row as usize) {
+        self.awake.swap_remove(row as usize - 1);
+        if let Some(&moved) = self.awake.get(row as usize - 1) {
             self.motions[moved as usize].row = row;
         }
     }
@@ -237,12 +237,18 @@ impl Bodies {
 
     /// How many bodies the solver moves.
     pub(crate) fn awake_count(&self) -> usize {
-        self.row_count() - 1
+        self.awake.len()
+    }
+
+    /// The slot of the body in a row, which is not the ground's.
+    #[inline(always)]
+    pub(crate) fn slot_of_row(&self, row: usize) -> u32 {
+        self.awake[row - 1]
     }
 
     /// How many rows there are, the ground's with them.
     pub(crate) fn row_count(&self) -> usize {
-        self.slot_of_row.len()
+        1 + self.awake.len()
     }
 
     /// Whether forces and contacts move the body in `slot`.

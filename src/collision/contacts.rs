@@ -9,9 +9,9 @@ use core::ops::Range;
 
 use crate::body::{Bodies, NONE};
 use crate::collision::{Manifold, ManifoldPoint, Offset, is_flat};
-use crate::compute::{FIRST_LINE, LINE, prefetch, prefetch_lines};
+use crate::compute::{DistinctIndices, FIRST_LINE, LINE, prefetch, prefetch_lines};
 use crate::math::Rot;
-use crate::store::{SharedSlots, Slots};
+use crate::store::{ChosenSlots, Slots};
 
 /// The relative pose for which a manifold was computed; while the bodies stay near it, the manifold's normal
 /// and anchors are kept.
@@ -189,45 +189,37 @@ impl Contact {
     }
 }
 
-/// Contacts that several threads change, each of them others.
-pub(crate) type SharedContacts<'a> = SharedSlots<'a, Contact>;
+/// Some contacts, each of them once.
+pub(crate) type ChosenContacts<'a> = ChosenSlots<'a, Contact>;
 
-impl SharedContacts<'_> {
-    /// Asks for what the contacts further on in a `list` than `place` are read for, which no other thread changes.
+impl ChosenContacts<'_> {
+    /// Asks for what the contacts further on than `place` are read for.
     #[inline(always)]
-    pub(crate) fn prefetch_ahead(&self, bodies: &Bodies, list: &[u32], place: usize) {
-        if let Some(&index) = list.get(place + AHEAD) {
-            let (slots, is_apart, has_circle, holds_still) = self.change(index, |contact| {
-                let is_apart = contact.manifold.points().is_empty();
-                (contact.slots, is_apart, contact.has_circle, contact.holds_still)
-            });
-            for slot in slots {
+    pub(crate) fn prefetch_ahead(&self, bodies: &Bodies, place: usize) {
+        if let Some(contact) = self.get(place + AHEAD) {
+            for slot in contact.slots {
                 prefetch(&bodies.motions, slot as usize);
             }
-            if !is_apart {
-                self.prefetch(index, Contact::POINTS);
-                if !has_circle {
-                    self.prefetch(index, Contact::FROZEN);
+            if !contact.manifold.points().is_empty() {
+                self.prefetch(place + AHEAD, Contact::POINTS);
+                if !contact.has_circle {
+                    self.prefetch(place + AHEAD, Contact::FROZEN);
                 }
                 // What was kept, and likely will be, needs no shapes; of circles and boxes the first line is all that is read.
-                if has_circle || !holds_still {
-                    for slot in slots {
+                if contact.has_circle || !contact.holds_still {
+                    for slot in contact.slots {
                         prefetch_lines(&bodies.shapes, slot as usize, FIRST_LINE);
                     }
                 }
             }
         }
-        if let Some(&index) = list.get(place + 3 * AHEAD) {
-            self.prefetch(index, FIRST_LINE);
-        }
+        self.prefetch(place + 3 * AHEAD, FIRST_LINE);
     }
 
-    /// Asks for what the solver writes of the contacts further on in a `list` than `place`.
+    /// Asks for what the solver writes of the contacts further on than `place`.
     #[inline(always)]
-    pub(crate) fn prefetch_solved(&self, list: &[u32], place: usize) {
-        if let Some(&index) = list.get(place + AHEAD_SOLVED) {
-            self.prefetch(index, Contact::SOLVED);
-        }
+    pub(crate) fn prefetch_written(&self, place: usize) {
+        self.prefetch(place + AHEAD_SOLVED, Contact::SOLVED);
     }
 }
 
@@ -236,7 +228,7 @@ impl SharedContacts<'_> {
 pub(crate) struct Contacts {
     all: Slots<Contact>,
     /// Indices of the contacts with a body that the solver moves.
-    awake: Vec<u32>,
+    awake: DistinctIndices,
     /// Indices of the contacts of which this step may change whether they touch; some of them twice.
     changing: Vec<u32>,
 }
@@ -349,6 +341,11 @@ impl Contacts {
         self.all.at(index)
     }
 
+    /// No contact has a greater index.
+    pub(crate) fn greatest_index(&self) -> u32 {
+        self.all.place_count().saturating_sub(1) as u32
+    }
+
     /// Indices of the awake contacts. The order depends only on what happened so far.
     pub(crate) fn awake(&self) -> &[u32] {
         &self.awake
@@ -412,14 +409,14 @@ impl Contacts {
         }
     }
 
-    /// The contacts, for several threads to change: each contact by one of them.
-    pub(crate) fn shared(&mut self) -> SharedContacts<'_> {
-        self.all.shared()
+    /// The contacts with some indices, which may be divided among threads.
+    pub(crate) fn chosen<'a>(&'a mut self, indices: &'a DistinctIndices) -> ChosenContacts<'a> {
+        self.all.chosen(indices)
     }
 
-    /// The same, and the indices of the awake ones.
-    pub(crate) fn awake_shared(&mut self) -> (&[u32], SharedContacts<'_>) {
-        (&self.awake, self.all.shared())
+    /// The awake ones.
+    pub(crate) fn awake_mut(&mut self) -> ChosenContacts<'_> {
+        self.all.chosen(&self.awake)
     }
 
     /// How many contacts there are.

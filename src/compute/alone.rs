@@ -4,13 +4,21 @@
 #[derive(Clone, Debug, Default)]
 pub(super) struct Team;
 
+/// There is nobody to let sleep when it goes.
+#[must_use = "as that of the feature"]
+pub(crate) struct AtWork;
+
+impl AtWork {
+    /// Nobody beside the caller is.
+    pub(super) const ALONE: Self = Self;
+}
+
 #[expect(clippy::unused_self, reason = "it is called as the team of the feature is")]
 impl Team {
     #[inline(always)]
-    pub(super) fn begin(&mut self, _threads: usize) {}
-
-    #[inline(always)]
-    pub(super) fn rest(&mut self) {}
+    pub(super) fn begin(&mut self, _threads: usize) -> AtWork {
+        AtWork::ALONE
+    }
 
     #[inline(always)]
     pub(super) fn threads(&self) -> usize {

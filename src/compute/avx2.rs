@@ -11,7 +11,7 @@
 use core::arch::x86_64::*;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
-use crate::compute::{BodyState, Column, Lane, RowPairs, RowPlace, Rows, Shared, each_alone};
+use crate::compute::{BodyState, Column, Lane, RowPairs, RowPlace, each_alone};
 use crate::math::trig;
 
 #[derive(Clone, Copy, Debug)]
@@ -99,21 +99,15 @@ fn sin_cos_of_small(angles: __m128) -> [__m128; 2] {
 /// Numbers of two rows, four each: the first four for `OFFSET` 0, the second four for 4.
 ///
 /// # Safety
-/// `states` has both rows.
+/// As for [`Lane::gather`].
 #[inline(always)]
-unsafe fn load_pair<const OFFSET: usize>(
-    states: &(impl Rows + ?Sized),
-    low: RowPlace,
-    high: RowPlace,
-) -> __m256 {
+unsafe fn load_pair<const OFFSET: usize>(states: *const BodyState, low: RowPlace, high: RowPlace) -> __m256 {
     const { assert!(OFFSET == 0 || OFFSET == 4) };
-    states.note_read(low.row() as usize);
-    states.note_read(high.row() as usize);
-    // SAFETY: AVX2 is there, see the module. The rows are, says the caller and checks the line above in debug. A row
+    // SAFETY: AVX2 is there, see the module. The rows are, says the caller. A row
     // is eight numbers, aligned to 32 bytes, of which the offset leaves four, aligned to 16.
     unsafe {
-        let low = low.of(states.first_row()).add(OFFSET);
-        let high = high.of(states.first_row()).add(OFFSET);
+        let low = low.of(states).add(OFFSET);
+        let high = high.of(states).add(OFFSET);
         _mm256_insertf128_ps::<1>(_mm256_castps128_ps256(_mm_load_ps(low)), _mm_load_ps(high))
     }
 }
@@ -121,13 +115,10 @@ unsafe fn load_pair<const OFFSET: usize>(
 /// Four numbers of each of eight rows, as four lanes.
 ///
 /// # Safety
-/// `states` has the rows.
+/// As for [`Lane::gather`].
 #[inline(always)]
-unsafe fn gather_half<const OFFSET: usize>(
-    states: &(impl Rows + ?Sized),
-    rows: &[RowPlace; 8],
-) -> [F32x8; 4] {
-    // SAFETY: the rows are there, says the caller; `load_pair` checks it in debug.
+unsafe fn gather_half<const OFFSET: usize>(states: *const BodyState, rows: &[RowPlace; 8]) -> [F32x8; 4] {
+    // SAFETY: the rows are there, says the caller.
     let pairs = unsafe {
         [
             load_pair::<OFFSET>(states, rows[0], rows[4]),
@@ -141,34 +132,27 @@ unsafe fn gather_half<const OFFSET: usize>(
 }
 
 /// # Safety
-/// `states` has the rows.
+/// As for [`Lane::gather`].
 #[inline(always)]
-unsafe fn gather(states: &(impl Rows + ?Sized), rows: &[RowPlace; 8]) -> BodyState<F32x8> {
-    // SAFETY: the rows are there, says the caller; `load_pair` checks it in debug.
+unsafe fn gather(states: *const BodyState, rows: &[RowPlace; 8]) -> BodyState<F32x8> {
+    // SAFETY: the rows are there, says the caller.
     unsafe { BodyState::of_numbers(gather_half::<0>(states, rows), gather_half::<4>(states, rows)) }
 }
 
 /// # Safety
-/// `states` has the rows.
+/// As for [`Lane::gather`].
 #[inline(always)]
-unsafe fn gather_velocities(states: &(impl Rows + ?Sized), rows: &[RowPlace; 8]) -> BodyState<F32x8> {
-    // SAFETY: the rows are there, says the caller; `load_pair` checks it in debug.
+unsafe fn gather_velocities(states: *const BodyState, rows: &[RowPlace; 8]) -> BodyState<F32x8> {
+    // SAFETY: the rows are there, says the caller.
     BodyState::of_velocities(unsafe { gather_half::<0>(states, rows) })
 }
 
-/// Writes the velocities of the bodies that move to their rows.
+/// Writes the velocities of the bodies that move to their rows: one bit of `moves` each.
 ///
 /// # Safety
-/// `states` has the rows.
+/// As for [`Lane::scatter_velocities`].
 #[inline(always)]
-unsafe fn scatter(
-    states: &Shared<'_, BodyState>,
-    rows: &[RowPlace; 8],
-    state: &BodyState<F32x8>,
-    moves: Mask8,
-) {
-    // SAFETY: AVX2 is there, see the module.
-    let moves = unsafe { _mm256_movemask_ps(moves.0) };
+unsafe fn scatter(states: *mut BodyState, rows: &[RowPlace; 8], state: &BodyState<F32x8>, moves: u32) {
     if moves == 0 {
         return;
     }
@@ -178,16 +162,14 @@ unsafe fn scatter(
     let all_move = moves == 0xFF;
     for (place, pair) in pairs.into_iter().enumerate() {
         let (low, high) = (rows[place], rows[place + 4]);
-        // SAFETY: AVX2 is there, see the module. The rows are, says the caller and checks `note_write` in debug. A
+        // SAFETY: AVX2 is there, see the module. The rows are, says the caller. A
         // row begins with four numbers, aligned to 16 bytes.
         unsafe {
             if all_move || moves & 1 << place != 0 {
-                states.note_write(low.row() as usize);
-                _mm_store_ps(low.of(states.as_mut_ptr()).cast_mut(), _mm256_castps256_ps128(pair));
+                _mm_store_ps(low.of(states).cast_mut(), _mm256_castps256_ps128(pair));
             }
             if all_move || moves & 1 << (place + 4) != 0 {
-                states.note_write(high.row() as usize);
-                _mm_store_ps(high.of(states.as_mut_ptr()).cast_mut(), _mm256_extractf128_ps::<1>(pair));
+                _mm_store_ps(high.of(states).cast_mut(), _mm256_extractf128_ps::<1>(pair));
             }
         }
     }
@@ -292,7 +274,7 @@ impl Lane for F32x8 {
     fn load_rows(states: &[BodyState], first: usize) -> BodyState<Self> {
         let states: &[BodyState; 8] = states[first..].first_chunk().expect("eight rows");
         // SAFETY: these are the rows of eight states.
-        unsafe { gather(&states[..], const { &RowPlace::first() }) }
+        unsafe { gather(states.as_ptr(), const { &RowPlace::first() }) }
     }
 
     #[inline(always)]
@@ -328,33 +310,32 @@ impl Lane for F32x8 {
     }
 
     #[inline(always)]
-    fn gather(states: &(impl Rows + ?Sized), rows: &RowPairs, place: usize) -> [BodyState<Self>; 2] {
-        let [a, b] = rows.part(states, place);
-        // SAFETY: `part` has seen that the rows are there.
+    unsafe fn gather(states: *const BodyState, rows: &RowPairs, place: usize) -> [BodyState<Self>; 2] {
+        let [a, b] = rows.part(place);
+        // SAFETY: says the caller.
         unsafe { [gather(states, a), gather(states, b)] }
     }
 
     #[inline(always)]
-    fn gather_velocities(
-        states: &(impl Rows + ?Sized),
+    unsafe fn gather_velocities(
+        states: *const BodyState,
         rows: &RowPairs,
         place: usize,
     ) -> [BodyState<Self>; 2] {
-        let [a, b] = rows.part(states, place);
-        // SAFETY: `part` has seen that the rows are there.
+        let [a, b] = rows.part(place);
+        // SAFETY: says the caller.
         unsafe { [gather_velocities(states, a), gather_velocities(states, b)] }
     }
 
     #[inline(always)]
-    fn scatter_velocities(
-        states: &Shared<'_, BodyState>,
+    unsafe fn scatter_velocities(
+        states: *mut BodyState,
         rows: &RowPairs,
         place: usize,
         [a, b]: &[BodyState<Self>; 2],
-        [a_moves, b_moves]: [Mask8; 2],
     ) {
-        let [rows_a, rows_b] = rows.part(states, place);
-        // SAFETY: `part` has seen that the rows are there.
+        let ([rows_a, rows_b], [a_moves, b_moves]) = (rows.part(place), rows.moves::<8>(place));
+        // SAFETY: says the caller.
         unsafe {
             scatter(states, rows_a, a, a_moves);
             scatter(states, rows_b, b, b_moves);

@@ -11,7 +11,7 @@
 use core::arch::x86_64::*;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
-use crate::compute::{BodyState, Column, Lane, RowPairs, RowPlace, Rows, Shared, each_alone};
+use crate::compute::{BodyState, Column, Lane, RowPairs, RowPlace, each_alone};
 use crate::math::trig;
 
 #[derive(Clone, Copy, Debug)]
@@ -115,27 +115,26 @@ fn quarters(numbers: __m512) -> [__m128; 4] {
 /// Four numbers of a row: the first four for `OFFSET` 0, the second four for 4.
 ///
 /// # Safety
-/// `states` has the row.
+/// As for [`Lane::gather`].
 #[inline(always)]
-unsafe fn load_quarter<const OFFSET: usize>(states: &(impl Rows + ?Sized), row: RowPlace) -> __m128 {
+unsafe fn load_quarter<const OFFSET: usize>(states: *const BodyState, row: RowPlace) -> __m128 {
     const { assert!(OFFSET == 0 || OFFSET == 4) };
-    states.note_read(row.row() as usize);
-    // SAFETY: the row is there, says the caller and checks the line above in debug. It is eight numbers, aligned to 32
+    // SAFETY: the row is there, says the caller. It is eight numbers, aligned to 32
     // bytes, of which the offset leaves four, aligned to 16.
-    unsafe { _mm_load_ps(row.of(states.first_row()).add(OFFSET)) }
+    unsafe { _mm_load_ps(row.of(states).add(OFFSET)) }
 }
 
 /// The same of four rows, one after every fourth, from `first` on.
 ///
 /// # Safety
-/// `states` has the rows.
+/// As for [`Lane::gather`].
 #[inline(always)]
 unsafe fn load_four<const OFFSET: usize>(
-    states: &(impl Rows + ?Sized),
+    states: *const BodyState,
     rows: &[RowPlace; 16],
     first: usize,
 ) -> __m512 {
-    // SAFETY: AVX-512 is there, see the module. The rows are, says the caller; `load_quarter` checks it in debug.
+    // SAFETY: AVX-512 is there, see the module. The rows are, says the caller.
     unsafe {
         let numbers = _mm512_castps128_ps512(load_quarter::<OFFSET>(states, rows[first]));
         let numbers = _mm512_insertf32x4::<1>(numbers, load_quarter::<OFFSET>(states, rows[first + 4]));
@@ -147,13 +146,10 @@ unsafe fn load_four<const OFFSET: usize>(
 /// Four numbers of each of sixteen rows, as four lanes.
 ///
 /// # Safety
-/// `states` has the rows.
+/// As for [`Lane::gather`].
 #[inline(always)]
-unsafe fn gather_half<const OFFSET: usize>(
-    states: &(impl Rows + ?Sized),
-    rows: &[RowPlace; 16],
-) -> [F32x16; 4] {
-    // SAFETY: the rows are there, says the caller; `load_quarter` checks it in debug.
+unsafe fn gather_half<const OFFSET: usize>(states: *const BodyState, rows: &[RowPlace; 16]) -> [F32x16; 4] {
+    // SAFETY: the rows are there, says the caller.
     let fours = unsafe {
         [
             load_four::<OFFSET>(states, rows, 0),
@@ -167,48 +163,41 @@ unsafe fn gather_half<const OFFSET: usize>(
 }
 
 /// # Safety
-/// `states` has the rows.
+/// As for [`Lane::gather`].
 #[inline(always)]
-unsafe fn gather(states: &(impl Rows + ?Sized), rows: &[RowPlace; 16]) -> BodyState<F32x16> {
-    // SAFETY: the rows are there, says the caller; `load_quarter` checks it in debug.
+unsafe fn gather(states: *const BodyState, rows: &[RowPlace; 16]) -> BodyState<F32x16> {
+    // SAFETY: the rows are there, says the caller.
     unsafe { BodyState::of_numbers(gather_half::<0>(states, rows), gather_half::<4>(states, rows)) }
 }
 
 /// # Safety
-/// `states` has the rows.
+/// As for [`Lane::gather`].
 #[inline(always)]
-unsafe fn gather_velocities(states: &(impl Rows + ?Sized), rows: &[RowPlace; 16]) -> BodyState<F32x16> {
-    // SAFETY: the rows are there, says the caller; `load_quarter` checks it in debug.
+unsafe fn gather_velocities(states: *const BodyState, rows: &[RowPlace; 16]) -> BodyState<F32x16> {
+    // SAFETY: the rows are there, says the caller.
     BodyState::of_velocities(unsafe { gather_half::<0>(states, rows) })
 }
 
-/// Writes the velocities of the bodies that move to their rows.
+/// Writes the velocities of the bodies that move to their rows: one bit of `moves` each.
 ///
 /// # Safety
-/// `states` has the rows.
+/// As for [`Lane::scatter_velocities`].
 #[inline(always)]
-unsafe fn scatter(
-    states: &Shared<'_, BodyState>,
-    rows: &[RowPlace; 16],
-    state: &BodyState<F32x16>,
-    moves: Mask16,
-) {
+unsafe fn scatter(states: *mut BodyState, rows: &[RowPlace; 16], state: &BodyState<F32x16>, moves: u32) {
     if moves == 0 {
         return;
     }
     let padding = F32x16::splat(0.0);
     let fours = transpose([state.velocity.x.0, state.velocity.y.0, state.angular_velocity.0, padding.0]);
     // Usually all of them move: then sixteen jumps are saved.
-    let all_move = moves == Mask16::MAX;
+    let all_move = moves == 0xFFFF;
     for (first, four) in fours.into_iter().enumerate() {
         for (number, quarter) in quarters(four).into_iter().enumerate() {
             let place = first + 4 * number;
             if all_move || moves & 1 << place != 0 {
                 let row = rows[place];
-                states.note_write(row.row() as usize);
-                // SAFETY: SSE is part of the target. The row is there, says the caller and checks the line above in
-                // debug. It begins with four numbers, aligned to 16 bytes.
-                unsafe { _mm_store_ps(row.of(states.as_mut_ptr()).cast_mut(), quarter) }
+                // SAFETY: SSE is part of the target. The row is there, says the caller. It begins with four numbers, aligned to 16 bytes.
+                unsafe { _mm_store_ps(row.of(states).cast_mut(), quarter) }
             }
         }
     }
@@ -324,7 +313,7 @@ impl Lane for F32x16 {
     fn load_rows(states: &[BodyState], first: usize) -> BodyState<Self> {
         let states: &[BodyState; 16] = states[first..].first_chunk().expect("sixteen rows");
         // SAFETY: these are the rows of sixteen states.
-        unsafe { gather(&states[..], const { &RowPlace::first() }) }
+        unsafe { gather(states.as_ptr(), const { &RowPlace::first() }) }
     }
 
     #[inline(always)]
@@ -341,33 +330,32 @@ impl Lane for F32x16 {
     }
 
     #[inline(always)]
-    fn gather(states: &(impl Rows + ?Sized), rows: &RowPairs, place: usize) -> [BodyState<Self>; 2] {
-        let [a, b] = rows.part(states, place);
-        // SAFETY: `part` has seen that the rows are there.
+    unsafe fn gather(states: *const BodyState, rows: &RowPairs, place: usize) -> [BodyState<Self>; 2] {
+        let [a, b] = rows.part(place);
+        // SAFETY: says the caller.
         unsafe { [gather(states, a), gather(states, b)] }
     }
 
     #[inline(always)]
-    fn gather_velocities(
-        states: &(impl Rows + ?Sized),
+    unsafe fn gather_velocities(
+        states: *const BodyState,
         rows: &RowPairs,
         place: usize,
     ) -> [BodyState<Self>; 2] {
-        let [a, b] = rows.part(states, place);
-        // SAFETY: `part` has seen that the rows are there.
+        let [a, b] = rows.part(place);
+        // SAFETY: says the caller.
         unsafe { [gather_velocities(states, a), gather_velocities(states, b)] }
     }
 
     #[inline(always)]
-    fn scatter_velocities(
-        states: &Shared<'_, BodyState>,
+    unsafe fn scatter_velocities(
+        states: *mut BodyState,
         rows: &RowPairs,
         place: usize,
         [a, b]: &[BodyState<Self>; 2],
-        [a_moves, b_moves]: [Mask16; 2],
     ) {
-        let [rows_a, rows_b] = rows.part(states, place);
-        // SAFETY: `part` has seen that the rows are there.
+        let ([rows_a, rows_b], [a_moves, b_moves]) = (rows.part(place), rows.moves::<16>(place));
+        // SAFETY: says the caller.
         unsafe {
             scatter(states, rows_a, a, a_moves);
             scatter(states, rows_b, b, b_moves);

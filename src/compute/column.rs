@@ -3,7 +3,7 @@
 //! A column has a place for as many numbers as the widest lane, whatever lane is in use. A narrower lane takes it
 //! in parts, so that the layout, and all code that looks at one place only, know nothing of lanes.
 
-use crate::compute::{BodyState, Rows};
+use crate::compute::{BodyState, Lane};
 
 /// How many numbers a column holds: as many as the widest lane.
 pub(crate) const COLUMN: usize = 16;
@@ -85,7 +85,7 @@ impl RowPlace {
     /// That of a row. Those from 2³⁰ on have one in common, as there are not as many.
     #[inline(always)]
     pub(super) const fn new(row: u32) -> Self {
-        Self(row.saturating_mul(STEPS))
+        Self(if row < u32::MAX / STEPS { row } else { u32::MAX / STEPS } * STEPS)
     }
 
     /// Those of the first `N` rows.
@@ -113,14 +113,17 @@ impl RowPlace {
     }
 }
 
-/// Which rows of [`BodyState`] sixteen pairs of bodies have.
+/// Which rows of [`BodyState`] sixteen pairs of bodies have, and which of them the pairs move. There are no others that
+/// lanes read and write.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct RowPairs {
     a: [RowPlace; COLUMN],
     b: [RowPlace; COLUMN],
-    /// No row is greater: what a lane that reads many rows at once has to compare.
+    /// No row is greater: one number to compare, and all rows are known to be there.
     greatest: RowPlace,
+    /// Of a and of b: one bit per place, set where the pair moves the body.
+    moves: [[u8; COLUMN / 8]; 2],
 }
 
 impl RowPairs {
@@ -131,28 +134,70 @@ impl RowPairs {
         [self.a[place % COLUMN].row(), self.b[place % COLUMN].row()]
     }
 
-    /// Writes the rows of the pair at `place`, below [`COLUMN`].
+    /// With these rows of a and of b; the pairs move none of them.
     #[inline(always)]
-    pub(crate) fn set(&mut self, place: usize, rows: [u32; 2]) {
+    pub(crate) fn new(rows: [[u32; COLUMN]; 2]) -> Self {
+        let [a, b] = rows.map(|rows| rows.map(RowPlace::new));
+        let greatest = a.into_iter().chain(b).fold(RowPlace::default(), RowPlace::max);
+        Self { a, b, greatest, moves: Default::default() }
+    }
+
+    /// Writes which bodies the pairs from `place` on move, a multiple of the lane's width: those with a number above 0.
+    #[inline(always)]
+    pub(crate) fn set_moves<L: Lane>(&mut self, place: usize, inverse_masses: [L; 2]) {
+        for (bytes, inverse_mass) in self.moves.iter_mut().zip(inverse_masses) {
+            let bits = L::bits(inverse_mass.greater(L::splat(0.0))) as u16;
+            let others = !((((1 << L::WIDTH) - 1) as u16) << (place % COLUMN));
+            *bytes = (u16::from_le_bytes(*bytes) & others | bits << (place % COLUMN)).to_le_bytes();
+        }
+    }
+
+    /// Writes the rows of the pair at `place`, below [`COLUMN`], and which of them it moves.
+    pub(crate) fn set_one(&mut self, place: usize, rows: [u32; 2], moves: [bool; 2]) {
         debug_assert!(place < COLUMN);
         let [a, b] = rows.map(RowPlace::new);
         self.a[place % COLUMN] = a;
         self.b[place % COLUMN] = b;
         self.greatest = self.greatest.max(a).max(b);
+        self.set_moves::<f32>(place, moves.map(|moves| f32::from(u8::from(moves))));
     }
 
-    /// The rows of the `N` bodies from `place` on, a multiple of `N`, all of them in `states`.
+    /// Takes over a pair of others.
+    pub(crate) fn copy(&mut self, place: usize, from: &Self, from_place: usize) {
+        self.set_one(place, from.get(from_place), from.moves::<1>(from_place).map(|moves| moves != 0));
+    }
+
+    /// Which bodies the `N` pairs from `place` on move, a multiple of `N`: one bit each, the first the lowest, of a and of
+    /// b.
+    #[inline(always)]
+    pub(crate) fn moves<const N: usize>(&self, place: usize) -> [u32; 2] {
+        const { assert!(COLUMN.is_multiple_of(N)) };
+        debug_assert!(place.is_multiple_of(N) && place < COLUMN);
+        // The byte is found faster than its bits are shifted down.
+        self.moves.map(|bytes| match N {
+            16 => u32::from(u16::from_le_bytes(bytes)),
+            8 => u32::from(bytes[place % COLUMN / 8]),
+            _ => u32::from(bytes[place % COLUMN / 8]) >> (place % 8) & ((1 << N) - 1),
+        })
+    }
+
+    /// No row is greater.
+    pub(super) fn greatest_row(&self) -> u32 {
+        self.greatest.row()
+    }
+
+    /// Checks that there is a state in every one of the rows.
     ///
     /// # Panics
-    /// If there is no such row.
+    /// If there is not.
     #[inline(always)]
-    pub(super) fn part<const N: usize>(
-        &self,
-        states: &(impl Rows + ?Sized),
-        place: usize,
-    ) -> [&[RowPlace; N]; 2] {
-        let count = states.row_count();
-        assert!((self.greatest.row() as usize) < count, "a row beyond the {count} there are");
+    pub(super) fn check_among(&self, states: usize) {
+        assert!((self.greatest.row() as usize) < states, "a row beyond the {states} there are");
+    }
+
+    /// The rows of the `N` bodies from `place` on, a multiple of `N`.
+    #[inline(always)]
+    pub(super) fn part<const N: usize>(&self, place: usize) -> [&[RowPlace; N]; 2] {
         [part_of(&self.a, place), part_of(&self.b, place)]
     }
 }

@@ -5,13 +5,14 @@
 //! parts without rest until it ends. A part that no thread has taken up is done by the caller: it never waits for a
 //! thread to come.
 //!
-//! No bit of a result depends on how work is divided, on which thread does a part, or in what order. Whoever divides
-//! work sees to that: parts write to different places, and what has an order is put in order afterwards.
+//! No bit of a result depends on how work is divided, on which thread does a part, or in what order: parts write to
+//! different places, which what is divided sees to, and what has an order is put in order afterwards.
 
 use core::cell::UnsafeCell;
 use core::ops::Range;
 
-use crate::compute::team::Team;
+use crate::compute::COLUMN;
+use crate::compute::team::{AtWork, Team};
 
 /// A part is worth a thread if it takes so long, ns: twice as long as another thread takes to begin it.
 const LEAST_PART: usize = 1000;
@@ -47,17 +48,11 @@ pub(crate) trait Divide: Sized + Send {
 }
 
 impl Crew {
-    /// Begins a step with up to so many threads, the caller's among them, on so many bodies and contacts.
-    pub(crate) fn begin_step(&mut self, threads: usize, size: usize) {
+    /// Begins a step with up to so many threads, the caller's among them, on so many bodies and contacts. They work until
+    /// what is returned goes, and rest until the next step.
+    pub(crate) fn begin_step(&mut self, threads: usize, size: usize) -> AtWork {
         let is_worth_it = self.divides_all || size * STEP_COST >= LEAST_STEP;
-        if threads > 1 && is_worth_it {
-            self.team.begin(threads.min(MOST_THREADS));
-        }
-    }
-
-    /// Lets the threads rest until the next step.
-    pub(crate) fn end_step(&mut self) {
-        self.team.rest();
+        if threads > 1 && is_worth_it { self.team.begin(threads.min(MOST_THREADS)) } else { AtWork::ALONE }
     }
 
     /// Divides work from now on however little it is.
@@ -165,6 +160,21 @@ impl<T: Send> Divide for &mut [T] {
 
     fn divide(self, at: usize) -> (Self, Self) {
         self.split_at_mut(at)
+    }
+}
+
+/// The items of something in columns: of [`COLUMN`] items, but for the last.
+#[derive(Debug)]
+pub(crate) struct ByColumn<D>(pub(crate) D);
+
+impl<D: Divide> Divide for ByColumn<D> {
+    fn count(&self) -> usize {
+        self.0.count().div_ceil(COLUMN)
+    }
+
+    fn divide(self, at: usize) -> (Self, Self) {
+        let (first, last) = self.0.divide(at * COLUMN);
+        (Self(first), Self(last))
     }
 }
 

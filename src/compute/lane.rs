@@ -3,7 +3,7 @@
 use core::fmt::Debug;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
-use crate::compute::{BodyState, Column, RowPairs, Rows, Shared};
+use crate::compute::{BodyState, Column, RowPairs};
 use crate::math::trig;
 
 /// `WIDTH` numbers that are computed with at once. Every operation rounds as IEEE 754 says for each number
@@ -69,29 +69,29 @@ pub(crate) trait Lane:
 
     /// Reads the states of the pairs from `place` on, a multiple of `WIDTH`.
     ///
-    /// # Panics
-    /// If there is no such row.
-    fn gather(states: &(impl Rows + ?Sized), rows: &RowPairs, place: usize) -> [BodyState<Self>; 2];
+    /// # Safety
+    /// From `states` on there is a state in every one of the rows, and nobody writes it meanwhile.
+    unsafe fn gather(states: *const BodyState, rows: &RowPairs, place: usize) -> [BodyState<Self>; 2];
     /// The same where only velocities are needed: the rest is at rest.
     ///
-    /// # Panics
-    /// If there is no such row.
-    fn gather_velocities(
-        states: &(impl Rows + ?Sized),
+    /// # Safety
+    /// As for `gather`.
+    unsafe fn gather_velocities(
+        states: *const BodyState,
         rows: &RowPairs,
         place: usize,
     ) -> [BodyState<Self>; 2];
-    /// Writes the velocities of the pairs from `place` on, a multiple of `WIDTH`, back where `moves` holds. There,
-    /// rows differ from each other.
+    /// Writes the velocities of the bodies that the pairs from `place` on, a multiple of `WIDTH`, move. Their rows
+    /// differ from each other.
     ///
-    /// # Panics
-    /// If there is no such row.
-    fn scatter_velocities(
-        states: &Shared<'_, BodyState>,
+    /// # Safety
+    /// From `states` on there is a state in every one of the rows. Those that the pairs move may be written, and nobody else
+    /// reads or writes them meanwhile.
+    unsafe fn scatter_velocities(
+        states: *mut BodyState,
         rows: &RowPairs,
         place: usize,
         pair: &[BodyState<Self>; 2],
-        moves: [Self::Mask; 2],
     );
 }
 
@@ -171,32 +171,36 @@ impl Lane for f32 {
     }
 
     #[inline(always)]
-    fn gather(states: &(impl Rows + ?Sized), rows: &RowPairs, place: usize) -> [BodyState; 2] {
-        rows.get(place).map(|row| states.row(row))
+    unsafe fn gather(states: *const BodyState, rows: &RowPairs, place: usize) -> [BodyState; 2] {
+        // SAFETY: says the caller.
+        rows.get(place).map(|row| unsafe { *states.add(row as usize) })
     }
 
     #[inline(always)]
-    fn gather_velocities(states: &(impl Rows + ?Sized), rows: &RowPairs, place: usize) -> [BodyState; 2] {
+    unsafe fn gather_velocities(states: *const BodyState, rows: &RowPairs, place: usize) -> [BodyState; 2] {
         rows.get(place).map(|row| {
-            let BodyState { velocity, angular_velocity, .. } = states.row(row);
+            // SAFETY: says the caller.
+            let BodyState { velocity, angular_velocity, .. } = unsafe { *states.add(row as usize) };
             BodyState { velocity, angular_velocity, ..BodyState::REST }
         })
     }
 
     #[inline(always)]
-    fn scatter_velocities(
-        states: &Shared<'_, BodyState>,
+    unsafe fn scatter_velocities(
+        states: *mut BodyState,
         rows: &RowPairs,
         place: usize,
         pair: &[BodyState; 2],
-        moves: [bool; 2],
     ) {
-        for ((row, state), moves) in rows.get(place).into_iter().zip(pair).zip(moves) {
-            if moves {
-                states.change(row as usize, |to| {
-                    to.velocity = state.velocity;
-                    to.angular_velocity = state.angular_velocity;
-                });
+        let rows_and_moves = rows.get(place).into_iter().zip(rows.moves::<1>(place));
+        for ((row, moves), state) in rows_and_moves.zip(pair) {
+            if moves != 0 {
+                // SAFETY: says the caller.
+                unsafe {
+                    let to = states.add(row as usize);
+                    (*to).velocity = state.velocity;
+                    (*to).angular_velocity = state.angular_velocity;
+                }
             }
         }
     }

@@ -8,8 +8,11 @@
 //! [`run`] is where a width is chosen: a [`Job`] is compiled once per width, all of it inlined into one function
 //! that may use the instructions of that width.
 //!
-//! [`Crew`] divides work among threads, where there are several; [`Shared`] is what its parts write to where a slice
-//! cannot be divided. This is the only module with `unsafe` in it.
+//! [`Crew`] divides work among threads, where there are several. Where a slice cannot be divided for it, parts write to
+//! what two lists say: [`Chosen`] elements, by a list of indices that takes none twice, and the bodies of [`PairBlocks`],
+//! which are divided only after a check that they share none. Both hand out what a part may write, and nothing else.
+//!
+//! This is the only module with `unsafe` in it, and no safe function of it relies on what its callers do.
 
 #[cfg(target_arch = "x86_64")]
 mod avx2;
@@ -20,20 +23,19 @@ mod column;
 mod counted;
 mod crew;
 mod dispatch;
+mod distinct;
 mod lane;
 #[cfg(target_arch = "aarch64")]
 mod neon;
-#[cfg_attr(not(feature = "parallel"), allow(dead_code))]
-mod owners;
+mod pair_blocks;
 #[cfg(any(test, not(any(target_arch = "x86_64", target_arch = "aarch64"))))]
 mod portable;
 mod prefetch;
-// Portable lanes read and write row by row.
-#[cfg_attr(not(any(target_arch = "x86_64", target_arch = "aarch64")), allow(dead_code))]
-mod shared;
 #[cfg(target_arch = "x86_64")]
 mod sse2;
 mod state;
+#[cfg(feature = "parallel")]
+mod sync;
 #[cfg_attr(not(feature = "parallel"), path = "alone.rs")]
 mod team;
 #[cfg(test)]
@@ -51,12 +53,13 @@ use column::RowPlace;
 pub(crate) use column::{COLUMN, Column, RowPairs};
 #[cfg(feature = "report")]
 pub(crate) use counted::{Count, Counted, count};
-pub(crate) use crew::{Crew, Divide, MOST_THREADS, lock};
+pub(crate) use crew::{ByColumn, Crew, Divide, MOST_THREADS, lock};
 pub use dispatch::Lanes;
 pub(crate) use dispatch::{Job, Width, run};
+pub(crate) use distinct::{Chosen, DistinctIndices};
 pub(crate) use lane::Lane;
 use lane::each_alone;
+pub(crate) use pair_blocks::{BlocksOver, PairBlocks, PairStates, RowMarks};
 pub(crate) use prefetch::{FIRST_LINE, LINE, prefetch, prefetch_lines};
-pub(crate) use shared::{Rows, Shared};
 pub(crate) use state::{BodyState, GROUND_ROW};
 pub(crate) use vector::{LaneRot, LaneVec2};

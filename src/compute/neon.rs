@@ -5,7 +5,7 @@
 use core::arch::aarch64::*;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
-use crate::compute::{BodyState, Column, Lane, RowPairs, RowPlace, Rows, Shared, each_alone};
+use crate::compute::{BodyState, Column, Lane, RowPairs, RowPlace, each_alone};
 
 #[derive(Clone, Copy, Debug)]
 #[repr(transparent)]
@@ -45,26 +45,22 @@ impl Neg for F32x4 {
 /// Four numbers of a row: the first four for `OFFSET` 0, the second four for 4.
 ///
 /// # Safety
-/// `states` has the row.
+/// As for [`Lane::gather`].
 #[inline(always)]
-unsafe fn load_half<const OFFSET: usize>(states: &(impl Rows + ?Sized), row: RowPlace) -> float32x4_t {
+unsafe fn load_half<const OFFSET: usize>(states: *const BodyState, row: RowPlace) -> float32x4_t {
     const { assert!(OFFSET == 0 || OFFSET == 4) };
-    states.note_read(row.row() as usize);
-    // SAFETY: NEON is part of the target. The row is there, says the caller and checks the line above in debug. It is
+    // SAFETY: NEON is part of the target. The row is there, says the caller. It is
     // eight numbers, aligned to 32 bytes, of which the offset leaves four, aligned to 16.
-    unsafe { vld1q_f32(row.of(states.first_row()).add(OFFSET)) }
+    unsafe { vld1q_f32(row.of(states).add(OFFSET)) }
 }
 
 /// Four numbers of each of four rows, as four lanes.
 ///
 /// # Safety
-/// `states` has the rows.
+/// As for [`Lane::gather`].
 #[inline(always)]
-unsafe fn gather_half<const OFFSET: usize>(
-    states: &(impl Rows + ?Sized),
-    rows: &[RowPlace; 4],
-) -> [F32x4; 4] {
-    // SAFETY: the rows are there, says the caller; `load_half` checks it in debug.
+unsafe fn gather_half<const OFFSET: usize>(states: *const BodyState, rows: &[RowPlace; 4]) -> [F32x4; 4] {
+    // SAFETY: the rows are there, says the caller.
     let halves = unsafe {
         [
             load_half::<OFFSET>(states, rows[0]),
@@ -78,44 +74,34 @@ unsafe fn gather_half<const OFFSET: usize>(
 }
 
 /// # Safety
-/// `states` has the rows.
+/// As for [`Lane::gather`].
 #[inline(always)]
-unsafe fn gather(states: &(impl Rows + ?Sized), rows: &[RowPlace; 4]) -> BodyState<F32x4> {
-    // SAFETY: the rows are there, says the caller; `load_half` checks it in debug.
+unsafe fn gather(states: *const BodyState, rows: &[RowPlace; 4]) -> BodyState<F32x4> {
+    // SAFETY: the rows are there, says the caller.
     unsafe { BodyState::of_numbers(gather_half::<0>(states, rows), gather_half::<4>(states, rows)) }
 }
 
 /// # Safety
-/// `states` has the rows.
+/// As for [`Lane::gather`].
 #[inline(always)]
-unsafe fn gather_velocities(states: &(impl Rows + ?Sized), rows: &[RowPlace; 4]) -> BodyState<F32x4> {
-    // SAFETY: the rows are there, says the caller; `load_half` checks it in debug.
+unsafe fn gather_velocities(states: *const BodyState, rows: &[RowPlace; 4]) -> BodyState<F32x4> {
+    // SAFETY: the rows are there, says the caller.
     BodyState::of_velocities(unsafe { gather_half::<0>(states, rows) })
 }
 
-/// Writes the velocities of the bodies that move to their rows.
+/// Writes the velocities of the bodies that move to their rows: one bit of `moves` each.
 ///
 /// # Safety
-/// `states` has the rows.
+/// As for [`Lane::scatter_velocities`].
 #[inline(always)]
-unsafe fn scatter(
-    states: &Shared<'_, BodyState>,
-    rows: &[RowPlace; 4],
-    state: &BodyState<F32x4>,
-    moves: Mask4,
-) {
-    let mut writes = [0; 4];
-    // SAFETY: NEON is part of the target; there is room for four numbers.
-    unsafe { vst1q_u32(writes.as_mut_ptr(), moves.0) };
+unsafe fn scatter(states: *mut BodyState, rows: &[RowPlace; 4], state: &BodyState<F32x4>, moves: u32) {
     let padding = F32x4::splat(0.0);
     let halves = transpose([state.velocity.x.0, state.velocity.y.0, state.angular_velocity.0, padding.0]);
     for (place, half) in halves.into_iter().enumerate() {
         let row = rows[place];
-        if writes[place] != 0 {
-            states.note_write(row.row() as usize);
-            // SAFETY: NEON is part of the target. The row is there, says the caller and checks the line above in
-            // debug. It begins with four numbers, aligned to 16 bytes.
-            unsafe { vst1q_f32(row.of(states.as_mut_ptr()).cast_mut(), half) }
+        if moves & 1 << place != 0 {
+            // SAFETY: NEON is part of the target. The row is there, says the caller. It begins with four numbers, aligned to 16 bytes.
+            unsafe { vst1q_f32(row.of(states).cast_mut(), half) }
         }
     }
 }
@@ -207,7 +193,7 @@ impl Lane for F32x4 {
     fn load_rows(states: &[BodyState], first: usize) -> BodyState<Self> {
         let states: &[BodyState; 4] = states[first..].first_chunk().expect("four rows");
         // SAFETY: these are the rows of four states.
-        unsafe { gather(&states[..], const { &RowPlace::first() }) }
+        unsafe { gather(states.as_ptr(), const { &RowPlace::first() }) }
     }
 
     #[inline(always)]
@@ -237,33 +223,32 @@ impl Lane for F32x4 {
     }
 
     #[inline(always)]
-    fn gather(states: &(impl Rows + ?Sized), rows: &RowPairs, place: usize) -> [BodyState<Self>; 2] {
-        let [a, b] = rows.part(states, place);
-        // SAFETY: `part` has seen that the rows are there.
+    unsafe fn gather(states: *const BodyState, rows: &RowPairs, place: usize) -> [BodyState<Self>; 2] {
+        let [a, b] = rows.part(place);
+        // SAFETY: says the caller.
         unsafe { [gather(states, a), gather(states, b)] }
     }
 
     #[inline(always)]
-    fn gather_velocities(
-        states: &(impl Rows + ?Sized),
+    unsafe fn gather_velocities(
+        states: *const BodyState,
         rows: &RowPairs,
         place: usize,
     ) -> [BodyState<Self>; 2] {
-        let [a, b] = rows.part(states, place);
-        // SAFETY: `part` has seen that the rows are there.
+        let [a, b] = rows.part(place);
+        // SAFETY: says the caller.
         unsafe { [gather_velocities(states, a), gather_velocities(states, b)] }
     }
 
     #[inline(always)]
-    fn scatter_velocities(
-        states: &Shared<'_, BodyState>,
+    unsafe fn scatter_velocities(
+        states: *mut BodyState,
         rows: &RowPairs,
         place: usize,
         [a, b]: &[BodyState<Self>; 2],
-        [a_moves, b_moves]: [Mask4; 2],
     ) {
-        let [rows_a, rows_b] = rows.part(states, place);
-        // SAFETY: `part` has seen that the rows are there.
+        let ([rows_a, rows_b], [a_moves, b_moves]) = (rows.part(place), rows.moves::<4>(place));
+        // SAFETY: says the caller.
         unsafe {
             scatter(states, rows_a, a, a_moves);
             scatter(states, rows_b, b, b_moves);

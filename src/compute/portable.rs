@@ -2,9 +2,7 @@
 
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
-use crate::compute::{
-    BodyState, Column, Lane, LaneRot, LaneVec2, RowPairs, RowPlace, Rows, Shared, each_alone,
-};
+use crate::compute::{BodyState, Column, Lane, LaneRot, LaneVec2, RowPairs, each_alone};
 
 #[derive(Clone, Copy, Debug)]
 #[repr(C, align(16))]
@@ -44,9 +42,9 @@ impl Neg for F32x4 {
     }
 }
 
+/// Four states, as four lanes.
 #[inline(always)]
-fn gather(states: &(impl Rows + ?Sized), rows: &[RowPlace; 4]) -> BodyState<F32x4> {
-    let states = rows.map(|row| states.row(row.row()));
+fn transpose(states: [BodyState; 4]) -> BodyState<F32x4> {
     let lane = |number: fn(&BodyState) -> f32| F32x4(states.each_ref().map(number));
     let velocities = [
         lane(|state| state.velocity.x),
@@ -124,7 +122,7 @@ impl Lane for F32x4 {
 
     #[inline(always)]
     fn load_rows(states: &[BodyState], first: usize) -> BodyState<Self> {
-        gather(&states[first..], const { &RowPlace::first() })
+        transpose(*states[first..].first_chunk().expect("four rows"))
     }
 
     #[inline(always)]
@@ -147,35 +145,43 @@ impl Lane for F32x4 {
     }
 
     #[inline(always)]
-    fn gather(states: &(impl Rows + ?Sized), rows: &RowPairs, place: usize) -> [BodyState<Self>; 2] {
-        rows.part::<4>(states, place).map(|rows| gather(states, rows))
+    unsafe fn gather(states: *const BodyState, rows: &RowPairs, place: usize) -> [BodyState<Self>; 2] {
+        rows.part::<4>(place).map(|rows| {
+            // SAFETY: says the caller.
+            transpose(rows.map(|row| unsafe { *states.add(row.row() as usize) }))
+        })
     }
 
     #[inline(always)]
-    fn gather_velocities(
-        states: &(impl Rows + ?Sized),
+    unsafe fn gather_velocities(
+        states: *const BodyState,
         rows: &RowPairs,
         place: usize,
     ) -> [BodyState<Self>; 2] {
-        Self::gather(states, rows, place).map(|BodyState { velocity, angular_velocity, padding, .. }| {
+        // SAFETY: says the caller.
+        let pair = unsafe { Self::gather(states, rows, place) };
+        pair.map(|BodyState { velocity, angular_velocity, padding, .. }| {
             BodyState::of_velocities([velocity.x, velocity.y, angular_velocity, padding])
         })
     }
 
     #[inline(always)]
-    fn scatter_velocities(
-        states: &Shared<'_, BodyState>,
+    unsafe fn scatter_velocities(
+        states: *mut BodyState,
         rows: &RowPairs,
         place: usize,
         pair: &[BodyState<Self>; 2],
-        moves: [Mask4; 2],
     ) {
-        for ((rows, state), moves) in rows.part::<4>(states, place).into_iter().zip(pair).zip(moves) {
-            for (number, &row) in rows.iter().enumerate().filter(|&(number, _)| moves[number]) {
-                states.change(row.row() as usize, |to| {
-                    to.velocity = LaneVec2 { x: state.velocity.x.0[number], y: state.velocity.y.0[number] };
-                    to.angular_velocity = state.angular_velocity.0[number];
-                });
+        let rows_and_moves = rows.part::<4>(place).into_iter().zip(rows.moves::<4>(place));
+        for ((rows, moves), state) in rows_and_moves.zip(pair) {
+            for (number, &row) in rows.iter().enumerate().filter(|&(number, _)| moves & 1 << number != 0) {
+                // SAFETY: says the caller.
+                unsafe {
+                    let to = states.add(row.row() as usize);
+                    (*to).velocity =
+                        LaneVec2 { x: state.velocity.x.0[number], y: state.velocity.y.0[number] };
+                    (*to).angular_velocity = state.angular_velocity.0[number];
+                }
             }
         }
     }

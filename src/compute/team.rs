@@ -4,26 +4,27 @@
 //! `rayon::join` takes 2.9 µs. Nothing is allocated, and a thread gets the same parts of each sweep, which it has in
 //! its cache.
 
-use core::any::Any;
-use core::cell::UnsafeCell;
-use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
-use std::sync::atomic::{AtomicU8, AtomicU64, Ordering};
-use std::sync::{Arc, Mutex};
-use std::thread::{self, JoinHandle};
+//!
+//! A part that panics ends there; the others are done, threads rest, and the caller gets the panic. What is worked on is
+//! borrowed: nothing that waits for its end may unwind.
 
-use crate::compute::crew::lock;
-use crate::compute::owners;
+use core::any::Any;
+use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
+use std::sync::PoisonError;
+
+use crate::compute::sync::thread::{self, JoinHandle};
+use crate::compute::sync::{Arc, AtomicU8, AtomicU64, Mutex, Ordering, UnsafeCell, spin_loop};
 
 /// So often a thread looks for work before it lets others have the processor, 0.1 to 0.2 ms: about as long as a
 /// step does anything that is not divided.
-const LOOKS_FOR_WORK: u32 = 10_000;
+const LOOKS_FOR_WORK: u32 = if cfg!(loom) { 0 } else { 10_000 };
 
 /// So often a thread looks for the next step before it sleeps, 20 to 40 µs: waking it would take as long, and steps often
 /// follow each other, as where a rollback makes up for some.
-const LOOKS_FOR_STEP: u32 = 2000;
+const LOOKS_FOR_STEP: u32 = if cfg!(loom) { 0 } else { 2000 };
 
 /// So often the caller looks whether the parts of others are done: they are soon, or their thread has been interrupted.
-const LOOKS_FOR_END: u32 = 1000;
+const LOOKS_FOR_END: u32 = if cfg!(loom) { 0 } else { 1000 };
 
 /// What the threads do.
 const RESTING: u8 = 0;
@@ -38,13 +39,6 @@ type Work = dyn Fn(usize) + Sync + 'static;
 #[derive(Debug)]
 struct Apart<T>(T);
 
-/// A stretch of work, which has a number.
-#[derive(Clone, Copy)]
-struct Task {
-    work: *const Work,
-    number: u64,
-}
-
 /// What becomes of the part of a thread.
 const NO_PART: u8 = 0;
 const UNCLAIMED: u8 = 1;
@@ -55,7 +49,7 @@ struct Post {
     /// `NO_PART`, `UNCLAIMED` or `CLAIMED`; `NO_PART` again when it is done.
     state: AtomicU8,
     /// What the part is of. It is there as long as the part is not done.
-    task: UnsafeCell<Task>,
+    task: UnsafeCell<*const Work>,
 }
 
 // SAFETY: `task` is written by `Board::run` while there is no part in this post, and read by the one who has claimed the
@@ -67,7 +61,7 @@ unsafe impl Send for Post {}
 impl Post {
     fn new() -> Self {
         let nothing: &'static Work = &|_| ();
-        Self { state: AtomicU8::new(NO_PART), task: UnsafeCell::new(Task { work: nothing, number: 0 }) }
+        Self { state: AtomicU8::new(NO_PART), task: UnsafeCell::new(nothing) }
     }
 
     fn has_part(&self) -> bool {
@@ -93,7 +87,7 @@ struct Board {
     stretches: Apart<AtomicU64>,
     /// `RESTING`, `AT_WORK` or `DISMISSED`.
     duty: Apart<AtomicU8>,
-    /// How a part failed.
+    /// How a part failed, the first to do so.
     panic: Apart<Mutex<Option<Box<dyn Any + Send>>>>,
 }
 
@@ -122,12 +116,10 @@ impl Board {
         let shared = unsafe { core::mem::transmute::<&(dyn Fn(usize) + Sync), &'static Work>(work) };
         for Apart(post) in posts {
             // SAFETY: all parts of stretches before this one are done, and that of this one is not here yet.
-            unsafe {
-                *post.task.get() = Task { work: shared, number };
-            }
+            post.task.with_mut(|task| unsafe { *task = shared });
             post.state.store(UNCLAIMED, Ordering::Release);
         }
-        self.do_part(0, number, work);
+        self.do_part(0, work);
         self.help(0);
         let mut looks = 0;
         for Apart(post) in posts {
@@ -136,7 +128,8 @@ impl Board {
             }
         }
         self.stretches.0.store(number + 2, Ordering::Release);
-        if let Some(panic) = lock(&self.panic.0).take() {
+        let panic = self.panic.0.lock().unwrap_or_else(PoisonError::into_inner).take();
+        if let Some(panic) = panic {
             resume_unwind(panic);
         }
     }
@@ -147,19 +140,22 @@ impl Board {
         for (place, Apart(post)) in posts.clone().skip(first).chain(posts.take(first)) {
             if post.claim() {
                 // SAFETY: this part has been claimed and is not done, so that the task and its work are there.
-                let (work, number) = unsafe {
-                    let Task { work, number } = *post.task.get();
-                    (&*work, number)
-                };
-                self.do_part(place + 1, number, work);
+                let work = post.task.with(|task| unsafe { &**task });
+                self.do_part(place + 1, work);
                 post.state.store(NO_PART, Ordering::Release);
             }
         }
     }
 
-    fn do_part(&self, part: usize, number: u64, work: &(dyn Fn(usize) + Sync)) {
-        if let Err(panic) = catch_unwind(AssertUnwindSafe(|| owners::in_part(number, part, || work(part)))) {
-            *lock(&self.panic.0) = Some(panic);
+    fn do_part(&self, part: usize, work: &(dyn Fn(usize) + Sync)) {
+        if let Err(panic) = catch_unwind(AssertUnwindSafe(|| work(part))) {
+            let mut first = self.panic.0.lock().unwrap_or_else(PoisonError::into_inner);
+            if first.is_none() {
+                *first = Some(panic);
+            } else {
+                // To drop what was thrown could panic as well.
+                core::mem::forget(panic);
+            }
         }
     }
 
@@ -175,7 +171,7 @@ impl Board {
                 }
                 AT_WORK => wait(&mut looks, LOOKS_FOR_WORK),
                 _ if rested < LOOKS_FOR_STEP => {
-                    core::hint::spin_loop();
+                    spin_loop();
                     rested += 1;
                 }
                 _ => thread::park(),
@@ -188,7 +184,7 @@ impl Board {
 fn wait(looks: &mut u32, limit: u32) {
     *looks += 1;
     if *looks < limit {
-        core::hint::spin_loop();
+        spin_loop();
     } else {
         thread::yield_now();
     }
@@ -200,12 +196,28 @@ pub(super) struct Team {
     threads: Vec<JoinHandle<()>>,
     /// How many threads were asked for, the caller's among them: there may be fewer.
     asked_for: usize,
-    is_at_work: bool,
+}
+
+/// Lets the threads sleep when it goes, also where that is because of a panic.
+#[must_use = "threads are at work as long as it is there"]
+pub(crate) struct AtWork(Option<Arc<Board>>);
+
+impl Drop for AtWork {
+    fn drop(&mut self) {
+        if let Some(board) = &self.0 {
+            board.duty.0.store(RESTING, Ordering::Release);
+        }
+    }
+}
+
+impl AtWork {
+    /// Nobody beside the caller is.
+    pub(super) const ALONE: Self = Self(None);
 }
 
 impl Default for Team {
     fn default() -> Self {
-        Self { board: Arc::new(Board::new(1)), threads: Vec::new(), asked_for: 1, is_at_work: false }
+        Self { board: Arc::new(Board::new(1)), threads: Vec::new(), asked_for: 1 }
     }
 }
 
@@ -230,29 +242,23 @@ impl Drop for Team {
 
 impl Team {
     /// Wakes so many threads, the caller's among them; starts them where they are not there yet.
-    pub(super) fn begin(&mut self, threads: usize) {
+    pub(super) fn begin(&mut self, threads: usize) -> AtWork {
         if self.asked_for != threads {
             self.dismiss();
             self.hire(threads);
         }
-        self.is_at_work = !self.threads.is_empty();
-        owners::expect_parts(self.is_at_work);
-        self.set_duty(AT_WORK);
-    }
-
-    /// Lets them sleep.
-    pub(super) fn rest(&mut self) {
-        if self.is_at_work {
-            self.is_at_work = false;
-            owners::expect_parts(false);
-            self.board.duty.0.store(RESTING, Ordering::Release);
+        if self.threads.is_empty() {
+            return AtWork::ALONE;
         }
+        self.set_duty(AT_WORK);
+        AtWork(Some(Arc::clone(&self.board)))
     }
 
     /// How many threads are at work, the caller's among them.
     #[inline(always)]
     pub(super) fn threads(&self) -> usize {
-        if self.is_at_work { 1 + self.threads.len() } else { 1 }
+        let are_at_work = || self.board.duty.0.load(Ordering::Relaxed) == AT_WORK;
+        if !self.threads.is_empty() && are_at_work() { 1 + self.threads.len() } else { 1 }
     }
 
     /// Does work on each of some parts, at most one for each thread.
@@ -285,5 +291,110 @@ impl Team {
         for thread in &self.threads {
             thread.thread().unpark();
         }
+    }
+}
+
+/// Every order in which two or three threads may run, see `sync`.
+#[cfg(all(loom, test))]
+mod loom_tests {
+    use super::{Arc, AtomicU8, Board, Ordering, Team, UnsafeCell, thread};
+    use loom::model::Builder;
+
+    /// Written by one part, read by the caller when all are done: loom finds out where that is not in order.
+    struct Visits(Vec<UnsafeCell<u32>>);
+
+    // SAFETY: loom checks every use of the cells.
+    unsafe impl Sync for Visits {}
+
+    impl Visits {
+        fn new(parts: usize) -> Self {
+            Self((0..parts).map(|_| UnsafeCell::new(0)).collect())
+        }
+
+        fn visit(&self, part: usize) {
+            // SAFETY: loom checks that nobody else uses it.
+            self.0[part].with_mut(|visits| unsafe { *visits += 1 });
+        }
+
+        fn assert_all(&self, expected: u32) {
+            for visits in &self.0 {
+                // SAFETY: loom checks that nobody writes it.
+                assert_eq!(visits.with(|visits| unsafe { *visits }), expected);
+            }
+        }
+    }
+
+    /// Threads are interrupted at most so many times where they need not be.
+    fn check(interruptions: usize, model: impl Fn() + Sync + Send + 'static) {
+        let mut builder = Builder::new();
+        builder.preemption_bound = Some(interruptions);
+        builder.check(model);
+    }
+
+    #[test]
+    fn loom_each_part_is_done_once_before_the_work_ends() {
+        check(3, || {
+            let mut team = Team::default();
+            let at_work = team.begin(2);
+            let visits = Visits::new(2);
+            for stretch in 1..3 {
+                team.run(2, &|part| visits.visit(part));
+                visits.assert_all(stretch);
+            }
+            drop(at_work);
+        });
+    }
+
+    /// Without the waiting of the other two, in which loom would have them read that they are at work for ever.
+    #[test]
+    fn loom_three_threads_share_three_parts_of_which_each_may_take_another_s() {
+        check(2, || {
+            let board = Arc::new(Board::new(3));
+            let threads = [0, 1].map(|place| {
+                let board = Arc::clone(&board);
+                thread::spawn(move || board.help(place))
+            });
+            let visits = Visits::new(3);
+            for stretch in 1..3 {
+                board.run(3, &|part| visits.visit(part));
+                visits.assert_all(stretch);
+            }
+            threads.into_iter().for_each(|thread| thread.join().unwrap());
+        });
+    }
+
+    #[test]
+    fn loom_threads_that_rest_come_back_for_the_next_step() {
+        check(3, || {
+            let mut team = Team::default();
+            let visits = Visits::new(2);
+            for step in 1..3 {
+                let at_work = team.begin(2);
+                team.run(2, &|part| visits.visit(part));
+                visits.assert_all(step);
+                drop(at_work);
+            }
+        });
+    }
+
+    #[test]
+    fn loom_a_part_that_panics_ends_no_other() {
+        check(2, || {
+            let mut team = Team::default();
+            let at_work = team.begin(2);
+            let done = AtomicU8::new(0);
+            let run = || {
+                team.run(2, &|part| {
+                    done.fetch_add(1, Ordering::Relaxed);
+                    if part == 1 {
+                        std::panic::resume_unwind(Box::new("part 1"));
+                    }
+                });
+            };
+            let caught = std::panic::catch_unwind(std::panic::AssertUnwindSafe(run));
+            assert_eq!(caught.unwrap_err().downcast_ref(), Some(&"part 1"));
+            assert_eq!(done.load(Ordering::Relaxed), 2);
+            drop(at_work);
+        });
     }
 }

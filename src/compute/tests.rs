@@ -3,10 +3,24 @@
 #[cfg(feature = "parallel")]
 use crate::compute::Crew;
 use crate::compute::{
-    BodyState, COLUMN, Column, GROUND_ROW, Job, Lane, LaneRot, LaneVec2, Lanes, RowPairs, Shared, Width,
+    BodyState, COLUMN, Column, GROUND_ROW, Job, Lane, LaneRot, LaneVec2, Lanes, PairBlocks, RowPairs, Width,
     portable, run,
 };
 use crate::math::trig;
+
+#[test]
+fn a_copied_pair_has_its_rows_and_moves_what_it_moved() {
+    for (a_moves, b_moves) in [(false, true), (true, false), (true, true)] {
+        let (mut from, mut copy) = (RowPairs::default(), RowPairs::new([[3; COLUMN]; 2]));
+        from.set_one(3, [7, 5], [a_moves, b_moves]);
+        copy.copy(14, &from, 3);
+        assert_eq!((copy.get(14), copy.get(13)), ([7, 5], [3, 3]));
+        assert_eq!(copy.moves::<1>(14), [u32::from(a_moves), u32::from(b_moves)]);
+        assert_eq!(copy.moves::<16>(0), [a_moves, b_moves].map(|moves| u32::from(moves) << 14));
+        copy.set_moves::<f32>(14, [0.0, -1.0]);
+        assert_eq!(copy.moves::<8>(8), [0, 0]);
+    }
+}
 
 /// Numbers on which operations differ if they differ at all.
 const SPECIAL: [f32; 16] = [
@@ -171,10 +185,11 @@ fn numbers(state: &BodyState) -> [f32; 7] {
     [velocity.x, velocity.y, angular_velocity, delta_position.x, delta_position.y, c, s]
 }
 
-fn rows(rows: [[u32; 2]; COLUMN]) -> RowPairs {
+/// Pairs of rows, and which of them they move.
+fn rows(rows: [([u32; 2], [bool; 2]); COLUMN]) -> RowPairs {
     let mut pairs = RowPairs::default();
-    for (place, pair) in rows.into_iter().enumerate() {
-        pairs.set(place, pair);
+    for (place, (pair, moves)) in rows.into_iter().enumerate() {
+        pairs.set_one(place, pair, moves);
     }
     pairs
 }
@@ -196,11 +211,11 @@ impl Job for Gather {
         let states = states();
         let first_eight = [[3, 2], [0, 18], [19, 0], [7, 4], [7, 5], [1, 0], [12, 11], [0, 10]];
         let rows = rows(core::array::from_fn(|place| {
-            first_eight[place % 8].map(|row| row + 2 * (place / 8) as u32)
+            (first_eight[place % 8].map(|row| row + 2 * (place / 8) as u32), [false; 2])
         }));
         for first in (0..COLUMN).step_by(L::WIDTH) {
-            let all = L::gather(&states[..], &rows, first);
-            let half = L::gather_velocities(&states[..], &rows, first);
+            let all = rows.gather::<L>(&states, first);
+            let half = rows.gather_velocities::<L>(&states, first);
             for (body, number) in (0..2).flat_map(|body| (0..7).map(move |number| (body, number))) {
                 let (mut found, mut velocities) = (Column::default(), Column::default());
                 lanes_of(&all[body])[number].store(&mut found, first);
@@ -293,10 +308,8 @@ impl Job for Scatter {
             let row = |place: usize, body: usize| {
                 if moves(place)[body] { distinct(place, body) } else { kinematic(place) }
             };
-            let rows = rows(core::array::from_fn(|place| [row(place, 0), row(place, 1)]));
-            let flag =
-                |body: usize| column(core::array::from_fn(|place| f32::from(u8::from(moves(place)[body]))));
-            assert_scattered_like_alone::<L>(&rows, &[flag(0), flag(1)]);
+            let pair = |place| ([row(place, 0), row(place, 1)], moves(place));
+            assert_scattered_like_alone::<L>(&rows(core::array::from_fn(pair)));
         }
     }
 }
@@ -311,21 +324,23 @@ fn push<L: Lane>([a, b]: &mut [BodyState<L>; 2]) {
 }
 
 #[inline(always)]
-fn assert_scattered_like_alone<L: Lane>(rows: &RowPairs, flags: &[Column; 2]) {
-    let (mut found, mut expected) = (states(), states());
+fn push_all<L: Lane>(rows: &RowPairs) -> Vec<BodyState> {
+    let (mut states, mut blocks) = (states(), PairBlocks::<()>::default());
+    blocks.resize(1);
+    blocks.all_mut().0[0] = *rows;
+    let mut over = blocks.over(&mut states);
+    let ((), mut of_block) = over.get_mut(0);
     for first in (0..COLUMN).step_by(L::WIDTH) {
-        let mut pair = L::gather(&found[..], rows, first);
+        let mut pair = of_block.gather::<L>(first);
         push(&mut pair);
-        let [a_moves, b_moves] = [L::load(&flags[0], first), L::load(&flags[1], first)];
-        let moves = [a_moves.greater(L::splat(0.0)), b_moves.greater(L::splat(0.0))];
-        L::scatter_velocities(&Shared::new(&mut found), rows, first, &pair, moves);
+        of_block.scatter_velocities(first, &pair);
     }
-    for place in 0..COLUMN {
-        let mut pair = <f32 as Lane>::gather(&expected[..], rows, place);
-        push(&mut pair);
-        let moves = [flags[0].get(place) > 0.0, flags[1].get(place) > 0.0];
-        f32::scatter_velocities(&Shared::new(&mut expected), rows, place, &pair, moves);
-    }
+    states
+}
+
+#[inline(always)]
+fn assert_scattered_like_alone<L: Lane>(rows: &RowPairs) {
+    let (found, expected) = (push_all::<L>(rows), push_all::<f32>(rows));
     for (found, expected) in found.iter().zip(&expected) {
         assert_eq!(numbers(found), numbers(expected));
         assert_eq!(found.padding, 0.0);
@@ -347,15 +362,18 @@ impl Job for Refuse {
         for row in [40, 41, u32::MAX, 1 << 31] {
             for (place, pair) in (0..COLUMN).flat_map(|place| [(place, [row, 1]), (place, [1, row])]) {
                 let mut rows = RowPairs::default();
-                rows.set(place, pair);
+                rows.set_one(place, pair, [true; 2]);
                 let first = place / L::WIDTH * L::WIDTH;
-                let gather = || _ = L::gather(&states()[..], &rows, first);
+                let gather = || _ = rows.gather::<L>(&states(), first);
                 assert!(std::panic::catch_unwind(gather).is_err(), "row {row} was gathered");
-                let gather = || _ = L::gather_velocities(&states()[..], &rows, first);
+                let gather = || _ = rows.gather_velocities::<L>(&states(), first);
                 assert!(std::panic::catch_unwind(gather).is_err(), "row {row} was gathered");
                 let scatter = || {
-                    let (state, moves) = (BodyState::at_rest(), L::splat(1.0).greater(L::splat(0.0)));
-                    L::scatter_velocities(&Shared::new(&mut states()), &rows, first, &[state; 2], [moves; 2]);
+                    let (mut states, mut blocks) = (states(), PairBlocks::<()>::default());
+                    blocks.resize(1);
+                    blocks.all_mut().0[0] = rows;
+                    let mut over = blocks.over(&mut states);
+                    over.get_mut(0).1.scatter_velocities::<L>(first, &[BodyState::at_rest(); 2]);
                 };
                 assert!(std::panic::catch_unwind(scatter).is_err(), "row {row} was scattered to");
             }
@@ -405,7 +423,7 @@ fn a_width_is_never_more_than_was_asked_for() {
     }
 }
 
-/// Every item is in one part, whatever the number of threads; parts that use the same element are found out.
+/// Every item is in one part, whatever the number of threads.
 #[test]
 #[cfg(feature = "parallel")]
 fn work_is_divided_into_parts_that_share_nothing() {
@@ -415,7 +433,7 @@ fn work_is_divided_into_parts_that_share_nothing() {
         if cost == 1 {
             crew.divide_all();
         }
-        crew.begin_step(threads, usize::MAX / 1000);
+        let _at_work = crew.begin_step(threads, usize::MAX / 1000);
         for count in [0, 1, 2, 3, 7, 31, 32, 33, 1000] {
             let mut visits = vec![0; count];
             crew.run((0..count, &mut visits[..]), cost, |(numbers, visits)| {
@@ -424,20 +442,7 @@ fn work_is_divided_into_parts_that_share_nothing() {
             });
             assert!(visits.iter().copied().eq(1..=count), "{count} items of {cost} ns on {threads} threads");
         }
-        crew.end_step();
     }
-}
-
-#[test]
-#[cfg(all(feature = "parallel", debug_assertions))]
-#[should_panic(expected = "two parts of the same work use element 3")]
-fn two_parts_that_use_the_same_element_are_found_out() {
-    let mut crew = Crew::default();
-    crew.divide_all();
-    crew.begin_step(2, 0);
-    let mut elements = [0; 5];
-    let shared = Shared::new(&mut elements);
-    crew.run(0..100, 1, |_| shared.change(3, |element| *element += 1));
 }
 
 #[test]
@@ -445,10 +450,28 @@ fn two_parts_that_use_the_same_element_are_found_out() {
 fn a_part_that_fails_fails_the_work_and_the_next_work_is_done() {
     let mut crew = Crew::default();
     crew.divide_all();
-    crew.begin_step(2, 0);
+    let at_work = crew.begin_step(2, 0);
     let fail = || crew.run(0..100, 1, |numbers| assert!(!numbers.contains(&70), "part with 70"));
     assert!(std::panic::catch_unwind(std::panic::AssertUnwindSafe(fail)).is_err());
     let done = std::sync::atomic::AtomicUsize::new(0);
     crew.run(0..100, 1, |numbers| _ = done.fetch_add(numbers.len(), std::sync::atomic::Ordering::Relaxed));
     assert_eq!(done.into_inner(), 100);
+    drop(at_work);
+    assert!(crew.is_alone());
+}
+
+#[test]
+#[cfg(feature = "parallel")]
+fn threads_rest_after_a_panic_in_a_step_and_work_in_the_next() {
+    let mut crew = Crew::default();
+    crew.divide_all();
+    for _ in 0..3 {
+        let mut step = || {
+            let _at_work = crew.begin_step(2, 0);
+            assert!(!crew.is_alone());
+            panic!("beside all parts");
+        };
+        assert!(std::panic::catch_unwind(std::panic::AssertUnwindSafe(&mut step)).is_err());
+        assert!(crew.is_alone());
+    }
 }

@@ -100,10 +100,10 @@ impl Job for Find<'_> {
     fn run<L: Lane>(self) {
         let threshold = L::splat(self.threshold);
         for (block_number, &(place, bouncy)) in self.blocks.iter().enumerate() {
-            let block = self.graph.block_at(place);
+            let (rows, block) = self.graph.block_at(place);
             bouncy.for_each_lane::<L>(|first, bouncy| {
                 let constraint = block.load::<L>(first);
-                let pair = block.gather_velocities(self.states, first);
+                let pair = rows.gather_velocities(self.states, first);
                 let (_, first_point) = approach(&constraint, 0, threshold, &pair);
                 let mut bits = L::bits(first_point);
                 if !block.fit().is_single {

@@ -13,7 +13,7 @@ use core::ops::Range;
 
 use crate::body::Bodies;
 use crate::collision::{Contacts, Kind};
-use crate::compute::COLUMN;
+use crate::compute::{COLUMN, DistinctIndices, GROUND_ROW, PairBlocks, RowMarks, RowPairs};
 use crate::resolution::constraint::ContactConstraint;
 pub(crate) use crate::resolution::constraint_graph::cold_contacts::ColdContacts;
 use crate::resolution::contact_block::{BlockEnd, BlockStart, ContactBlock};
@@ -47,11 +47,11 @@ pub(crate) struct Colour {
     /// Slots of the movable bodies in it.
     bodies: BitSet,
     /// Indices of the contacts in it, sorted by their kind.
-    pub(crate) contacts: Vec<u32>,
+    pub(crate) contacts: DistinctIndices,
     /// By kind: where the contacts of that kind end.
     ends_of_kinds: [usize; Kind::COUNT],
     /// The contacts as the solver sees them during a step, in the same order.
-    blocks: Vec<ContactBlock>,
+    blocks: PairBlocks<ContactBlock>,
     /// By block: what is special about its contacts as the step begins.
     starts: Vec<BlockStart>,
     /// By block: what the step did to its contacts.
@@ -69,6 +69,8 @@ pub(crate) struct ConstraintGraph {
     len: usize,
     /// Slots of the bodies whose contacts are solved directly.
     direct: BitSet,
+    /// Scratch.
+    row_marks: RowMarks,
 }
 
 /// Which colours have contacts, the overflow and what is solved directly among them, one bit each.
@@ -103,6 +105,7 @@ impl Default for ConstraintGraph {
             used: Used::default(),
             len: 0,
             direct: BitSet::default(),
+            row_marks: RowMarks::default(),
         }
     }
 }
@@ -172,7 +175,7 @@ impl ConstraintGraph {
 
     /// Calls `visit` with the places of the contacts of a block that the last sweep has found to begin to bear load.
     fn newly_loaded(&self, place: BlockPlace, mut visit: impl FnMut((u32, u32))) {
-        self.block_at(place).newly_loaded().for_each(|of_block| visit(place_in(place, of_block)));
+        self.block_at(place).1.newly_loaded().for_each(|of_block| visit(place_in(place, of_block)));
     }
 
     /// Enters the contact with this index, if it is not in the graph: into a colour, or to what is solved directly, if that
@@ -188,6 +191,7 @@ impl ConstraintGraph {
         if colour < COLOURS {
             // For any body, so that none asks for memory when all else has settled.
             entered.bodies.make_room(bodies.motions.len());
+            entered.contacts.make_room(contacts.greatest_index());
             for (slot, moves) in slots.into_iter().zip(moves) {
                 if moves {
                     entered.bodies.insert(slot);
@@ -256,10 +260,10 @@ impl ConstraintGraph {
         self.len -= 1;
     }
 
-    /// The block at its place of the graph.
+    /// The block at its place of the graph, and the rows of its bodies.
     #[inline(always)]
-    pub(crate) fn block_at(&self, (colour, number): BlockPlace) -> &ContactBlock {
-        &self.colours[colour as usize].blocks[number]
+    pub(crate) fn block_at(&self, (colour, number): BlockPlace) -> (&RowPairs, &ContactBlock) {
+        self.colours[colour as usize].blocks.get(number)
     }
 
     /// Index of the contact at a place of the graph.
@@ -267,31 +271,33 @@ impl ConstraintGraph {
         self.colours[colour as usize].contacts[place as usize]
     }
 
-    fn block(&self, (colour, place): (u32, u32)) -> (&ContactBlock, usize) {
-        (&self.colours[colour as usize].blocks[place as usize / COLUMN], place as usize % COLUMN)
+    fn block(&self, (colour, place): (u32, u32)) -> (&RowPairs, &ContactBlock, usize) {
+        let (rows, block) = self.block_at((colour, place as usize / COLUMN));
+        (rows, block, place as usize % COLUMN)
     }
 
     pub(crate) fn block_mut(&mut self, (colour, place): (u32, u32)) -> (&mut ContactBlock, usize) {
-        (&mut self.colours[colour as usize].blocks[place as usize / COLUMN], place as usize % COLUMN)
+        (self.colours[colour as usize].blocks.block_mut(place as usize / COLUMN), place as usize % COLUMN)
     }
 
     /// The constraint of the contact at a place of the graph.
     #[inline(always)]
     pub(crate) fn constraint(&self, place: (u32, u32)) -> ContactConstraint<f32> {
-        let (block, place) = self.block(place);
+        let (_, block, place) = self.block(place);
         block.load_one(place)
     }
 
     /// The rows of the bodies of the contact at a place of the graph.
     pub(crate) fn rows(&self, place: (u32, u32)) -> [u32; 2] {
-        let (block, place) = self.block(place);
-        block.rows(place)
+        let (rows, _, place) = self.block(place);
+        rows.get(place)
     }
 
     /// The same, with the ground's in the place of a body that contacts do not move.
     pub(crate) fn moved_rows(&self, place: (u32, u32)) -> [u32; 2] {
-        let (block, place) = self.block(place);
-        block.moved_rows(place)
+        let (rows, _, place) = self.block(place);
+        let [[a, b], [a_moves, b_moves]] = [rows.get(place), rows.moves::<1>(place)];
+        [(a, a_moves), (b, b_moves)].map(|(row, moves)| if moves != 0 { row } else { GROUND_ROW })
     }
 
     /// Gives the contact at a place of the graph the normal and the points of `constraint`.
@@ -375,38 +381,35 @@ impl Colour {
     fn push(&mut self, number: u32, index: u32, contacts: &mut Contacts) {
         let kind = contacts[index].kind();
         contacts[index].sorted_as = kind;
-        // Of each kind after it, the first contact becomes the last.
-        let mut gap = self.contacts.len();
+        // It is put last. Of each kind after it, the first contact becomes the last, in exchange for it.
+        let mut place = self.contacts.len();
         self.contacts.push(index);
         for later in (kind as usize + 1..Kind::COUNT).rev() {
             let first = self.ends_of_kinds[later - 1];
-            if first != gap {
-                self.put(number, gap, self.contacts[first], contacts);
-            }
+            self.exchange(number, place, first, contacts);
             self.ends_of_kinds[later] += 1;
-            gap = first;
+            place = first;
         }
         self.ends_of_kinds[kind as usize] += 1;
-        self.put(number, gap, index, contacts);
+        contacts[index].graph_place = Some((number, place as u32));
     }
 
-    /// Takes the contact at a place out; the last of each kind from its own on fills the gap.
-    fn take(&mut self, number: u32, place: usize, contacts: &mut Contacts) {
-        let mut gap = place;
+    /// Takes the contact at a place out: the last of each kind from its own on is exchanged for it.
+    fn take(&mut self, number: u32, mut place: usize, contacts: &mut Contacts) {
         for kind in self.kind_at(place)..Kind::COUNT {
             self.ends_of_kinds[kind] -= 1;
             let last = self.ends_of_kinds[kind];
-            if last != gap {
-                self.put(number, gap, self.contacts[last], contacts);
-            }
-            gap = last;
+            self.exchange(number, place, last, contacts);
+            place = last;
         }
         self.contacts.pop();
     }
 
-    /// Writes a contact to a place.
-    fn put(&mut self, number: u32, place: usize, index: u32, contacts: &mut Contacts) {
-        self.contacts[place] = index;
-        contacts[index].graph_place = Some((number, place as u32));
+    /// Exchanges a contact that has no place yet, or no longer, for another one, which has then its place.
+    fn exchange(&mut self, number: u32, place: usize, other: usize, contacts: &mut Contacts) {
+        if place != other {
+            self.contacts.swap(place, other);
+            contacts[self.contacts[place]].graph_place = Some((number, place as u32));
+        }
     }
 }

@@ -5,21 +5,20 @@ mod begin;
 mod end;
 mod marks;
 
-use crate::compute::{BodyState, Column, GROUND_ROW, Lane, RowPairs, Rows, Shared};
+use crate::compute::{Column, Lane};
 use crate::resolution::constraint::{ConstraintPoint, ContactConstraint, PointFriction, Special};
 pub(crate) use crate::resolution::contact_block::begin::{Beginning, BlockStart};
 pub(crate) use crate::resolution::contact_block::end::{BlockEnd, ContactEnds};
 pub(crate) use crate::resolution::contact_block::marks::Marks;
 
-/// Sixteen contacts. Those of one colour share no movable body; a block that is not full ends with contacts of the
-/// ground with itself, without points.
+/// Sixteen contacts, beside the rows of their bodies. Those of one colour share no movable body; a block that is not full
+/// ends with contacts of the ground with itself, without points.
 ///
 /// What every pass reads comes first, in whole cache lines; then what the sweep before the bodies move does not read;
 /// then what only blocks with something special are read for.
 #[repr(C, align(64))]
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct ContactBlock {
-    rows: RowPairs,
     /// Whether any of the contacts has something special.
     is_special: bool,
     fit: Fit,
@@ -35,9 +34,9 @@ pub(crate) struct ContactBlock {
 
 const _: () = {
     let columns = core::mem::offset_of!(ContactBlock, columns);
-    // Twenty-six cache lines, then thirty-four.
-    assert!(columns + core::mem::offset_of!(ContactConstraint<Column>, friction) == 26 * 64);
-    assert!(columns + core::mem::offset_of!(ContactConstraint<Column>, special) <= 34 * 64);
+    // Twenty-four cache lines, then thirty-two.
+    assert!(columns + core::mem::offset_of!(ContactConstraint<Column>, friction) == 24 * 64);
+    assert!(columns + core::mem::offset_of!(ContactConstraint<Column>, special) <= 32 * 64);
 };
 
 /// What none of the contacts of a block needs, so that kernels may leave it out without a bit of difference.
@@ -105,7 +104,6 @@ impl ContactBlock {
 
     /// Takes over a contact of another block as it is now, to be swept over.
     pub(crate) fn copy(&mut self, place: usize, from: &Self, from_place: usize) {
-        self.rows.set(place, from.rows.get(from_place));
         self.is_special |= from.is_special;
         self.columns.store(place, &from.load::<f32>(from_place));
     }
@@ -200,52 +198,6 @@ impl ContactBlock {
             to.set(place, awaits);
         }
         self.is_special = true;
-    }
-
-    /// The rows of the two bodies of one contact.
-    pub(crate) fn rows(&self, place: usize) -> [u32; 2] {
-        self.rows.get(place)
-    }
-
-    /// The same, with the ground's in the place of a body that contacts do not move.
-    pub(crate) fn moved_rows(&self, place: usize) -> [u32; 2] {
-        let row_if = |moves: bool, row: u32| if moves { row } else { GROUND_ROW };
-        let [row_a, row_b] = self.rows(place);
-        let columns = &self.columns;
-        [
-            row_if(columns.inverse_mass_a.get(place) > 0.0, row_a),
-            row_if(columns.inverse_mass_b.get(place) > 0.0, row_b),
-        ]
-    }
-
-    /// The states of the two bodies of each contact from `place` on.
-    #[inline(always)]
-    pub(crate) fn gather<L: Lane>(&self, states: &(impl Rows + ?Sized), place: usize) -> [BodyState<L>; 2] {
-        L::gather(states, &self.rows, place)
-    }
-
-    /// The same where only velocities are needed.
-    #[inline(always)]
-    pub(crate) fn gather_velocities<L: Lane>(
-        &self,
-        states: &(impl Rows + ?Sized),
-        place: usize,
-    ) -> [BodyState<L>; 2] {
-        L::gather_velocities(states, &self.rows, place)
-    }
-
-    /// Writes velocities back, but for bodies that contacts do not move: those may be in more than one contact.
-    #[inline(always)]
-    pub(crate) fn scatter<L: Lane>(
-        &self,
-        states: &Shared<'_, BodyState>,
-        place: usize,
-        pair: &[BodyState<L>; 2],
-    ) {
-        let zero = L::splat(0.0);
-        let a_moves = L::load(&self.columns.inverse_mass_a, place).greater(zero);
-        let b_moves = L::load(&self.columns.inverse_mass_b, place).greater(zero);
-        L::scatter_velocities(states, &self.rows, place, pair, [a_moves, b_moves]);
     }
 }
 
@@ -384,10 +336,8 @@ mod tests {
         };
         let mut block = ContactBlock { is_special: true, ..ContactBlock::default() };
         let mut copies = ContactBlock::default();
-        block.rows.set(3, [7, 5]);
         block.columns.store(3, &contact);
         copies.copy(14, &block, 3);
-        assert_eq!(copies.rows(14), [7, 5]);
         assert_eq!(format!("{:?}", copies.load::<f32>(14)), format!("{contact:?}"));
 
         copies.set_impulses(14, 0, [0.25, -0.25]);

@@ -7,7 +7,7 @@
 
 use crate::body::Bodies;
 use crate::collision::{Contact, Contacts, Manifold, detect_within};
-use crate::compute::{BodyState, Column, Crew, Lane, Shared, Width};
+use crate::compute::{BodyState, Column, Crew, Lane, PairStates, Width};
 use crate::math::{Rot, Vec2};
 use crate::resolution::constraint_graph::ConstraintGraph;
 use crate::resolution::contact_block::ContactBlock;
@@ -51,9 +51,9 @@ impl Followers {
         self.found_anew.clear();
     }
 
-    /// By what their block calls them: those that follow in closed form, to be taken up by several threads.
-    pub(crate) fn shared(&mut self) -> Shared<'_, Follower<Column>> {
-        Shared::new(&mut self.columns[..self.block_count])
+    /// By what their block calls them: those that follow in closed form, to be taken up.
+    pub(crate) fn columns_mut(&mut self) -> &mut [Follower<Column>] {
+        &mut self.columns[..self.block_count]
     }
 
     /// Takes up the contact at a place of the graph, which follows the surface, but not in closed form.
@@ -69,7 +69,7 @@ impl Followers {
     pub(crate) fn follow(
         &self,
         (crew, width): (&Crew, Width),
-        (contacts, bodies, graph): (&Contacts, &Bodies, &mut ConstraintGraph),
+        (contacts, bodies, graph): (&Contacts, &mut Bodies, &mut ConstraintGraph),
     ) {
         for &(index, place) in &self.found_anew {
             let [a, b] = graph.rows(place).map(|row| bodies.states[row as usize]);
@@ -81,7 +81,7 @@ impl Followers {
             }
         }
         if !self.is_empty() {
-            graph.for_each(crew, width, &Follow { columns: &self.columns, states: &bodies.states });
+            graph.for_each(crew, width, &mut bodies.states, &Follow { columns: &self.columns });
         }
     }
 }
@@ -91,37 +91,34 @@ impl Followers {
 struct Follow<'a> {
     /// Those that follow, by what their block calls them.
     columns: &'a [Follower<Column>],
-    states: &'a [BodyState],
 }
 
 impl Kernel for Follow<'_> {
     #[inline(always)]
-    fn run<L: Lane>(&self, block: &mut ContactBlock, place: usize) {
+    fn run<L: Lane>(&self, block: &mut ContactBlock, states: &mut PairStates<'_>, place: usize) {
         let Some(followers) = self.columns.get(block.followers as usize) else { return };
         if !followers.has_any::<L>(place) {
             return;
         }
         if block.fit().is_single {
-            self.follow::<L, 1>(followers, block, place);
+            follow::<L, 1>(followers, block, states, place);
         } else {
-            self.follow::<L, 2>(followers, block, place);
+            follow::<L, 2>(followers, block, states, place);
         }
     }
 }
 
-impl Follow<'_> {
-    #[inline(always)]
-    fn follow<L: Lane, const POINTS: usize>(
-        &self,
-        followers: &Follower<Column>,
-        block: &mut ContactBlock,
-        place: usize,
-    ) {
-        let [a, b] = block.gather::<L>(self.states, place);
-        let (geometry, follows) = followers.load::<L>(place).geometry_in::<POINTS>(&a, &b);
-        let before = block.load::<L>(place);
-        let mut after = before;
-        after.set_geometry_in::<POINTS>(&geometry, &a, &b);
-        block.store_geometry(place, &before.with_geometry_where(follows, &after));
-    }
+#[inline(always)]
+fn follow<L: Lane, const POINTS: usize>(
+    followers: &Follower<Column>,
+    block: &mut ContactBlock,
+    states: &PairStates<'_>,
+    place: usize,
+) {
+    let [a, b] = states.gather::<L>(place);
+    let (geometry, follows) = followers.load::<L>(place).geometry_in::<POINTS>(&a, &b);
+    let before = block.load::<L>(place);
+    let mut after = before;
+    after.set_geometry_in::<POINTS>(&geometry, &a, &b);
+    block.store_geometry(place, &before.with_geometry_where(follows, &after));
 }

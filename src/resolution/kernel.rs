@@ -2,20 +2,20 @@
 //!
 //! This is where a step spends its time: per substep each contact is warm started twice and swept twice.
 
-use crate::compute::{BodyState, Lane, LaneVec2, Shared};
+use crate::compute::{BodyState, Lane, LaneVec2, PairStates};
 #[cfg(feature = "report")]
-use crate::compute::{Count, Counted, count};
+use crate::compute::{Count, Counted, PairBlocks, count};
 use crate::resolution::axis::Axis;
 use crate::resolution::block::{Row, solve_pair};
 use crate::resolution::constraint::ContactConstraint;
 use crate::resolution::contact_block::{ContactBlock, Fit};
 use crate::resolution::softness::{bias, gap_bias, one_and_compliance};
 
-/// Something that is done to contacts, as many at a time as a lane holds: those of `block` from `place` on. Several
-/// threads do it to contacts of one colour, which move no body in common: no other may it write to. It is to be
+/// Something that is done to contacts, as many at a time as a lane holds: those of `block` from `place` on, and the states
+/// of their bodies. Several threads do it to contacts of one colour, which move no body in common. It is to be
 /// `#[inline(always)]`, see [`Job`](crate::compute::Job).
 pub(crate) trait Kernel: Clone + Sync {
-    fn run<L: Lane>(&self, block: &mut ContactBlock, place: usize);
+    fn run<L: Lane>(&self, block: &mut ContactBlock, states: &mut PairStates<'_>, place: usize);
 }
 
 /// What kernels leave out for a block. Not all that they could: each case makes programs larger and longer to build.
@@ -33,8 +33,7 @@ fn fit<L: Lane>(block: &ContactBlock) -> Fit {
 /// out of an overlap would be counted as load and pump energy into the scene. Along the tangent nothing has changed in
 /// between, as friction is solved after the move.
 #[derive(Clone, Debug)]
-pub(crate) struct WarmStart<'a> {
-    pub(crate) states: Shared<'a, BodyState>,
+pub(crate) struct WarmStart {
     /// Share of the last impulses, no unit: a half, or all where the kick is not split.
     pub(crate) part: f32,
     pub(crate) time: WarmStartTime,
@@ -49,25 +48,26 @@ pub(crate) enum WarmStartTime {
     AfterMove,
 }
 
-impl Kernel for WarmStart<'_> {
+impl Kernel for WarmStart {
     #[inline(always)]
-    fn run<L: Lane>(&self, block: &mut ContactBlock, place: usize) {
+    fn run<L: Lane>(&self, block: &mut ContactBlock, states: &mut PairStates<'_>, place: usize) {
         let Fit { is_single, is_smooth, is_still } = fit::<L>(block);
         match (self.is_fitted && is_single, self.is_fitted && is_still, self.is_fitted && is_smooth) {
-            (true, _, true) => self.start::<L, 1>(block, place, [true, false]),
-            (true, _, false) => self.start::<L, 1>(block, place, [false, false]),
-            (false, true, true) => self.start::<L, 2>(block, place, [true, true]),
-            (false, true, false) => self.start::<L, 2>(block, place, [false, true]),
-            (false, false, _) => self.start::<L, 2>(block, place, [false, false]),
+            (true, _, true) => self.start::<L, 1>(block, states, place, [true, false]),
+            (true, _, false) => self.start::<L, 1>(block, states, place, [false, false]),
+            (false, true, true) => self.start::<L, 2>(block, states, place, [true, true]),
+            (false, true, false) => self.start::<L, 2>(block, states, place, [false, true]),
+            (false, false, _) => self.start::<L, 2>(block, states, place, [false, false]),
         }
     }
 }
 
-impl WarmStart<'_> {
+impl WarmStart {
     #[inline(always)]
     fn start<L: Lane, const POINTS: usize>(
         &self,
         block: &mut ContactBlock,
+        states: &mut PairStates<'_>,
         place: usize,
         [is_smooth, is_still]: [bool; 2],
     ) {
@@ -81,9 +81,9 @@ impl WarmStart<'_> {
             WarmStartTime::AfterMove => constraint.count_warm_start::<POINTS>(),
         }
         block.store_normal_impulses::<L, POINTS>(place, &constraint);
-        let [mut a, mut b] = block.gather_velocities(&self.states, place);
+        let [mut a, mut b] = states.gather_velocities(place);
         constraint.apply(constraint.warm_start::<POINTS>(part, is_smooth), &mut a, &mut b);
-        block.scatter(&self.states, place, &[a, b]);
+        states.scatter_velocities(place, &[a, b]);
     }
 }
 
@@ -93,7 +93,7 @@ pub(crate) struct ForgetImpulses;
 
 impl Kernel for ForgetImpulses {
     #[inline(always)]
-    fn run<L: Lane>(&self, block: &mut ContactBlock, place: usize) {
+    fn run<L: Lane>(&self, block: &mut ContactBlock, _: &mut PairStates<'_>, place: usize) {
         let mut constraint = block.load::<L>(place);
         for (point, friction) in constraint.points.iter_mut().zip(&mut constraint.frictions) {
             (point.normal_impulse, friction.impulse) = (L::splat(0.0), L::splat(0.0));
@@ -125,8 +125,7 @@ impl Sweep {
 
 /// One sweep over contacts: normals, then friction.
 #[derive(Clone, Debug)]
-pub(crate) struct SweepOver<'a> {
-    pub(crate) states: Shared<'a, BodyState>,
+pub(crate) struct SweepOver {
     pub(crate) kind: Sweep,
     /// Whether bodies have moved since separations were found.
     pub(crate) have_moved: bool,
@@ -136,35 +135,38 @@ pub(crate) struct SweepOver<'a> {
     pub(crate) is_fitted: bool,
 }
 
-impl Kernel for SweepOver<'_> {
+impl Kernel for SweepOver {
     /// Asks for the kind, and for what the contacts need, once per block, so that what is compiled for the default
     /// kinds has no branches, which keeps numbers in registers, and reads nothing that no contact has.
     #[inline(always)]
-    fn run<L: Lane>(&self, block: &mut ContactBlock, place: usize) {
+    fn run<L: Lane>(&self, block: &mut ContactBlock, states: &mut PairStates<'_>, place: usize) {
         let is_usual = self.kind == Sweep::MAIN || self.kind == Sweep::RELAX;
         let Fit { is_single, is_still, .. } = fit::<L>(block);
         match (self.is_fitted && is_usual, is_single, is_still) {
-            (true, true, _) => self.sweep_usual::<L, 1>(block, place, false),
-            (true, false, true) => self.sweep_usual::<L, 2>(block, place, true),
-            (true, false, false) => self.sweep_usual::<L, 2>(block, place, false),
-            (false, ..) => self.sweep::<L, 2>(block, place, self.kind, false),
+            (true, true, _) => self.sweep_usual::<L, 1>(block, states, place, false),
+            (true, false, true) => self.sweep_usual::<L, 2>(block, states, place, true),
+            (true, false, false) => self.sweep_usual::<L, 2>(block, states, place, false),
+            (false, ..) => self.sweep::<L, 2>(block, states, place, self.kind, false),
         }
     }
 }
 
-impl SweepOver<'_> {
+impl SweepOver {
     /// The sweeps of the default.
     #[inline(always)]
     fn sweep_usual<L: Lane, const POINTS: usize>(
         &self,
         block: &mut ContactBlock,
+        states: &mut PairStates<'_>,
         place: usize,
         is_still: bool,
     ) {
         match (self.kind, fit::<L>(block).is_smooth) {
-            (Sweep::RELAX, true) => self.sweep::<L, POINTS>(block, place, Sweep::SMOOTH_RELAX, is_still),
-            (Sweep::RELAX, false) => self.sweep::<L, POINTS>(block, place, Sweep::RELAX, is_still),
-            _ => self.sweep::<L, POINTS>(block, place, Sweep::MAIN, is_still),
+            (Sweep::RELAX, true) => {
+                self.sweep::<L, POINTS>(block, states, place, Sweep::SMOOTH_RELAX, is_still);
+            }
+            (Sweep::RELAX, false) => self.sweep::<L, POINTS>(block, states, place, Sweep::RELAX, is_still),
+            _ => self.sweep::<L, POINTS>(block, states, place, Sweep::MAIN, is_still),
         }
     }
 
@@ -172,25 +174,26 @@ impl SweepOver<'_> {
     fn sweep<L: Lane, const POINTS: usize>(
         &self,
         block: &mut ContactBlock,
+        states: &mut PairStates<'_>,
         place: usize,
         kind: Sweep,
         is_still: bool,
     ) {
         if self.have_moved {
-            self.find_separations::<L, POINTS>(block, place, is_still);
+            find_separations::<L, POINTS>(block, states, place, is_still);
         }
-        let mut states = block.gather_velocities(&self.states, place);
-        let mut impulse = self.solve_normals::<L, POINTS>(block, place, kind, is_still, &mut states);
+        let mut pair = states.gather_velocities(place);
+        let mut impulse = self.solve_normals::<L, POINTS>(block, place, kind, is_still, &mut pair);
         if POINTS == 2 && block.has_cold_contacts() {
             block.note_newly_loaded(place, &block.load::<L>(place));
         }
         if kind.friction {
             // The push along the normal, which is still to come, is across to the tangent.
-            impulse = impulse + solve_frictions::<L, POINTS>(block, place, is_still, &mut states);
+            impulse = impulse + solve_frictions::<L, POINTS>(block, place, is_still, &mut pair);
         }
-        let [a, b] = &mut states;
+        let [a, b] = &mut pair;
         block.load::<L>(place).push(impulse, a, b);
-        block.scatter(&self.states, place, &states);
+        states.scatter_velocities(place, &pair);
     }
 
     /// Turns the bodies; returns the impulse that is still to push them, N s.
@@ -219,23 +222,23 @@ impl SweepOver<'_> {
         block.store_normal_impulses::<L, POINTS>(place, &constraint);
         axis.sum(changes)
     }
+}
 
-    /// Finds how far the points are apart where the bodies are now. It is so until they move again.
-    #[inline(always)]
-    fn find_separations<L: Lane, const POINTS: usize>(
-        &self,
-        block: &mut ContactBlock,
-        place: usize,
-        is_still: bool,
-    ) {
-        let mut constraint = ContactConstraint { is_still, ..block.load::<L>(place) };
-        let [a, b] = block.gather(&self.states, place);
-        for index in 0..POINTS {
-            let separation = constraint.separation(&constraint.points[index], &a, &b);
-            constraint.points[index].separation_now = separation;
-        }
-        block.store_separations::<L, POINTS>(place, &constraint);
+/// Finds how far the points are apart where the bodies are now. It is so until they move again.
+#[inline(always)]
+fn find_separations<L: Lane, const POINTS: usize>(
+    block: &mut ContactBlock,
+    states: &PairStates<'_>,
+    place: usize,
+    is_still: bool,
+) {
+    let mut constraint = ContactConstraint { is_still, ..block.load::<L>(place) };
+    let [a, b] = states.gather(place);
+    for index in 0..POINTS {
+        let separation = constraint.separation(&constraint.points[index], &a, &b);
+        constraint.points[index].separation_now = separation;
     }
+    block.store_separations::<L, POINTS>(place, &constraint);
 }
 
 /// Turns the bodies; returns the impulse that is still to push them, N s.
@@ -344,20 +347,27 @@ fn solve_friction<L: Lane>(constraint: &mut ContactConstraint<L>, index: usize, 
     friction.impulse - before
 }
 
+/// Does something to the first contact of the first block, whose numbers are counted.
+#[cfg(feature = "report")]
+fn do_once(blocks: &mut PairBlocks<ContactBlock>, kernel: &impl Kernel) {
+    let (mut states, place) = ([BodyState::REST], 0);
+    let mut over = blocks.over(&mut states);
+    let (block, mut states) = over.get_mut(0);
+    kernel.run::<Counted>(block, &mut states, place);
+}
+
 /// What a substep does for one contact of two points with friction: two warm starts and two sweeps.
 #[cfg(feature = "report")]
 pub(crate) fn work_of_a_substep() -> Count {
-    let (mut block, mut rows) = (ContactBlock::default(), [BodyState::REST]);
-    let is_fitted = true;
+    let (mut blocks, is_fitted) = (PairBlocks::default(), true);
+    blocks.resize(1);
     count(|| {
         for time in [WarmStartTime::BeforeMove, WarmStartTime::AfterMove] {
-            let start = WarmStart { states: Shared::new(&mut rows), part: 0.5, time, is_fitted };
-            start.run::<Counted>(&mut block, 0);
+            do_once(&mut blocks, &WarmStart { part: 0.5, time, is_fitted });
         }
-        let states = Shared::new(&mut rows);
-        let main = SweepOver { states, kind: Sweep::MAIN, have_moved: false, per_substep: 1.0, is_fitted };
-        main.run::<Counted>(&mut block, 0);
-        SweepOver { kind: Sweep::RELAX, have_moved: true, ..main }.run::<Counted>(&mut block, 0);
+        let main = SweepOver { kind: Sweep::MAIN, have_moved: false, per_substep: 1.0, is_fitted };
+        do_once(&mut blocks, &main);
+        do_once(&mut blocks, &SweepOver { kind: Sweep::RELAX, have_moved: true, ..main });
     })
 }
 
@@ -367,22 +377,22 @@ mod tests {
 
     #[test]
     fn a_warm_start_does_what_its_equations_say() {
-        let (mut block, mut states) = (ContactBlock::default(), [BodyState::REST]);
-        let (states, time) = (Shared::new(&mut states), WarmStartTime::BeforeMove);
-        let start = WarmStart { states, part: 0.5, time, is_fitted: true };
-        let found = count(|| start.run::<Counted>(&mut block, 0));
+        let mut blocks = PairBlocks::default();
+        blocks.resize(1);
+        let start = WarmStart { part: 0.5, time: WarmStartTime::BeforeMove, is_fitted: true };
+        let found = count(|| do_once(&mut blocks, &start));
         // Per point: the impulse along the normal times the part; both times their directions (2 + 2), summed (2); r × that
         // for two bodies (3 + 3).
         let point = 1 + 4 + 2 + 6;
         // Of the two points the impulses (2) and the moments (1 + 1) are summed.
         let sum = 2 + 2;
-        // Per body: the impulse times 1/m, added to v (2 + 2); the moment times 1/I, added to w; whether it moves.
-        let body = 2 + 2 + 1 + 1 + 1;
+        // Per body: the impulse times 1/m, added to v (2 + 2); the moment times 1/I, added to w.
+        let body = 2 + 2 + 1 + 1;
         // The direction of the tangent is a negation, and is multiplied by the part.
         assert_eq!(found.operations, 1 + 2 + 2 * point + sum + 2 * body);
-        // Numbers: of each body 1/m, 1/I, and 1/m once more; the normal; per point two anchors and two impulses. Written: per
+        // Numbers: of each body 1/m and 1/I; the normal; per point two anchors and two impulses. Written: per
         // point the impulse along the normal and the warm start. Half rows of two bodies, to and fro.
-        let numbers = 2 * 3 + 2 + 2 * (4 + 2) + 2 * 2;
+        let numbers = 2 * 2 + 2 + 2 * (4 + 2) + 2 * 2;
         assert_eq!(found.bytes, 4 * numbers + 4 * 16);
     }
 }

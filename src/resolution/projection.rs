@@ -3,7 +3,7 @@
 //! Each iteration moves the bodies of every contact directly, by a share of the overlap, as if by an impulse
 //! on positions (non-linear Gauss-Seidel; E. Catto, "Iterative Dynamics with Temporal Coherence", 2005).
 
-use crate::compute::{BodyState, Lane, Shared};
+use crate::compute::{Lane, PairStates};
 use crate::resolution::constraint::ContactConstraint;
 use crate::resolution::contact_block::ContactBlock;
 use crate::resolution::integrate::turn;
@@ -20,15 +20,12 @@ const LARGEST_CORRECTION: f32 = 0.2;
 
 /// One iteration.
 #[derive(Clone, Debug)]
-pub(crate) struct Project<'a> {
-    pub(crate) states: Shared<'a, BodyState>,
-}
+pub(crate) struct Project;
 
-impl Project<'_> {
-    fn project(&self, constraint: &ContactConstraint<f32>, [row_a, row_b]: [u32; 2]) {
-        let [row_a, row_b] = [row_a as usize, row_b as usize];
+impl Project {
+    fn project(constraint: &ContactConstraint<f32>, states: &mut PairStates<'_>, place: usize) {
         for point in constraint.points.iter().filter(|point| point.normal_k > 0.0) {
-            let (mut a, mut b) = (self.states.get(row_a), self.states.get(row_b));
+            let [mut a, mut b] = states.gather::<f32>(place);
             let separation = constraint.separation(point, &a, &b);
             let correction = (SHARE * (separation + SLOP)).clamp(-LARGEST_CORRECTION, 0.0);
             let impulse = constraint.normal * (-correction / point.normal_k);
@@ -36,24 +33,17 @@ impl Project<'_> {
             turn(&mut a, -constraint.inverse_inertia_a * point.anchor_a.cross(impulse));
             b.delta_position = b.delta_position + impulse * constraint.inverse_mass_b;
             turn(&mut b, constraint.inverse_inertia_b * point.anchor_b.cross(impulse));
-            for (row, moved, inverse_mass) in
-                [(row_a, a, constraint.inverse_mass_a), (row_b, b, constraint.inverse_mass_b)]
-            {
-                // Others may be in more than one contact of a colour.
-                if inverse_mass > 0.0 {
-                    self.states.change(row, |state| *state = moved);
-                }
-            }
+            states.scatter_one(place, &[a, b]);
         }
     }
 }
 
-impl Kernel for Project<'_> {
+impl Kernel for Project {
     /// Turns bodies, and so looks at one contact after the other.
     #[inline(always)]
-    fn run<L: Lane>(&self, block: &mut ContactBlock, place: usize) {
+    fn run<L: Lane>(&self, block: &mut ContactBlock, states: &mut PairStates<'_>, place: usize) {
         for place in place..place + L::WIDTH {
-            self.project(&block.load(place), block.rows(place));
+            Self::project(&block.load(place), states, place);
         }
     }
 }

@@ -2,9 +2,9 @@
 
 use std::sync::atomic::{AtomicBool, Ordering};
 
-use crate::body::Bodies;
+use crate::body::{Bodies, Forcing, Motion};
 use crate::collision::Contacts;
-use crate::compute::{BodyState, Crew, Shared, Width};
+use crate::compute::{Chosen, Crew, Width};
 use crate::math::Vec2;
 use crate::resolution::constraint::StepResidual;
 use crate::resolution::constraint_graph::{ColdContacts, ConstraintGraph, place_in};
@@ -137,8 +137,7 @@ pub(crate) fn solve(
         solver.direct.solve(tables.graph, &mut tables.bodies.states, Aim::Relax, h);
     }
     for _ in 0..scheme.projections.unwrap_or(0) {
-        let project = Project { states: Shared::new(&mut tables.bodies.states) };
-        tables.graph.for_each_swept(tables.crew, Width::ONE, &project);
+        tables.graph.for_each_swept(tables.crew, Width::ONE, &mut tables.bodies.states, &Project);
     }
     solver.finish(scheme, tables)
 }
@@ -159,15 +158,9 @@ impl Scheme {
     }
 
     /// A sweep of this kind; `have_moved` says whether bodies have since the last.
-    fn sweep_over<'a>(&self, states: &'a mut [BodyState], kind: Sweep, have_moved: bool) -> SweepOver<'a> {
+    fn sweep_over(&self, kind: Sweep, have_moved: bool) -> SweepOver {
         let per_substep = 1.0 / self.substep_time();
-        SweepOver {
-            states: Shared::new(states),
-            kind,
-            have_moved,
-            per_substep,
-            is_fitted: self.fitted_kernels,
-        }
+        SweepOver { kind, have_moved, per_substep, is_fitted: self.fitted_kernels }
     }
 
     /// What of the last impulses is applied before the move, and again after it where the kick is split.
@@ -221,15 +214,16 @@ impl Solver {
         self.seams.hold_back(tables.graph, &tables.bodies.states, h);
         warm_start(WarmStartTime::BeforeMove, scheme, tables);
         let SolveTables { bodies, contacts, graph, crew, .. } = tables;
-        let sweep = scheme.sweep_over(&mut bodies.states, scheme.main_sweep(), has_moved);
+        let sweep = scheme.sweep_over(scheme.main_sweep(), has_moved);
         for _ in 0..scheme.iterations {
-            graph.for_each_swept(crew, scheme.width, &sweep);
+            graph.for_each_swept(crew, scheme.width, &mut bodies.states, &sweep);
         }
         if scheme.split_kick && scheme.warm_starting {
             // There is no friction to start from, and a box set on a slope would go down freely for half a substep.
             let kind = Sweep { friction: true, ..scheme.main_sweep() };
-            let sweep = scheme.sweep_over(&mut bodies.states, kind, false);
-            self.cold_contacts.sweep(graph, (scheme.width, scheme.warm_part()), &sweep);
+            let sweep = scheme.sweep_over(kind, false);
+            let how = (scheme.width, scheme.warm_part());
+            self.cold_contacts.sweep(graph, how, &mut bodies.states, &sweep);
         }
         let starts_again = scheme.split_kick;
         self.seams.run(&mut SeamScene { bodies, contacts, graph, starts_again, h });
@@ -242,12 +236,12 @@ impl Solver {
         }
         let (graph, states) = (&mut *tables.graph, &mut tables.bodies.states);
         for iteration in 0..scheme.relax_iterations {
-            let sweep = scheme.sweep_over(states, scheme.relax_sweep(), iteration == 0);
-            graph.for_each_swept(tables.crew, scheme.width, &sweep);
+            let sweep = scheme.sweep_over(scheme.relax_sweep(), iteration == 0);
+            graph.for_each_swept(tables.crew, scheme.width, states, &sweep);
         }
         if scheme.relax_iterations > 0 {
-            let sweep = scheme.sweep_over(states, scheme.relax_sweep(), false);
-            self.cold_contacts.sweep(graph, (scheme.width, 1.0), &sweep);
+            let sweep = scheme.sweep_over(scheme.relax_sweep(), false);
+            self.cold_contacts.sweep(graph, (scheme.width, 1.0), states, &sweep);
         }
     }
 
@@ -273,39 +267,42 @@ impl Solver {
     fn prepare_kicks(&mut self, scheme: &Scheme, tables: &SolveTables<'_>, acceleration: &impl Acceleration) {
         let (bodies, varies) = (&*tables.bodies, acceleration.varies());
         let rows = 1..bodies.row_count();
-        let forcing_of = |row: usize| &bodies.forcings[bodies.slot_of_row[row] as usize];
+        let forcing_of = |row: usize| &bodies.forcings[bodies.slot_of_row(row) as usize];
+        let steady_of = |forcing: &Forcing, motion: &Motion| {
+            acceleration.uniform() * forcing.gravity_scale + forcing.force * motion.inverse_mass
+        };
         let has_damping = AtomicBool::new(false);
         self.kicks.reset(bodies.row_count());
-        self.steady.clear();
-        self.steady.resize(if varies { bodies.row_count() } else { 0 }, Vec2::ZERO);
-        let steady_of_row = Shared::new(&mut self.steady);
         self.kicks.fill(tables.crew, rows.clone(), |row| {
-            let motion = &bodies.motions[bodies.slot_of_row[row] as usize];
+            let motion = &bodies.motions[bodies.slot_of_row(row) as usize];
             if motion.inverse_mass == 0.0 {
                 return Kick::default();
             }
             let forcing = forcing_of(row);
-            let steady = acceleration.uniform() * forcing.gravity_scale + forcing.force * motion.inverse_mass;
-            if varies {
-                steady_of_row.change(row, |to| *to = steady);
-            }
             if is_damped(forcing) {
                 has_damping.store(true, Ordering::Relaxed);
             }
             Kick {
-                acceleration: steady.into(),
+                acceleration: steady_of(forcing, motion).into(),
                 carry: motion.velocity_carry.into(),
                 angular_acceleration: forcing.torque * motion.inverse_inertia,
             }
         });
         self.damped.clear();
         if has_damping.into_inner() {
-            let rows = rows.map(|row| (row, forcing_of(row)));
-            let is_moved = |row: usize| bodies.is_dynamic(bodies.slot_of_row[row]);
-            let damped = rows.filter(|&(row, forcing)| is_damped(forcing) && is_moved(row));
+            let is_moved = |row: usize| bodies.is_dynamic(bodies.slot_of_row(row));
+            let damped = rows
+                .clone()
+                .map(|row| (row, forcing_of(row)))
+                .filter(|&(row, forcing)| is_damped(forcing) && is_moved(row));
             self.damped.add(damped, scheme.kick_time());
         }
+        self.steady.clear();
         if varies {
+            // Of those that nothing moves it is not asked.
+            let of_row = |row| steady_of(forcing_of(row), &bodies.motions[bodies.slot_of_row(row) as usize]);
+            self.steady.push(Vec2::ZERO);
+            self.steady.extend(rows.map(of_row));
             self.accelerate(tables, acceleration);
         }
     }
@@ -336,7 +333,7 @@ impl Solver {
     fn accelerate(&mut self, tables: &SolveTables<'_>, acceleration: &impl Acceleration) {
         let bodies = &*tables.bodies;
         self.kicks.accelerate(tables.crew, 1..bodies.row_count(), |row| {
-            let (slot, state) = (bodies.slot_of_row[row], &bodies.states[row]);
+            let (slot, state) = (bodies.slot_of_row(row), &bodies.states[row]);
             let varying = || acceleration.at(bodies, slot, state.delta_position.into());
             bodies.is_dynamic(slot).then(|| self.steady[row] + varying())
         });
@@ -356,12 +353,12 @@ impl Solver {
         let rows = 1..tables.bodies.row_count();
         let SolveTables { bodies, contacts, graph, loads, crew } = tables;
         let measure = LoadMeasure::new(scheme.adapts, 1.0 / scheme.substep_time());
-        loads.unsolved.extend(self.direct.unsolved_rows().map(|row| bodies.slot_of_row[row as usize]));
+        loads.unsolved.extend(self.direct.unsolved_rows().map(|row| bodies.slot_of_row(row as usize)));
         let residual = graph.finish(crew, scheme.width, &bodies.states, contacts, (measure, loads));
-        let (motions, slots) = (Shared::new(&mut bodies.motions), &bodies.slot_of_row);
-        crew.run(rows, CARRY_COST, |rows| {
-            for row in rows {
-                motions.change(slots[row] as usize, |motion| motion.velocity_carry = self.kicks.carry(row));
+        let motions = Chosen::new(&mut bodies.motions, &bodies.awake);
+        crew.run((rows, motions), CARRY_COST, |(rows, mut motions)| {
+            for (place, row) in rows.enumerate() {
+                motions.get_mut(place).velocity_carry = self.kicks.carry(row);
             }
         });
         residual
@@ -372,10 +369,9 @@ impl Solver {
 fn warm_start(time: WarmStartTime, scheme: &Scheme, tables: &mut SolveTables<'_>) {
     let SolveTables { bodies, graph, crew, .. } = tables;
     if scheme.warm_starting {
-        let (states, part) = (Shared::new(&mut bodies.states), scheme.warm_part());
-        let start = WarmStart { states, part, time, is_fitted: scheme.fitted_kernels };
-        graph.for_each_swept(crew, scheme.width, &start);
+        let start = WarmStart { part: scheme.warm_part(), time, is_fitted: scheme.fitted_kernels };
+        graph.for_each_swept(crew, scheme.width, &mut bodies.states, &start);
     } else if time == WarmStartTime::BeforeMove {
-        graph.for_each_swept(crew, scheme.width, &ForgetImpulses);
+        graph.for_each_swept(crew, scheme.width, &mut bodies.states, &ForgetImpulses);
     }
 }

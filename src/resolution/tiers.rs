@@ -176,7 +176,7 @@ impl Tiers {
         }
         if tables.graph.solves_directly() {
             for row in 1..tables.bodies.row_count() {
-                let slot = tables.bodies.slot_of_row[row];
+                let slot = tables.bodies.slot_of_row(row);
                 if tables.graph.is_direct(slot) {
                     self.decide_island(slot, tick, rule, &mut tables);
                 }

@@ -10,4 +10,4 @@ mod slots;
 pub(crate) use bit_set::{BitSet, places_of};
 pub(crate) use id::id_type;
 pub(crate) use pair_set::PairSet;
-pub(crate) use slots::{Key, SharedSlots, Slots};
+pub(crate) use slots::{ChosenSlots, Key, Slots};

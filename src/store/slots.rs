@@ -3,7 +3,7 @@
 use core::num::NonZeroU32;
 use core::ops::{Index, IndexMut, Range};
 
-use crate::compute::{Shared, prefetch, prefetch_lines};
+use crate::compute::{Chosen, DistinctIndices, Divide, prefetch, prefetch_lines};
 
 /// Place and generation of a value in [`Slots`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -74,6 +74,11 @@ impl<T> Slots<T> {
         self.values.len() - self.free.len()
     }
 
+    /// How many places there are, the free ones with them.
+    pub(crate) fn place_count(&self) -> usize {
+        self.values.len()
+    }
+
     pub(crate) fn insert(&mut self, value: T) -> Key {
         if let Some(index) = self.free.pop() {
             self.values[index as usize] = Some(value);
@@ -130,30 +135,57 @@ impl<T> Slots<T> {
     }
 }
 
-/// Values at fixed places that several threads change: each of them others.
+/// The values at some places, each of them once.
 #[derive(Debug)]
-pub(crate) struct SharedSlots<'a, T> {
-    values: Shared<'a, Option<T>>,
-}
+pub(crate) struct ChosenSlots<'a, T>(Chosen<'a, Option<T>>);
 
 impl<T> Slots<T> {
-    /// The values, for several threads to change.
-    pub(crate) fn shared(&mut self) -> SharedSlots<'_, T> {
-        SharedSlots { values: Shared::new(&mut self.values) }
+    /// The values at some places, that are filled.
+    pub(crate) fn chosen<'a>(&'a mut self, places: &'a DistinctIndices) -> ChosenSlots<'a, T> {
+        ChosenSlots(Chosen::new(&mut self.values, places))
     }
 }
 
-impl<T> SharedSlots<'_, T> {
-    /// Asks for some cache lines of the value at a place to be brought close.
+impl<T> ChosenSlots<'_, T> {
+    /// How many there are.
     #[inline(always)]
-    pub(crate) fn prefetch(&self, index: u32, lines: Range<usize>) {
-        self.values.prefetch(index as usize, lines);
+    pub(crate) fn len(&self) -> usize {
+        self.0.len()
     }
 
-    /// Changes the value at a place, which no other thread looks at.
+    /// These, without so many of the first.
     #[inline(always)]
-    pub(crate) fn change<R>(&self, index: u32, change: impl FnOnce(&mut T) -> R) -> R {
-        self.values.change(index as usize, |value| change(value.as_mut().expect("the place is filled")))
+    pub(crate) fn skipping(&mut self, first: usize) -> ChosenSlots<'_, T> {
+        ChosenSlots(self.0.skipping(first))
+    }
+
+    /// Asks for some cache lines of one of them to be brought close, if there are so many.
+    #[inline(always)]
+    pub(crate) fn prefetch(&self, number: usize, lines: Range<usize>) {
+        self.0.prefetch(number, lines);
+    }
+
+    /// One of them, if there are so many.
+    #[inline(always)]
+    pub(crate) fn get(&self, number: usize) -> Option<&T> {
+        if number < self.len() { self.0.get(number).as_ref() } else { None }
+    }
+
+    /// One of them, to change it.
+    #[inline(always)]
+    pub(crate) fn get_mut(&mut self, number: usize) -> &mut T {
+        self.0.get_mut(number).as_mut().expect("the place is filled")
+    }
+}
+
+impl<T: Send> Divide for ChosenSlots<'_, T> {
+    fn count(&self) -> usize {
+        self.len()
+    }
+
+    fn divide(self, at: usize) -> (Self, Self) {
+        let (first, last) = self.0.divide(at);
+        (Self(first), Self(last))
     }
 }
 

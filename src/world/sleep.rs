@@ -58,7 +58,7 @@ impl Sleepers {
         self.seen.clear();
         self.resting.clear();
         for row in 1..tables.bodies.row_count() {
-            let slot = tables.bodies.slot_of_row[row];
+            let slot = tables.bodies.slot_of_row(row);
             let is_candidate = tables.bodies.is_dynamic(slot) && is_still(tables.bodies, slot);
             if is_candidate && !self.seen.contains(slot) {
                 self.look_at_island(slot, tables);

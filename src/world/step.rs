@@ -2,9 +2,9 @@
 
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-use crate::body::{Bodies, BodyId, BodyType, Forcing, Motion, NONE};
+use crate::body::{Bodies, BodyId, BodyType, Motion, NONE};
 use crate::collision::{AHEAD, Refresh, refresh};
-use crate::compute::{BodyState, Shared};
+use crate::compute::{BodyState, Chosen};
 use crate::math::{Rot, Vec2};
 use crate::resolution::{SolveTables, StepResidual, TierTables, begins_at_rest, solve};
 use crate::world::World;
@@ -22,7 +22,7 @@ const FINALIZE_COST: usize = 25;
 const SLOW_SHARE: f32 = 0.01;
 
 impl World {
-    /// Moves the world by one tick of `1 / tick_rate` seconds. Never fails and never panics.
+    /// Moves the world by one tick of `1 / tick_rate` seconds. Never fails.
     ///
     /// ```text
     /// stage     runs on               does
@@ -33,11 +33,17 @@ impl World {
     /// events    changing contacts     what began, ended, hit; what left the bounds is removed
     /// sleep     bodies long at rest   islands at rest leave the step
     /// ```
+    ///
+    /// # Panics
+    /// If a step of this world has panicked before, as it may where a [`Clock`](crate::Clock) does: the panic is passed on,
+    /// threads rest, and the world, halfway through a step, can be looked at but not stepped.
     pub fn step(&mut self) {
+        assert!(!self.is_within_step, "an earlier step of this world panicked halfway");
+        self.is_within_step = true;
         let mut profile = std::mem::take(&mut self.profile);
         self.events.begin_step();
         let size = self.bodies.awake_count() + self.distant.len() + self.contacts.awake().len();
-        self.crew.begin_step(self.settings.threads, size);
+        let at_work = self.crew.begin_step(self.settings.threads, size);
         if self.bodies.awake_count() == 0 {
             // The solver will not run; what it found last is no longer so.
             self.residual = StepResidual::default();
@@ -53,10 +59,11 @@ impl World {
         self.remove_those_that_left();
         let resting = if sleep::is_due(self.ticks, self.settings.tick_rate) { self.resting } else { 0 };
         profile.run_stage(Stage::Sleep, resting, || self.put_to_sleep());
-        self.crew.end_step();
+        drop(at_work);
         profile.counters = self.count();
         self.profile = profile;
         self.ticks += 1;
+        self.is_within_step = false;
     }
 
     /// Takes up each new pair of bodies whose fat boxes overlap.
@@ -111,18 +118,17 @@ impl World {
         let Self { bodies, broad_phase, crew, is_close_now, .. } = self;
         is_close_now.clear();
         is_close_now.resize(self.contacts.awake().len(), None);
-        let (awake, contacts) = self.contacts.awake_shared();
-        crew.run((awake, &mut is_close_now[..]), REFRESH_COST, |(awake, is_close_now)| {
-            for (place, (&index, is_close_now)) in awake.iter().zip(is_close_now).enumerate() {
-                contacts.prefetch_ahead(bodies, awake, place);
-                contacts.change(index, |contact| {
-                    let [a, b] = contact.slots;
-                    refresh(contact, bodies, how);
-                    let has_points = !contact.manifold.points().is_empty();
-                    // Bodies with points are, whatever their boxes say, which may part meanwhile.
-                    let is_close = has_points || broad_phase.overlap(a, b);
-                    *is_close_now = (!is_close || contact.is_misplaced()).then_some(is_close);
-                });
+        let awake = (self.contacts.awake_mut(), &mut is_close_now[..]);
+        crew.run(awake, REFRESH_COST, |(mut contacts, is_close_now)| {
+            for (place, is_close_now) in is_close_now.iter_mut().enumerate() {
+                contacts.prefetch_ahead(bodies, place);
+                let contact = contacts.get_mut(place);
+                let [a, b] = contact.slots;
+                refresh(contact, bodies, how);
+                let has_points = !contact.manifold.points().is_empty();
+                // Bodies with points are, whatever their boxes say, which may part meanwhile.
+                let is_close = has_points || broad_phase.overlap(a, b);
+                *is_close_now = (!is_close || contact.is_misplaced()).then_some(is_close);
             }
         });
         let mut changed = std::mem::take(&mut self.changed_contacts);
@@ -208,34 +214,33 @@ impl World {
         let may_sleep = self.settings.sleep;
         let Self { bodies, broad_phase, crew, leaves_box, leaving, .. } = self;
         leaves_box.resize(bodies.awake_count(), false);
-        let Bodies { states, slot_of_row, motions, forcings, shapes, .. } = bodies;
-        let (motions, forcings) = (Shared::new(motions), Shared::new(forcings));
+        let row_count = bodies.row_count();
+        let Bodies { states, awake, motions, forcings, shapes, .. } = bodies;
+        let (motions, forcings) = (Chosen::new(motions, awake), Chosen::new(forcings, awake));
         let resting = AtomicUsize::new(0);
-        let rows = (&mut states[1..slot_of_row.len()], (&slot_of_row[1..], &mut leaves_box[..]));
-        crew.run(rows, FINALIZE_COST, |(states, (slots, leaves_box))| {
-            for (state, (&slot, leaves_box)) in states.iter_mut().zip(slots.iter().zip(leaves_box)) {
-                forcings.change(slot as usize, Forcing::end_step);
+        let rows = ((motions, forcings), (&mut states[1..row_count], &mut leaves_box[..]));
+        crew.run(rows, FINALIZE_COST, |((mut motions, mut forcings), (states, leaves_box))| {
+            for (place, (state, leaves_box)) in states.iter_mut().zip(leaves_box).enumerate() {
+                forcings.get_mut(place).end_step();
+                let (slot, motion) = (motions.indices()[place], motions.get_mut(place));
                 let ahead = Vec2::from(state.velocity) * dt;
-                *leaves_box = motions.change(slot as usize, |motion| {
-                    let is_resting = move_on(motion, state, dt);
-                    if may_sleep && is_resting {
-                        resting.fetch_add(1, Ordering::Relaxed);
-                    }
-                    let aabb = || shapes[slot as usize].bounding_box(motion.pose);
-                    if motion.room > ahead.norm_1() {
-                        debug_assert!(!broad_phase.leaves_box(slot, aabb(), ahead), "{slot} had room");
-                        return false;
-                    }
-                    let aabb = aabb();
-                    let leaves_box = broad_phase.leaves_box(slot, aabb, ahead);
-                    let stays_long = !leaves_box && ahead.norm_1() < SLOW_SHARE * motion.extent;
-                    motion.room = if stays_long { broad_phase.room(slot, aabb) } else { 0.0 };
-                    leaves_box
-                });
+                if move_on(motion, state, dt) && may_sleep {
+                    resting.fetch_add(1, Ordering::Relaxed);
+                }
+                let aabb = |motion: &Motion| shapes[slot as usize].bounding_box(motion.pose);
+                if motion.room > ahead.norm_1() {
+                    debug_assert!(!broad_phase.leaves_box(slot, aabb(motion), ahead), "{slot} had room");
+                    *leaves_box = false;
+                    continue;
+                }
+                let aabb = aabb(motion);
+                *leaves_box = broad_phase.leaves_box(slot, aabb, ahead);
+                let stays_long = !*leaves_box && ahead.norm_1() < SLOW_SHARE * motion.extent;
+                motion.room = if stays_long { broad_phase.room(slot, aabb) } else { 0.0 };
             }
         });
         self.resting = resting.into_inner();
-        let slots = bodies.slot_of_row.iter().skip(1).zip(leaves_box);
+        let slots = bodies.awake.iter().zip(leaves_box);
         leaving.clear();
         leaving.extend(slots.filter(|(_, leaves_box)| **leaves_box).map(|(&slot, _)| slot));
         for (place, &slot) in leaving.iter().enumerate() {
@@ -289,8 +294,7 @@ impl World {
     fn remove_those_that_left(&mut self) {
         let Some(bounds) = self.settings.bounds else { return };
         let bodies = &self.bodies;
-        let moving = bodies.slot_of_row.iter().skip(1);
-        let outside = moving.filter(|&&slot| !bounds.contains_point(bodies.center(slot)));
+        let outside = bodies.awake.iter().filter(|&&slot| !bounds.contains_point(bodies.center(slot)));
         self.events.left.extend(outside.map(|&slot| BodyId(bodies.records.key_at(slot))));
         self.events.left.sort_unstable();
         for place in 0..self.events.left.len() {

@@ -42,7 +42,7 @@ impl World {
             }
             if should_have_row {
                 rows += 1;
-                if bodies.slot_of_row[motion.row as usize] != slot {
+                if bodies.slot_of_row(motion.row as usize) != slot {
                     return Err(format!("row {} is not of body {slot}", motion.row));
                 }
             }

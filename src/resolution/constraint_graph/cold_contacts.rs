@@ -1,10 +1,9 @@
 //! Cold contacts: those that begin to bear load, without impulses to warm start them. They are swept a few times more
 //! than the others.
 
-use crate::compute::{COLUMN, Width};
+use crate::compute::{BodyState, COLUMN, Width};
 use crate::resolution::constraint_graph::passes::pass_over;
 use crate::resolution::constraint_graph::{BlockPlace, Colour, ConstraintGraph, DIRECT, Used};
-use crate::resolution::contact_block::ContactBlock;
 use crate::resolution::kernel::Kernel;
 
 /// A contact of two points and with friction that begins to bear load is relaxed so many times more: without impulses
@@ -40,6 +39,7 @@ impl ColdContacts {
         &mut self,
         graph: &mut ConstraintGraph,
         (width, part): (Width, f32),
+        states: &mut [BodyState],
         kernel: &impl Kernel,
     ) {
         self.loaded.clear();
@@ -49,7 +49,7 @@ impl ColdContacts {
         if !self.loaded.is_empty() {
             let used = self.copy_loaded(graph);
             for _ in 0..COLD_SWEEPS {
-                pass_over((&mut self.copies, used), width, kernel);
+                pass_over((&mut self.copies, used), width, states, kernel);
             }
             self.give_back(graph, part);
         }
@@ -60,18 +60,20 @@ impl ColdContacts {
         self.copies.resize(DIRECT, Colour::default());
         for colour in &mut self.copies {
             colour.contacts.clear();
-            colour.blocks.clear();
+            colour.blocks.resize(0);
         }
         let mut used = Used::default();
         for &(colour, place) in &self.loaded {
-            let (from, from_place) = graph.block((colour, place));
+            let (from_rows, from, from_place) = graph.block((colour, place));
             used.set(colour as usize, true);
             let Colour { contacts, blocks, .. } = &mut self.copies[colour as usize];
             let (number, to_place) = (contacts.len() / COLUMN, contacts.len() % COLUMN);
             if to_place == 0 {
-                blocks.push(ContactBlock::default());
+                blocks.resize(number + 1);
             }
-            blocks[number].copy(to_place, from, from_place);
+            let (to_rows, to) = blocks.all_mut();
+            to_rows[number].copy(to_place, from_rows, from_place);
+            to[number].copy(to_place, from, from_place);
             contacts.push(place);
         }
         used
@@ -82,7 +84,8 @@ impl ColdContacts {
         for (colour, Colour { contacts, blocks, .. }) in (0_u32..).zip(&self.copies) {
             for (number, &place) in contacts.iter().enumerate() {
                 let (block, place) = graph.block_mut((colour, place));
-                block.copy_impulses(place, &blocks[number / COLUMN], number % COLUMN, part.recip());
+                let (_, copy) = blocks.get(number / COLUMN);
+                block.copy_impulses(place, copy, number % COLUMN, part.recip());
             }
         }
     }

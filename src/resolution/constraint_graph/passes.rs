@@ -2,13 +2,14 @@
 //!
 //! The contacts of a colour move no body in common, so that several threads may each have some of its blocks.
 
-use core::ops::Range;
 use std::sync::Mutex;
 
-use crate::collision::{Contacts, SharedContacts};
-use crate::compute::{self, BodyState, COLUMN, Column, Crew, Job, Lane, Shared, Width, lock};
+use crate::collision::{ChosenContacts, Contacts};
+use crate::compute::{
+    self, BlocksOver, BodyState, ByColumn, COLUMN, Column, Crew, Divide, Job, Lane, RowPairs, Width, lock,
+};
 use crate::resolution::constraint::StepResidual;
-use crate::resolution::constraint_graph::{Colour, ConstraintGraph, OVERFLOW, Used};
+use crate::resolution::constraint_graph::{Colour, ConstraintGraph, DIRECT, OVERFLOW, Used};
 use crate::resolution::contact_block::{Beginning, BlockEnd, BlockStart, ContactBlock, ContactEnds};
 use crate::resolution::follow::Followers;
 use crate::resolution::follower::Follower;
@@ -29,25 +30,33 @@ impl ConstraintGraph {
         from: Beginning<'_>,
         followers: &mut Followers,
     ) {
-        followers.reset(self.colours.iter().map(|colour| colour.blocks_with_followers().len()).sum());
-        let (followers, mut first_name) = (&followers.shared(), 0);
-        for colour in &mut self.colours {
+        let Self { colours, row_marks, .. } = self;
+        followers.reset(colours.iter().map(|colour| colour.blocks_with_followers().len()).sum());
+        let (mut free, mut first_name) = (followers.columns_mut(), 0);
+        for colour in colours {
             let count = colour.contacts.len().div_ceil(COLUMN);
-            if count == 0 && colour.blocks.is_empty() {
+            if count == 0 && colour.blocks.len() == 0 {
                 continue;
             }
             // Made only where there are not as many yet: a block is large.
-            colour.blocks.resize_with(count, ContactBlock::default);
+            colour.blocks.resize(count);
             colour.starts.resize_with(count, BlockStart::default);
             colour.ends.resize_with(count, BlockEnd::default);
-            let names = Names { first_name, blocks: colour.blocks_with_followers() };
-            first_name += names.blocks.len();
-            let (of_colour, names) = (&colour.contacts, &names);
-            let places = (0..count, (&mut colour.blocks[..], &mut colour.starts[..]));
-            crew.run(places, PREPARE_COST, |(numbers, (blocks, starts))| {
-                let first = numbers.start;
-                compute::run(width, Prepare { first, of_colour, blocks, starts, from, names, followers });
+            let with_followers = colour.blocks_with_followers();
+            let columns = free.split_off_mut(..with_followers.len()).unwrap_or_default();
+            let followers =
+                NamedFollowers { blocks: count, start: with_followers.start, first_name, columns };
+            first_name += with_followers.len();
+            let (rows, blocks) = colour.blocks.all_mut();
+            let parts =
+                ((ByColumn(&colour.contacts[..]), followers), ((rows, blocks), &mut colour.starts[..]));
+            crew.run(parts, PREPARE_COST, |((contacts, followers), ((rows, blocks), starts))| {
+                let contacts = contacts.0;
+                compute::run(width, Prepare { contacts, rows, blocks, starts, from, followers });
             });
+            if !crew.is_alone() {
+                colour.blocks.check(row_marks);
+            }
         }
     }
 
@@ -62,21 +71,17 @@ impl ConstraintGraph {
     ) -> StepResidual {
         let residual = Mutex::new(StepResidual::default());
         for colour in self.colours.iter_mut().filter(|colour| !colour.is_empty()) {
-            let count = colour.blocks.len();
-            let (of_colour, contacts) = (&colour.contacts, &contacts.shared());
-            let places = ((0..count), (&colour.blocks[..], &mut colour.ends[..]));
-            crew.run(places, FINISH_COST, |(numbers, (blocks, ends))| {
-                let first = numbers.start;
-                let residual = &residual;
-                compute::run(
-                    width,
-                    Finish { first, of_colour, blocks, ends, states, contacts, measure, residual },
-                );
+            let residual = &residual;
+            let contacts = ByColumn(contacts.chosen(&colour.contacts));
+            let parts = ((contacts, colour.blocks.all()), &mut colour.ends[..]);
+            crew.run(parts, FINISH_COST, |((contacts, (rows, blocks)), ends)| {
+                let contacts = contacts.0;
+                compute::run(width, Finish { contacts, rows, blocks, ends, states, measure, residual });
             });
         }
         for colour in self.colours.iter().filter(|colour| !colour.is_empty()) {
             for (number, end) in colour.ends.iter().enumerate() {
-                let indices = part(&colour.contacts, number);
+                let indices = &colour.contacts[number * COLUMN..];
                 end.lasting.for_each(|place| loads.lasting.push(indices[place]));
                 end.changing.for_each(|place| contacts.note_change(indices[place]));
             }
@@ -86,64 +91,81 @@ impl ConstraintGraph {
 
     /// Does something to every constraint that is swept over, colour by colour: as many at a time as the width says, but
     /// for the overflow, whose contacts may share bodies.
-    pub(crate) fn for_each_swept(&mut self, crew: &Crew, width: Width, kernel: &impl Kernel) {
-        self.for_each_of(self.used.swept(), crew, width, kernel);
-    }
-
-    /// Does something to every constraint that moves no body: contacts that are solved directly may share bodies.
-    pub(crate) fn for_each(&mut self, crew: &Crew, width: Width, kernel: &impl Kernel) {
-        self.for_each_of(self.used, crew, width, kernel);
-    }
-
-    fn for_each_of(&mut self, used: Used, crew: &Crew, width: Width, kernel: &impl Kernel) {
+    pub(crate) fn for_each_swept(
+        &mut self,
+        crew: &Crew,
+        width: Width,
+        states: &mut [BodyState],
+        kernel: &impl Kernel,
+    ) {
+        let (colours, used) = (&mut self.colours, self.used.swept());
         if crew.is_alone() {
-            return pass_over((&mut self.colours, used), width, kernel);
+            return pass_over((colours, used), width, states, kernel);
         }
         if used.has_overflow() {
-            BlockPass::over(&mut self.colours[OVERFLOW], kernel).run::<f32>();
+            BlockPass::over(&mut colours[OVERFLOW], states, kernel).run::<f32>();
         }
         for colour in used.colours() {
-            let colour = &mut self.colours[colour];
-            let places = (0..colour.blocks.len(), &mut colour.blocks[..]);
-            crew.run(places, SWEEP_COST, |(numbers, blocks)| {
-                let contacts = colour.contacts.len().min(numbers.end * COLUMN) - numbers.start * COLUMN;
-                compute::run(width, BlockPass { contacts, blocks, kernel });
+            let Colour { contacts, blocks, .. } = &mut colours[colour];
+            let parts = (ByColumn(0..contacts.len()), blocks.over(states));
+            crew.run(parts, SWEEP_COST, |(contacts, blocks)| {
+                compute::run(width, BlockPass { contacts: contacts.0.len(), blocks, kernel });
             });
+        }
+    }
+
+    /// Does something that moves no body to every constraint: what is solved directly may share bodies.
+    pub(crate) fn for_each(
+        &mut self,
+        crew: &Crew,
+        width: Width,
+        states: &mut [BodyState],
+        kernel: &impl Kernel,
+    ) {
+        self.for_each_swept(crew, width, states, kernel);
+        if self.solves_directly() {
+            compute::run(width, BlockPass::over(&mut self.colours[DIRECT], states, kernel));
         }
     }
 }
 
 /// Does something to every constraint of some colours and their overflow. Compiled once for each kernel, which is large.
 #[inline(never)]
-pub(super) fn pass_over((colours, used): (&mut [Colour], Used), width: Width, kernel: &impl Kernel) {
-    compute::run(width, Pass { colours, used, kernel });
+pub(super) fn pass_over(
+    (colours, used): (&mut [Colour], Used),
+    width: Width,
+    states: &mut [BodyState],
+    kernel: &impl Kernel,
+) {
+    compute::run(width, Pass { colours, used, states, kernel });
 }
 
 /// A pass over the contacts of some colours.
 struct Pass<'a, K> {
     colours: &'a mut [Colour],
     used: Used,
+    states: &'a mut [BodyState],
     kernel: &'a K,
 }
 
 /// A pass over some blocks of a colour, that have so many contacts.
 struct BlockPass<'a, K> {
     contacts: usize,
-    blocks: &'a mut [ContactBlock],
+    blocks: BlocksOver<'a, ContactBlock>,
     kernel: &'a K,
 }
 
 impl<K: Kernel> Job for Pass<'_, K> {
     #[inline(always)]
     fn run<L: Lane>(self) {
-        let Self { colours, used, kernel } = self;
+        let Self { colours, used, states, kernel } = self;
         if used.has_overflow() {
-            BlockPass::over(&mut colours[OVERFLOW], kernel).run::<f32>();
+            BlockPass::over(&mut colours[OVERFLOW], states, kernel).run::<f32>();
         }
         // One of its own stays in registers, whatever is written through it.
         let kernel = &kernel.clone();
         for colour in used.colours() {
-            BlockPass::over(&mut colours[colour], kernel).run::<L>();
+            BlockPass::over(&mut colours[colour], states, kernel).run::<L>();
         }
     }
 }
@@ -157,15 +179,17 @@ impl<K: Kernel> Job for BlockPass<'_, K> {
 
 impl<'a, K: Kernel> BlockPass<'a, K> {
     #[inline(always)]
-    fn over(Colour { contacts, blocks, .. }: &'a mut Colour, kernel: &'a K) -> Self {
-        Self { contacts: contacts.len(), blocks, kernel }
+    fn over(colour: &'a mut Colour, states: &'a mut [BodyState], kernel: &'a K) -> Self {
+        Self { contacts: colour.contacts.len(), blocks: colour.blocks.over(states), kernel }
     }
 
     #[inline(always)]
-    fn in_lanes<L: Lane>(self) {
+    fn in_lanes<L: Lane>(mut self) {
         let kernel = self.kernel.clone();
+        // One loop: it is compiled into a faster program than one over blocks, and one within each.
         for place in (0..self.contacts).step_by(L::WIDTH) {
-            kernel.run::<L>(&mut self.blocks[place / COLUMN], place % COLUMN);
+            let (block, mut states) = self.blocks.get_mut(place / COLUMN);
+            kernel.run::<L>(block, &mut states, place % COLUMN);
         }
     }
 }
@@ -176,59 +200,71 @@ fn one_by_one(pass: BlockPass<'_, impl Kernel>) {
     pass.in_lanes::<f32>();
 }
 
-/// Those of a colour's contacts that are in its block of a number.
-fn part(contacts: &[u32], block: usize) -> &[u32] {
-    let from_block = from_block(contacts, block);
-    &from_block[..from_block.len().min(COLUMN)]
-}
-
-/// These, and those in the blocks after it.
-fn from_block(contacts: &[u32], block: usize) -> &[u32] {
-    &contacts[block * COLUMN..]
-}
-
 /// Makes the constraints of some blocks of a colour.
 struct Prepare<'a> {
-    /// Number of the first block.
-    first: usize,
-    /// Indices of the contacts of the colour.
-    of_colour: &'a [u32],
+    /// Indices of the contacts.
+    contacts: &'a [u32],
+    rows: &'a mut [RowPairs],
     blocks: &'a mut [ContactBlock],
     starts: &'a mut [BlockStart],
     from: Beginning<'a>,
-    names: &'a Names,
-    followers: &'a Shared<'a, Follower<Column>>,
+    followers: NamedFollowers<'a>,
 }
 
-/// What the blocks of a colour call those of their contacts that follow the surface.
-struct Names {
+/// Those of the contacts of some blocks that follow the surface, with what their blocks call them.
+struct NamedFollowers<'a> {
+    /// How many blocks there are.
+    blocks: usize,
+    /// The first of them that has some. So have those after it, for as long as there are columns.
+    start: usize,
     first_name: usize,
-    /// Numbers of the blocks with some.
-    blocks: Range<usize>,
+    columns: &'a mut [Follower<Column>],
 }
 
-impl Names {
-    fn of(&self, block: usize) -> Option<usize> {
-        self.blocks.contains(&block).then(|| self.first_name + block - self.blocks.start)
+impl NamedFollowers<'_> {
+    fn of(&mut self, block: usize) -> Option<(u32, &mut Follower<Column>)> {
+        let number = block.checked_sub(self.start)?;
+        Some(((self.first_name + number) as u32, self.columns.get_mut(number)?))
+    }
+}
+
+impl Divide for NamedFollowers<'_> {
+    fn count(&self) -> usize {
+        self.blocks
+    }
+
+    fn divide(self, at: usize) -> (Self, Self) {
+        let Self { blocks, start, first_name, columns } = self;
+        let before = at.saturating_sub(start).min(columns.len());
+        let (first, last) = columns.split_at_mut(before);
+        (
+            Self { blocks: at, start, first_name, columns: first },
+            Self {
+                blocks: blocks - at,
+                start: start.saturating_sub(at),
+                first_name: first_name + before,
+                columns: last,
+            },
+        )
     }
 }
 
 impl Job for Prepare<'_> {
     #[inline(always)]
-    fn run<L: Lane>(self) {
-        for (number, (block, start)) in (self.first..).zip(self.blocks.iter_mut().zip(self.starts)) {
-            let indices = part(self.of_colour, number);
-            *start = block.fill(from_block(self.of_colour, number), self.from);
-            if let Some(name) = self.names.of(number) {
-                start.found_anew = self.followers.change(name, |followers| {
-                    block.take_up_followers((name as u32, followers), indices, self.from)
-                });
+    fn run<L: Lane>(mut self) {
+        let blocks = self.rows.iter_mut().zip(self.blocks).zip(self.starts);
+        for (number, ((rows, block), start)) in blocks.enumerate() {
+            let list = &self.contacts[number * COLUMN..];
+            let indices = &list[..list.len().min(COLUMN)];
+            *start = block.fill(rows, list, self.from);
+            if let Some(followers) = self.followers.of(number) {
+                start.found_anew = block.take_up_followers(followers, indices, self.from);
             } else {
                 let mut contacts = indices.iter().map(|&index| &self.from.contacts[index]);
                 debug_assert!(!contacts.any(|contact| contact.follows), "sorted by kind");
             }
             for place in (0..indices.len()).step_by(L::WIDTH) {
-                block.find_masses::<L>(place);
+                block.find_masses::<L>(rows, place);
             }
         }
     }
@@ -236,14 +272,11 @@ impl Job for Prepare<'_> {
 
 /// Writes a step back into the contacts of some blocks of a colour.
 struct Finish<'a> {
-    /// Number of the first block.
-    first: usize,
-    /// Indices of the contacts of the colour.
-    of_colour: &'a [u32],
+    contacts: ChosenContacts<'a>,
+    rows: &'a [RowPairs],
     blocks: &'a [ContactBlock],
     ends: &'a mut [BlockEnd],
     states: &'a [BodyState],
-    contacts: &'a SharedContacts<'a>,
     measure: LoadMeasure,
     /// What is left wrong.
     residual: &'a Mutex<StepResidual>,
@@ -251,39 +284,39 @@ struct Finish<'a> {
 
 impl Job for Finish<'_> {
     #[inline(always)]
-    fn run<L: Lane>(self) {
+    fn run<L: Lane>(mut self) {
         let mut ends = ContactEnds::default();
-        for (number, (block, end)) in (self.first..).zip(self.blocks.iter().zip(self.ends)) {
-            for place in (0..part(self.of_colour, number).len()).step_by(L::WIDTH) {
-                block.end::<L>(place, self.states, &mut ends);
+        let blocks = self.rows.iter().zip(self.blocks).zip(self.ends);
+        for (number, ((rows, block), end)) in blocks.enumerate() {
+            let contacts = self.contacts.skipping(number * COLUMN);
+            for place in (0..COLUMN.min(contacts.len())).step_by(L::WIDTH) {
+                block.end::<L>(place, &rows.gather(self.states, place), &mut ends);
             }
-            *end = write_back(block, &ends, from_block(self.of_colour, number), self.contacts, self.measure);
+            *end = write_back(block, &ends, contacts, self.measure);
         }
         let mut residual = lock(self.residual);
         *residual = residual.max(ends.residual());
     }
 }
 
-/// Writes the ends of the contacts of a block back into them, the first of a `list`. Compiled once, and not within every
+/// Writes the ends of the contacts of a block back into them, which are the first. Compiled once, and not within every
 /// width.
 #[inline(never)]
 fn write_back(
     block: &ContactBlock,
     ends: &ContactEnds,
-    list: &[u32],
-    contacts: &SharedContacts<'_>,
+    mut contacts: ChosenContacts<'_>,
     measure: LoadMeasure,
 ) -> BlockEnd {
     let mut end = BlockEnd::default();
-    for (place, &index) in list.iter().take(COLUMN).enumerate() {
-        contacts.prefetch_solved(list, place);
-        contacts.change(index, |contact| {
-            block.finish(place, ends, contact);
-            end.lasting.set(place, measure.is_lasting(contact, ends.load.get(place)));
-            let touches = contact.has_bounced || ends.touching.get(place);
-            debug_assert_eq!(touches, contact.has_touched());
-            end.changing.set(place, touches != contact.is_touching);
-        });
+    for place in 0..COLUMN.min(contacts.len()) {
+        contacts.prefetch_written(place);
+        let contact = contacts.get_mut(place);
+        block.finish(place, ends, contact);
+        end.lasting.set(place, measure.is_lasting(contact, ends.load.get(place)));
+        let touches = contact.has_bounced || ends.touching.get(place);
+        debug_assert_eq!(touches, contact.has_touched());
+        end.changing.set(place, touches != contact.is_touching);
     }
     end
 }

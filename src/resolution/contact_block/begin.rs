@@ -2,8 +2,8 @@
 
 use crate::body::{Bodies, Motion, NONE};
 use crate::collision::{Contact, Contacts, ManifoldPoint};
-use crate::compute::{COLUMN, Column, Lane, RowPairs};
-use crate::resolution::constraint::{ConstraintPoint, THERE};
+use crate::compute::{COLUMN, Column, GROUND_ROW, Lane, RowPairs};
+use crate::resolution::constraint::{ConstraintPoint, ContactConstraint, THERE};
 use crate::resolution::contact_block::{ContactBlock, Fit, Marks};
 use crate::resolution::follower::Follower;
 
@@ -43,10 +43,10 @@ fn is_circle_on_ground([a, b]: [&Motion; 2]) -> bool {
 
 impl ContactBlock {
     /// Takes over the first contacts of a `list` sorted by kind, as many as there are places. Effective masses are still to
-    /// be found, and who follows.
-    pub(crate) fn fill(&mut self, list: &[u32], from: Beginning<'_>) -> BlockStart {
+    /// be found, which bodies are moved, and who follows.
+    pub(crate) fn fill(&mut self, rows: &mut RowPairs, list: &[u32], from: Beginning<'_>) -> BlockStart {
         let indices = &list[..list.len().min(COLUMN)];
-        self.rows = RowPairs::default();
+        let mut rows_of_bodies = [[GROUND_ROW; COLUMN]; 2];
         self.is_special = false;
         self.fit = Fit::ALL;
         self.newly_loaded = Marks::default();
@@ -68,11 +68,12 @@ impl ContactBlock {
         let mut start = BlockStart::default();
         for (place, &index) in indices.iter().enumerate() {
             from.contacts.prefetch_solved(from.bodies, list, place);
-            self.put(place, &from.contacts[index], from, &mut start);
+            self.put(place, &mut rows_of_bodies, &from.contacts[index], (from, &mut start));
         }
         for place in indices.len()..COLUMN {
             self.leave_empty(place);
         }
+        *rows = RowPairs::new(rows_of_bodies);
         self.cold_contacts = start.cold_contacts;
         start
     }
@@ -117,10 +118,16 @@ impl ContactBlock {
     }
 
     #[inline(always)]
-    fn put(&mut self, place: usize, contact: &Contact, from: Beginning<'_>, start: &mut BlockStart) {
+    fn put(
+        &mut self,
+        place: usize,
+        [rows_a, rows_b]: &mut [[u32; COLUMN]; 2],
+        contact: &Contact,
+        (from, start): (Beginning<'_>, &mut BlockStart),
+    ) {
         let Beginning { bodies, impulse_scale: scale, .. } = from;
         let [a, b] = contact.slots.map(|slot| &bodies.motions[slot as usize]);
-        self.rows.set(place, [a.row, b.row]);
+        (rows_a[place], rows_b[place]) = (a.row, b.row);
         let columns = &mut self.columns;
         columns.inverse_mass_a.set(place, a.inverse_mass);
         columns.inverse_mass_b.set(place, b.inverse_mass);
@@ -169,9 +176,11 @@ impl ContactBlock {
         friction.impulse.set(place, scale * point.tangent_impulse);
     }
 
-    /// Finds the effective masses.
+    /// Finds the effective masses, and which bodies are moved.
     #[inline(always)]
-    pub(crate) fn find_masses<L: Lane>(&mut self, place: usize) {
+    pub(crate) fn find_masses<L: Lane>(&mut self, rows: &mut RowPairs, place: usize) {
+        let ContactConstraint { inverse_mass_a, inverse_mass_b, .. } = &self.columns;
+        rows.set_moves(place, [L::load(inverse_mass_a, place), L::load(inverse_mass_b, place)]);
         if self.fit.is_single {
             self.columns.coupling = Column::default();
             self.columns.frictions[1].mass = Column::default();

@@ -50,11 +50,11 @@ impl ContactEnds {
 impl ContactBlock {
     /// Finds where the contacts from `place` on, a multiple of the lane's width, are at the end of the step.
     #[inline(always)]
-    pub(crate) fn end<L: Lane>(&self, place: usize, states: &[BodyState], ends: &mut ContactEnds) {
+    pub(crate) fn end<L: Lane>(&self, place: usize, pair: &[BodyState<L>; 2], ends: &mut ContactEnds) {
         if self.fit.is_single {
-            self.end_of::<L, 1>(place, states, ends);
+            self.end_of::<L, 1>(place, pair, ends);
         } else {
-            self.end_of::<L, 2>(place, states, ends);
+            self.end_of::<L, 2>(place, pair, ends);
         }
     }
 
@@ -62,21 +62,20 @@ impl ContactBlock {
     fn end_of<L: Lane, const POINTS: usize>(
         &self,
         place: usize,
-        states: &[BodyState],
+        [a, b]: &[BodyState<L>; 2],
         ends: &mut ContactEnds,
     ) {
         let zero = L::splat(0.0);
         let constraint = self.load::<L>(place);
-        let [a, b] = self.gather(states, place);
         let mut penetration = L::load(&ends.penetration, place);
         let mut approach_speed = L::load(&ends.approach_speed, place);
         let (mut load, mut touching) = (zero, 0);
         for (index, end) in ends.points.iter_mut().enumerate().take(POINTS) {
             let point = &constraint.points[index];
             let is_there = point.normal_k.greater(zero);
-            let separation = constraint.separation(point, &a, &b);
+            let separation = constraint.separation(point, a, b);
             separation.store(&mut end.separation, place);
-            let [carried_a, carried_b] = constraint.carried(point, &a, &b);
+            let [carried_a, carried_b] = constraint.carried(point, a, b);
             end.anchor_a.store(place, point.anchor_a + carried_a);
             end.anchor_b.store(place, point.anchor_b + carried_b);
             load = load.max(point.normal_k * point.normal_impulse);
@@ -85,7 +84,7 @@ impl ContactBlock {
             touching |= L::bits(is_there) & (!L::bits(is_apart) | L::bits(is_pressed));
             // What awaits its impact is not to be stopped yet.
             let may_approach = (separation + constraint.special.awaits_impact[index]).greater(zero);
-            let approach = -constraint.normal.dot(point.relative_velocity(&a, &b));
+            let approach = -constraint.normal.dot(point.relative_velocity(a, b));
             let left = L::select(is_there, L::select(may_approach, zero, approach), zero);
             approach_speed = approach_speed.max(left);
         }

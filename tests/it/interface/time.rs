@@ -145,3 +145,25 @@ fn a_clock_is_read_only_if_one_is_given() {
     world.step();
     assert_eq!((CALLS.load(Ordering::Relaxed), world.profile().seconds()), (2 * running as u32, None));
 }
+
+fn broken_clock() -> f64 {
+    panic!("the clock stands still")
+}
+
+#[test]
+fn a_panic_in_a_step_is_passed_on_and_the_world_is_not_stepped_again() {
+    let message_of = |world: &mut World| {
+        let step = std::panic::AssertUnwindSafe(|| world.step());
+        *std::panic::catch_unwind(step).unwrap_err().downcast::<&str>().unwrap()
+    };
+    let mut world = World::new(Settings { threads: 2, ..Settings::default() });
+    let ball = world.add(Body::dynamic(Shape::circle(0.5))).unwrap();
+    let before = world.clone();
+    world.set_clock(Some(broken_clock));
+    assert_eq!(message_of(&mut world), "the clock stands still");
+    assert_eq!(message_of(&mut world), "an earlier step of this world panicked halfway");
+    assert_eq!(world.body(ball).unwrap().position(), Vec2::ZERO);
+    let mut world = before;
+    world.step();
+    assert_eq!(world.ticks(), 1);
+}
