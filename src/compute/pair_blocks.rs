@@ -50,6 +50,15 @@ impl<B> PairBlocks<B> {
         &mut self.blocks[number]
     }
 
+    /// A block, to change it, and its rows.
+    ///
+    /// # Panics
+    /// If there is no such block.
+    #[inline(always)]
+    pub(crate) fn get_mut(&mut self, number: usize) -> (&RowPairs, &mut B) {
+        (&self.rows[number], &mut self.blocks[number])
+    }
+
     /// All rows and blocks.
     pub(crate) fn all(&self) -> (&[RowPairs], &[B]) {
         (&self.rows, &self.blocks)

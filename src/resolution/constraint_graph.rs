@@ -266,6 +266,12 @@ impl ConstraintGraph {
         self.colours[colour as usize].blocks.get(number)
     }
 
+    /// The same, to change the block.
+    #[inline(always)]
+    pub(crate) fn block_at_mut(&mut self, (colour, number): BlockPlace) -> (&RowPairs, &mut ContactBlock) {
+        self.colours[colour as usize].blocks.get_mut(number)
+    }
+
     /// Index of the contact at a place of the graph.
     pub(crate) fn contact_at(&self, (colour, place): (u32, u32)) -> u32 {
         self.colours[colour as usize].contacts[place as usize]

@@ -192,6 +192,11 @@ impl ContactBlock {
         self.fit.is_smooth &= tangent == 0.0;
     }
 
+    /// Has the sweeps heed all points again.
+    pub(crate) fn await_no_impact(&mut self) {
+        self.columns.special.awaits_impact = Default::default();
+    }
+
     /// Has the sweeps heed the points of one contact again or not.
     pub(crate) fn set_awaits_impact(&mut self, place: usize, awaits: [f32; 2]) {
         for (to, awaits) in self.columns.special.awaits_impact.iter_mut().zip(awaits) {

@@ -21,16 +21,15 @@
 //! something is pressed, not struck, and what still moves there is for the sweeps. A dense pile whose contacts
 //! all bounced would never bear its weight.
 //!
-//! Cost: one look at every contact with restitution per substep, in lanes; a closer one at the few that approach fast, and a heap of
-//! those that meet. Nothing where no contact has restitution.
+//! Cost: one look at every contact with restitution per substep, in lanes, and a heap of the few that may meet. Nothing where no contact has restitution.
 
 use crate::body::{Bodies, NONE};
 use crate::collision::{Contacts, Manifold};
 use crate::compute::{BodyState, GROUND_ROW, Width};
 use crate::math::Vec2;
-use crate::resolution::approach::{RESTING_SUBSTEPS, Watched, approach};
+use crate::resolution::approach::{RESTING_SUBSTEPS, Substep, Watched, approach};
 use crate::resolution::block::{Row, solve_pair};
-use crate::resolution::constraint::{ContactConstraint, OUT_OF_REACH};
+use crate::resolution::constraint::ContactConstraint;
 use crate::resolution::constraint_graph::{BlockPlace, ConstraintGraph};
 use crate::resolution::contact_block::Marks;
 use crate::resolution::follow::manifold_in;
@@ -55,8 +54,6 @@ struct BouncyContact {
     greatest_speed: f32,
     /// Impacts in this substep.
     impacts: u8,
-    /// Whether the sweeps have been told to leave a point alone.
-    is_waiting: bool,
 }
 
 /// Two bodies have met, and two points meet together, within this share of the way that the approach makes in a
@@ -95,10 +92,8 @@ pub(crate) struct Impacts {
     contacts: Vec<BouncyContact>,
     /// By number: where it is among them, `NONE` where it is not.
     places: Vec<u32>,
-    /// Numbers of the contacts that need a closer look at the start of a substep.
-    to_look_at: Vec<u32>,
-    /// Numbers of contacts that have been waiting for their impact; some may wait no longer.
-    waiting: Vec<u32>,
+    /// Scratch: numbers of the contacts that may meet, as the substep begins.
+    due: Vec<u32>,
     /// Places of contacts that bounced in this substep, each as often as it did.
     met: Vec<usize>,
     queue: ImpactQueue,
@@ -132,7 +127,6 @@ impl Impacts {
         self.watched.clear();
         self.contacts.clear();
         self.places.clear();
-        self.waiting.clear();
         self.met.clear();
         self.neighbours_are_built = false;
         self.count = 0;
@@ -187,19 +181,16 @@ impl Impacts {
         have_moved
     }
 
-    /// Expects the impacts of all contacts, looking closer at those that approach fast enough, and at those that were
-    /// told to wait.
+    /// Tells the sweeps of all contacts what is to wait for an impact, and expects those that may come.
     fn look_at_all(&mut self, scene: &mut ImpactScene<'_>) {
-        let mut to_look_at = std::mem::take(&mut self.to_look_at);
-        to_look_at.append(&mut self.waiting);
-        let means = (scene.width, &*scene.graph);
-        self.watched.find(scene.restitution_threshold, means, &scene.bodies.states, &mut to_look_at);
-        to_look_at.sort_unstable();
-        to_look_at.dedup();
-        for number in to_look_at.drain(..) {
+        let mut due = std::mem::take(&mut self.due);
+        let ImpactScene { kicks, h, restitution_threshold, .. } = *scene;
+        let substep = Substep { states: &scene.bodies.states, kicks, h, restitution_threshold };
+        self.watched.look(scene.width, substep, scene.graph, &mut due);
+        for number in due.drain(..) {
             self.expect(number, scene);
         }
-        self.to_look_at = to_look_at;
+        self.due = due;
     }
 
     /// Where a contact is among those that were looked at.
@@ -222,7 +213,6 @@ impl Impacts {
                 threshold: bounce_threshold(rows, graph_place, scene),
                 greatest_speed: 0.0,
                 impacts: 0,
-                is_waiting: false,
             });
         }
         *place as usize
@@ -232,17 +222,9 @@ impl Impacts {
     /// alone the points that approach fast but are still apart.
     fn expect(&mut self, number: u32, scene: &mut ImpactScene<'_>) {
         let place = self.take_up(number, scene);
-        let bouncy = &mut self.contacts[place];
-        let approaching = bouncy.approaching(scene);
+        let approaching = self.contacts[place].approaching(scene);
         let waits = approaching.map(|point| point.is_some_and(|point| point.separation > 0.0));
-        if bouncy.is_waiting || waits[0] || waits[1] {
-            bouncy.is_waiting = waits[0] || waits[1];
-            if bouncy.is_waiting {
-                self.waiting.push(number);
-            }
-            let awaits = waits.map(|waits| if waits { OUT_OF_REACH } else { 0.0 });
-            scene.graph.set_awaits_impact(bouncy.graph_place, awaits);
-        }
+        self.watched.set_waiting(number, waits, scene.graph);
         if let Some(time) = self.upcoming(number, approaching, scene) {
             self.queue.push(time, number);
         }

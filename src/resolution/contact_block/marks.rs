@@ -1,6 +1,6 @@
 //! Which contacts of a block something is true of.
 
-use crate::compute::Lane;
+use crate::compute::{COLUMN, Lane};
 use crate::store::places_of;
 
 /// Some of the sixteen contacts of a block.
@@ -42,16 +42,12 @@ impl Marks {
         self.0 != 0
     }
 
-    /// Calls `visit` with the first place of each lane that has marked contacts, and with them as the bits of a mask.
+    /// The first place of each lane that has marked contacts, and these as the bits of a mask.
     #[inline(always)]
-    pub(crate) fn for_each_lane<L: Lane>(self, mut visit: impl FnMut(usize, u32)) {
+    pub(crate) fn lanes<L: Lane>(self) -> impl Iterator<Item = (usize, u32)> {
         let of_lane = (1_u32 << L::WIDTH) - 1;
-        let mut left = u32::from(self.0);
-        while left != 0 {
-            let first = left.trailing_zeros() as usize / L::WIDTH * L::WIDTH;
-            visit(first, left >> first & of_lane);
-            left &= !(of_lane << first);
-        }
+        let lanes = (0..COLUMN).step_by(L::WIDTH);
+        lanes.map(move |first| (first, u32::from(self.0) >> first & of_lane)).filter(|&(_, bits)| bits != 0)
     }
 
     /// Calls `visit` with the places of the marked contacts, in order.
