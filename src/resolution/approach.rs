@@ -13,6 +13,10 @@ use crate::store::places_of;
 /// be over within the substep.
 pub(crate) const RESTING_SUBSTEPS: f32 = 2.0;
 
+/// Two bodies have met, and two points meet together, within this share of the way that the approach makes in a
+/// substep, no unit: a box that lands flat is not to be tipped over by a rounding error.
+pub(crate) const MEETING_TOLERANCE: f32 = 1e-3;
+
 /// Speed of a point along the normal, m/s, and whether it approaches fast enough to bounce: faster than `threshold`,
 /// m/s, and than the load makes up for.
 #[inline(always)]

@@ -17,7 +17,7 @@ use crate::compute::{COLUMN, DistinctIndices, GROUND_ROW, PairBlocks, RowMarks, 
 use crate::resolution::constraint::ContactConstraint;
 pub(crate) use crate::resolution::constraint_graph::cold_contacts::ColdContacts;
 use crate::resolution::contact_block::{BlockEnd, BlockStart, ContactBlock};
-use crate::resolution::tiers::Tier;
+use crate::resolution::tier::Tier;
 use crate::store::{BitSet, places_of};
 
 /// How many colours there are. A body can be in one contact per colour; the few contacts of a very crowded

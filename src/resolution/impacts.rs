@@ -27,7 +27,7 @@ use crate::body::{Bodies, NONE};
 use crate::collision::{Contacts, Manifold};
 use crate::compute::{BodyState, GROUND_ROW, Width};
 use crate::math::Vec2;
-use crate::resolution::approach::{RESTING_SUBSTEPS, Substep, Watched, approach};
+use crate::resolution::approach::{MEETING_TOLERANCE, RESTING_SUBSTEPS, Substep, Watched, approach};
 use crate::resolution::block::{Row, solve_pair};
 use crate::resolution::constraint::ContactConstraint;
 use crate::resolution::constraint_graph::{BlockPlace, ConstraintGraph};
@@ -55,10 +55,6 @@ struct BouncyContact {
     /// Impacts in this substep.
     impacts: u8,
 }
-
-/// Two bodies have met, and two points meet together, within this share of the way that the approach makes in a
-/// substep, no unit: a box that lands flat is not to be tipped over by a rounding error.
-pub(crate) const MEETING_TOLERANCE: f32 = 1e-3;
 
 /// How a point approaches.
 #[derive(Clone, Copy, Debug, PartialEq)]

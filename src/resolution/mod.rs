@@ -23,6 +23,7 @@ mod projection;
 mod seams;
 mod softness;
 mod solver;
+mod tier;
 mod tiers;
 
 pub(crate) use constraint::StepResidual;
@@ -33,5 +34,5 @@ pub(crate) use islands::{Islands, find_island};
 pub(crate) use kernel::work_of_a_substep;
 pub(crate) use load::{Loads, begins_at_rest};
 pub(crate) use solver::{Acceleration, Scheme, SolveTables, Solver, solve};
-pub use tiers::Tier;
+pub use tier::Tier;
 pub(crate) use tiers::{TierRule, TierTables, Tiers};

@@ -14,10 +14,10 @@
 use crate::body::Bodies;
 use crate::collision::Contacts;
 use crate::compute::{BodyState, GROUND_ROW, LaneVec2};
+use crate::resolution::approach::MEETING_TOLERANCE;
 use crate::resolution::constraint::{ContactConstraint, OUT_OF_REACH};
 use crate::resolution::constraint_graph::ConstraintGraph;
 use crate::resolution::follow::manifold_in;
-use crate::resolution::impacts::MEETING_TOLERANCE;
 use crate::resolution::integrate::{drift, drift_until};
 
 /// How many pieces a circle may reach in a substep, looks in vain counted; the sweeps take what is left.

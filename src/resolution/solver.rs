@@ -256,7 +256,8 @@ impl Solver {
         self.prepare_kicks(scheme, tables, acceleration);
         let SolveTables { bodies, contacts, graph, crew, .. } = &mut *tables;
         let from = Beginning { contacts, bodies, impulse_scale: scheme.impulse_scale, dt: scheme.dt };
-        graph.prepare(crew, scheme.width, from, &mut self.followers);
+        self.followers.reset(graph.blocks_with_followers());
+        graph.prepare(crew, scheme.width, from, self.followers.columns_mut());
         self.gather_special(graph);
         self.direct.clear();
         for island in islands.iter() {

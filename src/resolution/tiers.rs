@@ -22,19 +22,9 @@ use crate::resolution::load::{
     CALM_SHARE, DIRECT_SHARE, LASTING_STEPS, Load, Loads, USUAL_RATE, begins_at_rest,
 };
 use crate::resolution::softness::sag;
+use crate::resolution::tier::Tier;
 use crate::resolution::tiers::history::{History, RETRY_STEPS};
 use crate::store::BitSet;
-
-/// How the contacts of an island are solved.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-#[non_exhaustive]
-pub enum Tier {
-    /// By sweeps over all contacts, one after the other.
-    #[default]
-    Swept,
-    /// All contacts at once.
-    Direct,
-}
 
 /// Contacts under lasting load are looked at every so many steps: a heap has many, and is left alone for most of the time.
 const LOOK_STEPS: u64 = 4;

@@ -11,7 +11,6 @@ use crate::compute::{
 use crate::resolution::constraint::StepResidual;
 use crate::resolution::constraint_graph::{Colour, ConstraintGraph, DIRECT, OVERFLOW, Used};
 use crate::resolution::contact_block::{Beginning, BlockEnd, BlockStart, ContactBlock, ContactEnds};
-use crate::resolution::follow::Followers;
 use crate::resolution::follower::Follower;
 use crate::resolution::kernel::Kernel;
 use crate::resolution::load::{LoadMeasure, Loads};
@@ -22,17 +21,22 @@ const SWEEP_COST: usize = 60;
 const FINISH_COST: usize = 200;
 
 impl ConstraintGraph {
-    /// Makes the constraints of a step, and takes up those that follow the surface.
+    /// How many blocks may have contacts that follow the surface.
+    pub(crate) fn blocks_with_followers(&self) -> usize {
+        self.colours.iter().map(|colour| colour.blocks_with_followers().len()).sum()
+    }
+
+    /// Makes the constraints of a step, and takes up those that follow the surface into as many columns as there are blocks
+    /// with some.
     pub(crate) fn prepare(
         &mut self,
         crew: &Crew,
         width: Width,
         from: Beginning<'_>,
-        followers: &mut Followers,
+        mut free: &mut [Follower<Column>],
     ) {
         let Self { colours, row_marks, .. } = self;
-        followers.reset(colours.iter().map(|colour| colour.blocks_with_followers().len()).sum());
-        let (mut free, mut first_name) = (followers.columns_mut(), 0);
+        let mut first_name = 0;
         for colour in colours {
             let count = colour.contacts.len().div_ceil(COLUMN);
             if count == 0 && colour.blocks.len() == 0 {
