@@ -81,6 +81,8 @@ const STEP: usize = 8;
 /// And so many of them a row.
 const STEPS: u32 = (size_of::<BodyState>() / STEP) as u32;
 
+// Portable lanes read and write row by row.
+#[cfg_attr(not(any(target_arch = "x86_64", target_arch = "aarch64")), allow(dead_code))]
 impl RowPlace {
     /// That of a row. Those from 2³⁰ on have one in common, as there are not as many.
     #[inline(always)]

@@ -49,6 +49,8 @@ use portable as four;
 #[cfg(target_arch = "x86_64")]
 use sse2 as four;
 
+// Portable lanes read and write row by row.
+#[cfg_attr(not(any(target_arch = "x86_64", target_arch = "aarch64")), allow(unused_imports))]
 use column::RowPlace;
 pub(crate) use column::{COLUMN, Column, RowPairs};
 #[cfg(feature = "report")]

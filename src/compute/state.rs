@@ -63,13 +63,16 @@ impl<L: Lane> BodyState<L> {
         }
     }
 
+    // Portable lanes read and write row by row.
     /// The first four numbers of their rows.
+    #[cfg_attr(not(any(target_arch = "x86_64", target_arch = "aarch64")), allow(dead_code))]
     #[inline(always)]
     pub(super) fn first_numbers(&self) -> [L; 4] {
         [self.velocity.x, self.velocity.y, self.angular_velocity, self.padding]
     }
 
     /// The second four.
+    #[cfg_attr(not(any(target_arch = "x86_64", target_arch = "aarch64")), allow(dead_code))]
     #[inline(always)]
     pub(super) fn second_numbers(&self) -> [L; 4] {
         [self.delta_position.x, self.delta_position.y, self.delta_rotation.c, self.delta_rotation.s]
