@@ -69,6 +69,8 @@ pub(crate) struct ConstraintGraph {
     len: usize,
     /// Slots of the bodies whose contacts are solved directly.
     direct: BitSet,
+    /// How many of these there are.
+    direct_count: usize,
     /// Scratch.
     row_marks: RowMarks,
 }
@@ -105,6 +107,7 @@ impl Default for ConstraintGraph {
             used: Used::default(),
             len: 0,
             direct: BitSet::default(),
+            direct_count: 0,
             row_marks: RowMarks::default(),
         }
     }
@@ -162,15 +165,24 @@ impl ConstraintGraph {
 
     /// Sets how the contacts of the body in `slot` are solved, those that enter from now on; returns whether that is new.
     pub(crate) fn set_tier(&mut self, slot: u32, tier: Tier) -> bool {
+        let is_new = self.tier(slot) != tier;
         match tier {
-            Tier::Direct => self.direct.insert(slot),
-            Tier::Swept => self.direct.remove(slot),
+            Tier::Direct if is_new => {
+                self.direct.insert(slot);
+                self.direct_count += 1;
+            }
+            Tier::Swept if is_new => {
+                self.direct.remove(slot);
+                self.direct_count -= 1;
+            }
+            _ => {}
         }
+        is_new
     }
 
-    /// Whether any contacts are solved directly.
+    /// Whether the contacts of any body are solved directly: of one that flies alone too, and has none.
     pub(crate) fn solves_directly(&self) -> bool {
-        !self.colours[DIRECT].is_empty()
+        self.direct_count > 0
     }
 
     /// Calls `visit` with the places of the contacts of a block that the last sweep has found to begin to bear load.

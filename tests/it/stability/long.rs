@@ -47,7 +47,7 @@ fn worlds_by_chance_stay_sound() {
 }
 
 #[test]
-#[ignore = "about two of a thousand of them end with an overlap above 1 cm"]
+#[ignore = "one of them ends with an overlap above 1 cm"]
 fn ten_thousand_worlds_by_chance_stay_sound() {
     hold(&["random-worlds-10000"]);
 }
