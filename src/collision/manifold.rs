@@ -121,6 +121,11 @@ impl Manifold {
         &self.points[..self.count as usize]
     }
 
+    /// Whether it has points of the same features as `other`, in the same order.
+    pub(crate) fn has_features_of(&self, other: &Self) -> bool {
+        self.points().iter().map(|point| point.feature).eq(other.points().iter().map(|point| point.feature))
+    }
+
     /// The manifold with only the points whose features `other` has, in its order; `None` if one is missing.
     pub(crate) fn restricted_to(&self, other: &Self) -> Option<Self> {
         let mut restricted = Self { normal: self.normal, count: other.count, ..*other };

@@ -155,18 +155,13 @@ impl RowPairs {
     }
 
     /// Writes the rows of the pair at `place`, below [`COLUMN`], and which of them it moves.
+    #[cfg(test)]
     pub(crate) fn set_one(&mut self, place: usize, rows: [u32; 2], moves: [bool; 2]) {
-        debug_assert!(place < COLUMN);
         let [a, b] = rows.map(RowPlace::new);
         self.a[place % COLUMN] = a;
         self.b[place % COLUMN] = b;
         self.greatest = self.greatest.max(a).max(b);
         self.set_moves::<f32>(place, moves.map(|moves| f32::from(u8::from(moves))));
-    }
-
-    /// Takes over a pair of others.
-    pub(crate) fn copy(&mut self, place: usize, from: &Self, from_place: usize) {
-        self.set_one(place, from.get(from_place), from.moves::<1>(from_place).map(|moves| moves != 0));
     }
 
     /// Which bodies the `N` pairs from `place` on move, a multiple of `N`: one bit each, the first the lowest, of a and of

@@ -65,12 +65,6 @@ impl DistinctIndices {
     pub(crate) fn swap(&mut self, place: usize, other: usize) {
         self.list.swap(place, other);
     }
-
-    /// Takes all of them out.
-    pub(crate) fn clear(&mut self) {
-        self.list.clear();
-        self.is_listed.fill(0);
-    }
 }
 
 impl Deref for DistinctIndices {
@@ -202,9 +196,6 @@ mod tests {
         indices.swap(0, 2);
         indices.push(5);
         assert_eq!(indices[..], [70, 64, 3, 5]);
-        indices.clear();
-        indices.push(64);
-        assert_eq!(indices[..], [64]);
     }
 
     #[test]

@@ -9,16 +9,17 @@ use crate::compute::{
 use crate::math::trig;
 
 #[test]
-fn a_copied_pair_has_its_rows_and_moves_what_it_moved() {
+fn a_pair_knows_which_bodies_it_moves() {
     for (a_moves, b_moves) in [(false, true), (true, false), (true, true)] {
-        let (mut from, mut copy) = (RowPairs::default(), RowPairs::new([[3; COLUMN]; 2]));
-        from.set_one(3, [7, 5], [a_moves, b_moves]);
-        copy.copy(14, &from, 3);
-        assert_eq!((copy.get(14), copy.get(13)), ([7, 5], [3, 3]));
-        assert_eq!(copy.moves::<1>(14), [u32::from(a_moves), u32::from(b_moves)]);
-        assert_eq!(copy.moves::<16>(0), [a_moves, b_moves].map(|moves| u32::from(moves) << 14));
-        copy.set_moves::<f32>(14, [0.0, -1.0]);
-        assert_eq!(copy.moves::<8>(8), [0, 0]);
+        let mut rows = [[3; COLUMN]; 2];
+        (rows[0][14], rows[1][14]) = (7, 5);
+        let mut pairs = RowPairs::new(rows);
+        pairs.set_moves::<f32>(14, [a_moves, b_moves].map(|moves| f32::from(u8::from(moves))));
+        assert_eq!((pairs.get(14), pairs.get(13)), ([7, 5], [3, 3]));
+        assert_eq!(pairs.moves::<1>(14), [u32::from(a_moves), u32::from(b_moves)]);
+        assert_eq!(pairs.moves::<16>(0), [a_moves, b_moves].map(|moves| u32::from(moves) << 14));
+        pairs.set_moves::<f32>(14, [0.0, -1.0]);
+        assert_eq!(pairs.moves::<8>(8), [0, 0]);
     }
 }
 

@@ -76,9 +76,6 @@ impl<L: Lane> Geometry<L> {
     }
 }
 
-/// What the sweeps see as the separation of a point that awaits its impact, m.
-pub(crate) const OUT_OF_REACH: f32 = 1e9;
-
 /// The k of a point that is there, until [`ContactConstraint::find_masses`] has found it, 1/kg.
 pub(crate) const THERE: f32 = 1.0;
 
@@ -99,32 +96,17 @@ pub(crate) struct ContactConstraint<C> {
     pub(crate) friction: C,
     /// By point.
     pub(crate) frictions: [PointFriction<C>; 2],
-    /// What most contacts have alike.
-    pub(crate) special: Special<C>,
+    pub(crate) turns: Turns<C>,
     /// Whether none of the bodies turns, or can be turned: then the terms of turning, all of them 0, are left out.
     pub(crate) is_still: bool,
 }
 
-/// What most contacts have alike, so that blocks need not load it.
+/// By body: 1 where its outline turns with it, 0 where it is a circle.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default)]
-pub(crate) struct Special<C> {
-    /// 1 where the outline of a turns with it, 0 where it is a circle.
-    pub(crate) turns_a: C,
-    /// The same for b.
-    pub(crate) turns_b: C,
-    /// Added to the separation of each point, m: 0, or so much that the sweeps leave the point alone, because it
-    /// approaches fast enough to bounce and its impact is not due in this substep.
-    pub(crate) awaits_impact: [C; 2],
-}
-
-impl<L: Lane> Special<L> {
-    /// Outlines that turn, and points that await nothing.
-    #[inline(always)]
-    pub(crate) fn none() -> Self {
-        let (zero, one) = (L::splat(0.0), L::splat(1.0));
-        Self { turns_a: one, turns_b: one, awaits_impact: [zero; 2] }
-    }
+pub(crate) struct Turns<C> {
+    pub(crate) a: C,
+    pub(crate) b: C,
 }
 
 /// |k12| may be at most this share of √(k11 k22). Two points that all but coincide would otherwise ask for
@@ -188,7 +170,7 @@ impl<L: Lane> ContactConstraint<L> {
         if !self.is_still {
             let carried_a = a.delta_rotation.displacement_along(point.anchor_a, self.normal);
             let carried_b = b.delta_rotation.displacement_along(point.anchor_b, self.normal);
-            moved = moved + (carried_b * self.special.turns_b - carried_a * self.special.turns_a);
+            moved = moved + (carried_b * self.turns.b - carried_a * self.turns.a);
         }
         point.separation + moved
     }
@@ -202,7 +184,7 @@ impl<L: Lane> ContactConstraint<L> {
         a: &BodyState<L>,
         b: &BodyState<L>,
     ) -> [LaneVec2<L>; 2] {
-        let Special { turns_a, turns_b, .. } = self.special;
+        let Turns { a: turns_a, b: turns_b } = self.turns;
         let (moved, turn) = (b.delta_position - a.delta_position, turns_a * turns_b);
         let [stays_on_a, stays_on_b] = [turns_b - turn, turns_a - turn];
         [
@@ -350,15 +332,13 @@ impl<L: Lane> ContactConstraint<L> {
 }
 
 impl ContactConstraint<f32> {
-    /// Takes normal and points over from a manifold of the bodies as they were when the step began.
-    pub(crate) fn set_geometry(&mut self, manifold: &Manifold) {
-        let rest = BodyState::REST;
-        self.set_manifold_in(manifold, &rest, &rest);
-    }
-
     /// Takes normal and points over from a manifold of the bodies in the states `a` and `b` within the step.
     pub(crate) fn set_manifold_in(&mut self, manifold: &Manifold, a: &BodyState, b: &BodyState) {
         let mut geometry = Geometry::of_normal(manifold.normal.into());
+        self.coupling = 0.0;
+        for point in &mut self.points {
+            point.normal_k = 0.0;
+        }
         for (index, point) in manifold.points().iter().enumerate() {
             geometry.points[index] = GeometryPoint {
                 anchor_a: point.anchor_a.into(),

@@ -6,7 +6,6 @@
 //! (E. Catto, "Simulation Islands", 2023). Contacts with the ground take the last colours: solved last, they
 //! have the last word, and the ground gives no way. The contacts of islands that are solved directly have no colour.
 
-mod cold_contacts;
 mod passes;
 
 use core::ops::Range;
@@ -15,7 +14,6 @@ use crate::body::Bodies;
 use crate::collision::{Contacts, Kind};
 use crate::compute::{COLUMN, DistinctIndices, GROUND_ROW, PairBlocks, RowMarks, RowPairs};
 use crate::resolution::constraint::ContactConstraint;
-pub(crate) use crate::resolution::constraint_graph::cold_contacts::ColdContacts;
 use crate::resolution::contact_block::{BlockEnd, BlockStart, ContactBlock};
 use crate::resolution::tier::Tier;
 use crate::store::{BitSet, places_of};
@@ -185,11 +183,6 @@ impl ConstraintGraph {
         self.direct_count > 0
     }
 
-    /// Calls `visit` with the places of the contacts of a block that the last sweep has found to begin to bear load.
-    fn newly_loaded(&self, place: BlockPlace, mut visit: impl FnMut((u32, u32))) {
-        self.block_at(place).1.newly_loaded().for_each(|of_block| visit(place_in(place, of_block)));
-    }
-
     /// Enters the contact with this index, if it is not in the graph: into a colour, or to what is solved directly, if that
     /// holds for one of its bodies.
     pub(crate) fn enter(&mut self, contacts: &mut Contacts, bodies: &Bodies, index: u32) {
@@ -289,7 +282,9 @@ impl ConstraintGraph {
         self.colours[colour as usize].contacts[place as usize]
     }
 
-    fn block(&self, (colour, place): (u32, u32)) -> (&RowPairs, &ContactBlock, usize) {
+    /// The block of the contact at a place of the graph, the rows of its bodies, and its place there.
+    #[inline(always)]
+    pub(crate) fn block(&self, (colour, place): (u32, u32)) -> (&RowPairs, &ContactBlock, usize) {
         let (rows, block) = self.block_at((colour, place as usize / COLUMN));
         (rows, block, place as usize % COLUMN)
     }
@@ -337,10 +332,16 @@ impl ConstraintGraph {
         block.set_load(place, load);
     }
 
-    /// Has the sweeps heed the points of the contact at a place of the graph again or not.
-    pub(crate) fn set_awaits_impact(&mut self, place: (u32, u32), awaits: [f32; 2]) {
+    /// Says which points of the contact at a place of the graph are pending.
+    pub(crate) fn set_pending(&mut self, place: (u32, u32), is_pending: [bool; 2]) {
         let (block, place) = self.block_mut(place);
-        block.set_awaits_impact(place, awaits);
+        block.set_pending(place, is_pending);
+    }
+
+    /// Which points of the contact at a place of the graph are pending.
+    pub(crate) fn is_pending(&self, place: (u32, u32)) -> [bool; 2] {
+        let (_, block, place) = self.block(place);
+        block.is_pending(place)
     }
 
     /// Checks that every contact with a place is at that place, and no colour holds a movable body twice.

@@ -6,7 +6,7 @@ mod end;
 mod marks;
 
 use crate::compute::{Column, Lane};
-use crate::resolution::constraint::{ConstraintPoint, ContactConstraint, PointFriction, Special};
+use crate::resolution::constraint::{ConstraintPoint, ContactConstraint, PointFriction, Turns};
 pub(crate) use crate::resolution::contact_block::begin::{Beginning, BlockStart};
 pub(crate) use crate::resolution::contact_block::end::{BlockEnd, ContactEnds};
 pub(crate) use crate::resolution::contact_block::marks::Marks;
@@ -15,18 +15,18 @@ pub(crate) use crate::resolution::contact_block::marks::Marks;
 /// ends with contacts of the ground with itself, without points.
 ///
 /// What every pass reads comes first, in whole cache lines; then what the sweep before the bodies move does not read;
-/// then what only blocks with something special are read for.
+/// then what only blocks with circles are read for.
 #[repr(C, align(64))]
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct ContactBlock {
-    /// Whether any of the contacts has something special.
-    is_special: bool,
+    /// Whether any of the bodies is a circle.
+    has_circles: bool,
     fit: Fit,
     /// Contacts of two points and with friction that bear no load as the step begins.
     cold_contacts: Marks,
-    /// Contacts that bear load since the last sweep, and had no impulses to start this substep from; only in blocks with
-    /// cold contacts.
-    newly_loaded: Marks,
+    /// By point: the contacts of which it approaches fast enough to bounce, and has not met what it is to bounce from. The
+    /// sweeps leave it alone, and it bears nothing.
+    pending: [Marks; 2],
     /// What the caller calls those of them that follow the surface; `NONE` where there are none.
     pub(crate) followers: u32,
     columns: ContactConstraint<Column>,
@@ -36,7 +36,7 @@ const _: () = {
     let columns = core::mem::offset_of!(ContactBlock, columns);
     // Twenty-four cache lines, then thirty-two.
     assert!(columns + core::mem::offset_of!(ContactConstraint<Column>, friction) == 24 * 64);
-    assert!(columns + core::mem::offset_of!(ContactConstraint<Column>, special) <= 32 * 64);
+    assert!(columns + core::mem::offset_of!(ContactConstraint<Column>, turns) <= 32 * 64);
 };
 
 /// What none of the contacts of a block needs, so that kernels may leave it out without a bit of difference.
@@ -67,27 +67,38 @@ impl ContactBlock {
         self.cold_contacts.any()
     }
 
-    /// Those of them that the last sweep has found to bear load, and that had no impulses to start this substep from.
-    pub(crate) fn newly_loaded(&self) -> Marks {
-        self.newly_loaded.and(self.cold_contacts)
-    }
-
-    /// Takes note of which contacts that is so, from `place` on, a multiple of the lane's width.
+    /// Those of them, from `place` on, that bear load now and had no impulses to start this substep from.
     #[inline(always)]
-    pub(crate) fn note_newly_loaded<L: Lane>(&mut self, place: usize, constraint: &ContactConstraint<L>) {
-        let zero = L::splat(0.0);
-        let greatest = |[first, second]: [L; 2]| first.max(second).greater(zero);
-        let is_pressed = greatest(constraint.points.map(|point| point.normal_impulse));
-        let was_started = greatest(constraint.frictions.map(|friction| friction.warm_start));
-        let bits = L::bits(is_pressed) & !L::bits(was_started);
-        self.newly_loaded.write::<L>(place, bits);
+    pub(crate) fn cold_and_loaded<L: Lane>(&self, place: usize) -> L::Mask {
+        let (zero, constraint) = (L::splat(0.0), self.load::<L>(place));
+        let greatest = |[first, second]: [L; 2]| first.max(second);
+        let load = greatest(constraint.points.map(|point| point.normal_impulse));
+        let start = greatest(constraint.frictions.map(|friction| friction.warm_start));
+        let is_loaded = L::select(start.greater(zero), zero, load).greater(zero);
+        L::both(is_loaded, self.cold_contacts.mask::<L>(place))
     }
 
     /// The contacts from `place` on, a multiple of the lane's width.
     #[inline(always)]
     pub(crate) fn load<L: Lane>(&self, place: usize) -> ContactConstraint<L> {
-        let special = if self.is_special { self.columns.special.load(place) } else { Special::none() };
-        self.columns.load(place, special)
+        let one = L::splat(1.0);
+        let turns = if self.has_circles { self.columns.turns.load(place) } else { Turns { a: one, b: one } };
+        self.columns.load(place, turns)
+    }
+
+    /// The same, without the points that are pending.
+    #[inline(always)]
+    pub(crate) fn load_active<L: Lane>(&self, place: usize) -> ContactConstraint<L> {
+        let mut constraint = self.load::<L>(place);
+        if self.has_pending() {
+            let zero = L::splat(0.0);
+            for (point, pending) in constraint.points.iter_mut().zip(self.pending) {
+                let is_pending = pending.mask::<L>(place);
+                point.normal_k = L::select(is_pending, zero, point.normal_k);
+                constraint.coupling = L::select(is_pending, zero, constraint.coupling);
+            }
+        }
+        constraint
     }
 
     /// One contact alone, without reading a point that no contact of the block has.
@@ -100,22 +111,6 @@ impl ContactBlock {
             constraint.coupling = 0.0;
         }
         constraint
-    }
-
-    /// Takes over a contact of another block as it is now, to be swept over.
-    pub(crate) fn copy(&mut self, place: usize, from: &Self, from_place: usize) {
-        self.is_special |= from.is_special;
-        self.columns.store(place, &from.load::<f32>(from_place));
-    }
-
-    /// Takes over the impulses of such a copy, those along the tangent times `tangent_scale`, no unit.
-    pub(crate) fn copy_impulses(&mut self, place: usize, from: &Self, from_place: usize, tangent_scale: f32) {
-        let mut constraint = from.load::<f32>(from_place);
-        for friction in &mut constraint.frictions {
-            friction.impulse *= tangent_scale;
-        }
-        self.store_normal_impulses::<f32, 2>(place, &constraint);
-        self.store_friction_impulses::<f32, 2>(place, &constraint);
     }
 
     /// Writes normal and points back.
@@ -192,23 +187,39 @@ impl ContactBlock {
         self.fit.is_smooth &= tangent == 0.0;
     }
 
-    /// Has the sweeps heed all points again.
-    pub(crate) fn await_no_impact(&mut self) {
-        self.columns.special.awaits_impact = Default::default();
+    /// Whether any point is pending.
+    #[inline(always)]
+    pub(crate) fn has_pending(&self) -> bool {
+        self.pending[0].any() || self.pending[1].any()
     }
 
-    /// Has the sweeps heed the points of one contact again or not.
-    pub(crate) fn set_awaits_impact(&mut self, place: usize, awaits: [f32; 2]) {
-        for (to, awaits) in self.columns.special.awaits_impact.iter_mut().zip(awaits) {
-            to.set(place, awaits);
+    /// Which points of one contact are pending.
+    #[inline(always)]
+    pub(crate) fn is_pending(&self, place: usize) -> [bool; 2] {
+        self.pending.map(|pending| pending.get(place))
+    }
+
+    /// No point is pending any more.
+    pub(crate) fn clear_pending(&mut self) {
+        self.pending = Default::default();
+    }
+
+    /// Says which points of one contact are pending. Those that are bear nothing from now on.
+    #[inline(always)]
+    pub(crate) fn set_pending(&mut self, place: usize, is_pending: [bool; 2]) {
+        for (index, is_pending) in is_pending.into_iter().enumerate() {
+            self.pending[index].put(place, is_pending);
+            if is_pending {
+                self.columns.points[index].normal_impulse.set(place, 0.0);
+                self.columns.frictions[index].impulse.set(place, 0.0);
+            }
         }
-        self.is_special = true;
     }
 }
 
 impl ContactConstraint<Column> {
     #[inline(always)]
-    fn load<L: Lane>(&self, place: usize, special: Special<L>) -> ContactConstraint<L> {
+    fn load<L: Lane>(&self, place: usize, turns: Turns<L>) -> ContactConstraint<L> {
         ContactConstraint {
             inverse_mass_a: L::load(&self.inverse_mass_a, place),
             inverse_mass_b: L::load(&self.inverse_mass_b, place),
@@ -219,28 +230,9 @@ impl ContactConstraint<Column> {
             coupling: L::load(&self.coupling, place),
             points: [self.points[0].load(place), self.points[1].load(place)],
             frictions: [self.frictions[0].load(place), self.frictions[1].load(place)],
-            special,
+            turns,
             is_still: false,
         }
-    }
-
-    /// Writes all that sweeps read.
-    fn store(&mut self, place: usize, constraint: &ContactConstraint<f32>) {
-        self.inverse_mass_a.set(place, constraint.inverse_mass_a);
-        self.inverse_mass_b.set(place, constraint.inverse_mass_b);
-        self.inverse_inertia_a.set(place, constraint.inverse_inertia_a);
-        self.inverse_inertia_b.set(place, constraint.inverse_inertia_b);
-        self.friction.set(place, constraint.friction);
-        self.store_geometry::<f32, 2>(place, constraint);
-        for (to, point) in self.points.iter_mut().zip(&constraint.points) {
-            to.separation_now.set(place, point.separation_now);
-            to.normal_impulse.set(place, point.normal_impulse);
-        }
-        for (to, friction) in self.frictions.iter_mut().zip(&constraint.frictions) {
-            to.impulse.set(place, friction.impulse);
-            to.warm_start.set(place, friction.warm_start);
-        }
-        self.special.store(place, &constraint.special);
     }
 
     #[inline(always)]
@@ -276,23 +268,10 @@ impl PointFriction<Column> {
     }
 }
 
-impl Special<Column> {
+impl Turns<Column> {
     #[inline(always)]
-    fn load<L: Lane>(&self, place: usize) -> Special<L> {
-        let [first, second] = &self.awaits_impact;
-        Special {
-            turns_a: L::load(&self.turns_a, place),
-            turns_b: L::load(&self.turns_b, place),
-            awaits_impact: [L::load(first, place), L::load(second, place)],
-        }
-    }
-
-    fn store(&mut self, place: usize, special: &Special<f32>) {
-        self.turns_a.set(place, special.turns_a);
-        self.turns_b.set(place, special.turns_b);
-        for (to, awaits) in self.awaits_impact.iter_mut().zip(special.awaits_impact) {
-            to.set(place, awaits);
-        }
+    fn load<L: Lane>(&self, place: usize) -> Turns<L> {
+        Turns { a: L::load(&self.a, place), b: L::load(&self.b, place) }
     }
 }
 
@@ -307,47 +286,5 @@ impl ConstraintPoint<Column> {
             normal_k: L::load(&self.normal_k, place),
             normal_impulse: L::load(&self.normal_impulse, place),
         }
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::compute::LaneVec2;
-
-    #[test]
-    fn a_copy_is_swept_like_the_contact_that_it_is_of_and_gives_its_impulses_back() {
-        let mut numbers = (1..).map(|number: u8| f32::from(number));
-        let mut next = || numbers.next().unwrap();
-        let contact = ContactConstraint {
-            inverse_mass_a: next(),
-            inverse_mass_b: next(),
-            inverse_inertia_a: next(),
-            inverse_inertia_b: next(),
-            normal: LaneVec2 { x: next(), y: next() },
-            coupling: next(),
-            points: [(); 2].map(|()| ConstraintPoint {
-                anchor_a: LaneVec2 { x: next(), y: next() },
-                anchor_b: LaneVec2 { x: next(), y: next() },
-                separation: next(),
-                separation_now: next(),
-                normal_k: next(),
-                normal_impulse: next(),
-            }),
-            friction: next(),
-            frictions: [(); 2].map(|()| PointFriction { mass: next(), impulse: next(), warm_start: next() }),
-            special: Special { turns_a: next(), turns_b: next(), awaits_impact: [next(), next()] },
-            is_still: false,
-        };
-        let mut block = ContactBlock { is_special: true, ..ContactBlock::default() };
-        let mut copies = ContactBlock::default();
-        block.columns.store(3, &contact);
-        copies.copy(14, &block, 3);
-        assert_eq!(format!("{:?}", copies.load::<f32>(14)), format!("{contact:?}"));
-
-        copies.set_impulses(14, 0, [0.25, -0.25]);
-        copies.set_impulses(14, 1, [0.5, -0.5]);
-        block.copy_impulses(3, &copies, 14, 1.0);
-        assert_eq!(format!("{:?}", block.load::<f32>(3)), format!("{:?}", copies.load::<f32>(14)));
     }
 }

@@ -215,6 +215,9 @@ impl DirectSolver {
             let rows = graph.rows(point.graph_place);
             let sides = rows.map(|row| &states[row as usize]);
             point.take_up(&graph.constraint(point.graph_place), sides, aim, 1.0 / h);
+            if graph.is_pending(point.graph_place)[point.index] {
+                point.leave_alone();
+            }
             point.impulse = point.impulse.map(|impulse| share * impulse);
         }
         self.sought.resize(self.free.len(), 0.0);

@@ -9,6 +9,7 @@ use crate::body::Bodies;
 use crate::collision::{Contact, Contacts, Manifold, detect_within};
 use crate::compute::{BodyState, Column, Crew, Lane, PairStates, Width};
 use crate::math::{Rot, Vec2};
+use crate::resolution::constraint::ContactConstraint;
 use crate::resolution::constraint_graph::ConstraintGraph;
 use crate::resolution::contact_block::ContactBlock;
 use crate::resolution::follower::Follower;
@@ -29,6 +30,21 @@ pub(crate) fn manifold_in(contact: &Contact, bodies: &Bodies, [a, b]: [&BodyStat
     let rotations = [turned(a, pose_a.rotation), turned(b, pose_b.rotation)];
     let shapes = [&bodies.shapes[slot_a], &bodies.shapes[slot_b]];
     detect_within(shapes[0], rotations[0], shapes[1], rotations[1], offset, ANY_DISTANCE).unwrap_or_default()
+}
+
+/// The constraint of a contact at a place of the graph with its bodies in the given states, and the separation of its first
+/// point there, m; `None` where one of its points is gone.
+pub(crate) fn constraint_in(
+    contact: &Contact,
+    graph_place: (u32, u32),
+    bodies: &Bodies,
+    graph: &ConstraintGraph,
+    [a, b]: &[BodyState; 2],
+) -> Option<(ContactConstraint<f32>, f32)> {
+    let manifold = manifold_in(contact, bodies, [a, b]).restricted_to(&contact.manifold)?;
+    let mut constraint = graph.constraint(graph_place);
+    constraint.set_manifold_in(&manifold, a, b);
+    Some((constraint, manifold.points()[0].separation))
 }
 
 /// Contacts that follow the surface within the step.
@@ -72,11 +88,8 @@ impl Followers {
         (contacts, bodies, graph): (&Contacts, &mut Bodies, &mut ConstraintGraph),
     ) {
         for &(index, place) in &self.found_anew {
-            let [a, b] = graph.rows(place).map(|row| bodies.states[row as usize]);
-            let contact = &contacts[index];
-            if let Some(manifold) = manifold_in(contact, bodies, [&a, &b]).restricted_to(&contact.manifold) {
-                let mut constraint = graph.constraint(place);
-                constraint.set_manifold_in(&manifold, &a, &b);
+            let states = graph.rows(place).map(|row| bodies.states[row as usize]);
+            if let Some((constraint, _)) = constraint_in(&contacts[index], place, bodies, graph, &states) {
                 graph.set_geometry(place, &constraint);
             }
         }

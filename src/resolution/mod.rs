@@ -3,7 +3,6 @@
 //! Sequential impulses in substeps over a coloured constraint graph, with soft contacts, a relax sweep and
 //! impacts as a stage of their own. [`solve`] is the substep loop; read it first.
 
-mod approach;
 mod axis;
 mod block;
 mod constraint;
@@ -11,16 +10,15 @@ mod constraint_graph;
 mod contact_block;
 mod damping;
 mod direct;
+mod events;
 mod follow;
 mod follower;
-mod impact_queue;
-mod impacts;
 mod integrate;
 mod islands;
 mod kernel;
 mod load;
 mod projection;
-mod seams;
+mod scheme;
 mod softness;
 mod solver;
 mod tier;
@@ -33,6 +31,7 @@ pub(crate) use islands::{Islands, find_island};
 #[cfg(feature = "report")]
 pub(crate) use kernel::work_of_a_substep;
 pub(crate) use load::{Loads, begins_at_rest};
-pub(crate) use solver::{Acceleration, Scheme, SolveTables, Solver, solve};
+pub(crate) use scheme::Scheme;
+pub(crate) use solver::{Acceleration, SolveTables, Solver, solve};
 pub use tier::Tier;
 pub(crate) use tiers::{TierRule, TierTables, Tiers};

@@ -7,60 +7,18 @@ use crate::collision::Contacts;
 use crate::compute::{Chosen, Crew, Width};
 use crate::math::Vec2;
 use crate::resolution::constraint::StepResidual;
-use crate::resolution::constraint_graph::{ColdContacts, ConstraintGraph, place_in};
+use crate::resolution::constraint_graph::{ConstraintGraph, place_in};
 use crate::resolution::contact_block::Beginning;
 use crate::resolution::damping::{Damped, is_damped};
 use crate::resolution::direct::{Aim, DirectSolver};
+use crate::resolution::events::{EventScene, Impacts, Seams};
 use crate::resolution::follow::Followers;
-use crate::resolution::impacts::{ImpactScene, Impacts};
-use crate::resolution::integrate::{Advance, Kick, Kicks, SpeedLimits};
+use crate::resolution::integrate::{Advance, Kick, Kicks};
 use crate::resolution::islands::Islands;
-use crate::resolution::kernel::{ForgetImpulses, Sweep, SweepOver, WarmStart, WarmStartTime};
+use crate::resolution::kernel::{ForgetImpulses, WarmStart, WarmStartTime};
 use crate::resolution::load::{LoadMeasure, Loads};
 use crate::resolution::projection::Project;
-use crate::resolution::seams::{SeamScene, Seams};
-
-/// How a step is solved. One text covers the default and the classic scheme: the classic one has a single
-/// kick, one substep, many sweeps with friction, none to relax, and projects positions afterwards.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Scheme {
-    /// Length of the step, s.
-    pub(crate) dt: f32,
-    pub(crate) substeps: u32,
-    /// Length of a substep over that of the last step's, no unit: impulses are stored per substep.
-    pub(crate) impulse_scale: f32,
-    /// Sweeps before the bodies move, per substep.
-    pub(crate) iterations: u32,
-    /// Sweeps after the bodies have moved, per substep.
-    pub(crate) relax_iterations: u32,
-    /// Half a kick before and half after the drift, rather than a whole one before it.
-    pub(crate) split_kick: bool,
-    /// Whether islands under great load may be solved directly.
-    pub(crate) adapts: bool,
-    pub(crate) warm_starting: bool,
-    pub(crate) block_solve: bool,
-    /// Iterations of position projection at the end of the step, instead of a bias in the sweeps.
-    pub(crate) projections: Option<u32>,
-    /// Slowest approach that bounces, m/s.
-    pub(crate) restitution_threshold: f32,
-    pub(crate) limits: SpeedLimits,
-    /// How many contacts are solved at a time.
-    pub(crate) width: Width,
-    /// Whether they are solved by kernels that leave out what none of them needs.
-    pub(crate) fitted_kernels: bool,
-}
-
-impl Scheme {
-    /// Length of a substep, s.
-    fn substep_time(&self) -> f32 {
-        self.dt / self.substeps as f32
-    }
-
-    /// How long the forces of one kick act, s.
-    fn kick_time(&self) -> f32 {
-        if self.split_kick { 0.5 * self.substep_time() } else { self.substep_time() }
-    }
-}
+use crate::resolution::scheme::Scheme;
 
 /// What accelerates bodies, beside contacts.
 pub(crate) trait Acceleration: Sync {
@@ -86,7 +44,6 @@ pub(crate) struct Solver {
     pub(crate) impacts: Impacts,
     followers: Followers,
     seams: Seams,
-    cold_contacts: ColdContacts,
     direct: DirectSolver,
 }
 
@@ -142,33 +99,6 @@ pub(crate) fn solve(
     solver.finish(scheme, tables)
 }
 
-impl Scheme {
-    /// The sweeps before the bodies move.
-    fn main_sweep(&self) -> Sweep {
-        Sweep {
-            biased: self.projections.is_none(),
-            friction: self.relax_iterations == 0,
-            block: self.block_solve,
-        }
-    }
-
-    /// The sweeps after it.
-    fn relax_sweep(&self) -> Sweep {
-        Sweep { biased: false, friction: true, ..self.main_sweep() }
-    }
-
-    /// A sweep of this kind; `have_moved` says whether bodies have since the last.
-    fn sweep_over(&self, kind: Sweep, have_moved: bool) -> SweepOver {
-        let per_substep = 1.0 / self.substep_time();
-        SweepOver { kind, have_moved, per_substep, is_fitted: self.fitted_kernels }
-    }
-
-    /// What of the last impulses is applied before the move, and again after it where the kick is split.
-    fn warm_part(&self) -> f32 {
-        if self.split_kick { 0.5 } else { 1.0 }
-    }
-}
-
 impl Solver {
     /// v += t a, and damping.
     fn kick(&mut self, scheme: &Scheme, tables: &mut SolveTables<'_>) {
@@ -201,10 +131,8 @@ impl Solver {
         if self.impacts.len() == 0 {
             return false;
         }
-        let (h, kicks) = (scheme.substep_time(), &self.kicks);
-        let Scheme { restitution_threshold, width, .. } = *scheme;
         let SolveTables { bodies, contacts, graph, .. } = tables;
-        let mut scene = ImpactScene { bodies, contacts, kicks, graph, h, restitution_threshold, width };
+        let mut scene = EventScene { bodies, contacts, kicks: &self.kicks, graph, scheme };
         self.impacts.run(&mut scene)
     }
 
@@ -218,15 +146,7 @@ impl Solver {
         for _ in 0..scheme.iterations {
             graph.for_each_swept(crew, scheme.width, &mut bodies.states, &sweep);
         }
-        if scheme.split_kick && scheme.warm_starting {
-            // There is no friction to start from, and a box set on a slope would go down freely for half a substep.
-            let kind = Sweep { friction: true, ..scheme.main_sweep() };
-            let sweep = scheme.sweep_over(kind, false);
-            let how = (scheme.width, scheme.warm_part());
-            self.cold_contacts.sweep(graph, how, &mut bodies.states, &sweep);
-        }
-        let starts_again = scheme.split_kick;
-        self.seams.run(&mut SeamScene { bodies, contacts, graph, starts_again, h });
+        self.seams.run(&mut EventScene { bodies, contacts, kicks: &self.kicks, graph, scheme });
     }
 
     /// Contacts by sweeps, after the bodies have moved.
@@ -238,10 +158,6 @@ impl Solver {
         for iteration in 0..scheme.relax_iterations {
             let sweep = scheme.sweep_over(scheme.relax_sweep(), iteration == 0);
             graph.for_each_swept(tables.crew, scheme.width, states, &sweep);
-        }
-        if scheme.relax_iterations > 0 {
-            let sweep = scheme.sweep_over(scheme.relax_sweep(), false);
-            self.cold_contacts.sweep(graph, (scheme.width, 1.0), states, &sweep);
         }
     }
 
@@ -312,13 +228,9 @@ impl Solver {
     fn gather_special(&mut self, graph: &ConstraintGraph) {
         self.impacts.clear();
         self.seams.clear();
-        self.cold_contacts.clear();
-        let Self { impacts, followers, seams, cold_contacts, .. } = self;
+        let Self { impacts, followers, seams, .. } = self;
         for (block, start) in graph.starts() {
             let is_swept = !ConstraintGraph::is_solved_directly(block);
-            if is_swept && start.cold_contacts.any() {
-                cold_contacts.take_up(block);
-            }
             if start.bouncy.any() {
                 impacts.take_up_block(block, start.bouncy);
             }

@@ -47,12 +47,11 @@ impl ContactBlock {
     pub(crate) fn fill(&mut self, rows: &mut RowPairs, list: &[u32], from: Beginning<'_>) -> BlockStart {
         let indices = &list[..list.len().min(COLUMN)];
         let mut rows_of_bodies = [[GROUND_ROW; COLUMN]; 2];
-        self.is_special = false;
+        self.has_circles = false;
+        self.clear_pending();
         self.fit = Fit::ALL;
-        self.newly_loaded = Marks::default();
         self.followers = NONE;
         let columns = &mut self.columns;
-        columns.special.awaits_impact = Default::default();
         columns.points[0].normal_k = Column::splat(THERE);
         for friction in &mut columns.frictions {
             // The warm start of a block whose contacts have one point each finds that of the first only.
@@ -133,10 +132,9 @@ impl ContactBlock {
         columns.inverse_mass_b.set(place, b.inverse_mass);
         columns.inverse_inertia_a.set(place, a.inverse_inertia);
         columns.inverse_inertia_b.set(place, b.inverse_inertia);
-        let special = &mut columns.special;
-        special.turns_a.set(place, if a.is_round { 0.0 } else { 1.0 });
-        special.turns_b.set(place, if b.is_round { 0.0 } else { 1.0 });
-        self.is_special |= a.is_round | b.is_round;
+        columns.turns.a.set(place, if a.is_round { 0.0 } else { 1.0 });
+        columns.turns.b.set(place, if b.is_round { 0.0 } else { 1.0 });
+        self.has_circles |= a.is_round | b.is_round;
         columns.friction.set(place, contact.friction);
         columns.normal.store(place, contact.manifold.normal.into());
         // A spin of 0 stays 0, and not -0, where nothing can change it.

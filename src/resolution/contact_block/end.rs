@@ -82,10 +82,12 @@ impl ContactBlock {
             penetration = penetration.max(L::select(is_there, -separation, zero));
             let (is_apart, is_pressed) = (separation.greater(zero), point.normal_impulse.greater(zero));
             touching |= L::bits(is_there) & (!L::bits(is_apart) | L::bits(is_pressed));
-            // What awaits its impact is not to be stopped yet.
-            let may_approach = (separation + constraint.special.awaits_impact[index]).greater(zero);
             let approach = -constraint.normal.dot(point.relative_velocity(a, b));
-            let left = L::select(is_there, L::select(may_approach, zero, approach), zero);
+            let mut left = L::select(is_there, L::select(is_apart, zero, approach), zero);
+            if self.has_pending() {
+                // What is pending is not to be stopped yet.
+                left = L::select(self.pending[index].mask::<L>(place), zero, left);
+            }
             approach_speed = approach_speed.max(left);
         }
         load.store(&mut ends.load, place);

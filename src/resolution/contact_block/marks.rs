@@ -1,6 +1,6 @@
 //! Which contacts of a block something is true of.
 
-use crate::compute::{COLUMN, Lane};
+use crate::compute::{COLUMN, Column, Lane};
 use crate::store::places_of;
 
 /// Some of the sixteen contacts of a block.
@@ -14,11 +14,27 @@ impl Marks {
         self.0 |= u16::from(is_marked) << place;
     }
 
+    /// Marks the contact at `place`, below [`COLUMN`], or takes its mark away.
+    #[inline(always)]
+    pub(crate) fn put(&mut self, place: usize, is_marked: bool) {
+        self.0 = self.0 & !(1 << place) | u16::from(is_marked) << place;
+    }
+
     /// Marks as many contacts as a lane holds from `place` on, or not, as the bits of a mask say.
     #[inline(always)]
     pub(super) fn write<L: Lane>(&mut self, place: usize, bits: u32) {
         let of_lane = (1_u32 << L::WIDTH) - 1;
         self.0 = (u32::from(self.0) & !(of_lane << place) | (bits & of_lane) << place) as u16;
+    }
+
+    /// The marks of as many contacts as a lane holds from `place` on.
+    #[inline(always)]
+    pub(super) fn mask<L: Lane>(self, place: usize) -> L::Mask {
+        let mut marks = Column::default();
+        for of_lane in place..place + L::WIDTH {
+            marks.set(of_lane, f32::from(self.0 >> of_lane & 1));
+        }
+        L::load(&marks, place).greater(L::splat(0.0))
     }
 
     /// How many are marked.
@@ -30,11 +46,6 @@ impl Marks {
     #[inline(always)]
     pub(crate) fn get(self, place: usize) -> bool {
         self.0 & 1 << place != 0
-    }
-
-    /// Those that `other` marks too.
-    pub(super) fn and(self, other: Self) -> Self {
-        Self(self.0 & other.0)
     }
 
     /// Whether any is marked.

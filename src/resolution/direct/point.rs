@@ -74,7 +74,7 @@ impl DirectPoint {
         per_substep: f32,
     ) {
         let (point, friction) = (&constraint.points[self.index], &constraint.frictions[self.index]);
-        let separation = constraint.separation(point, a, b) + constraint.special.awaits_impact[self.index];
+        let separation = constraint.separation(point, a, b);
         let anchors = [Vec2::from(point.anchor_a), Vec2::from(point.anchor_b)];
         let moved = (0..2).filter(|&side| self.movers[side] != NONE);
         let reach = moved.map(|side| anchors[side].length()).fold(0.0, f32::max);
@@ -106,6 +106,12 @@ impl DirectPoint {
         self.inverse_mass = [f64::from(point.normal_k), f64::from(friction.mass).recip()];
         self.friction = f64::from(constraint.friction);
         self.impulse = [point.normal_impulse, friction.impulse].map(f64::from);
+    }
+
+    /// A pending point parts, whatever the velocities.
+    pub(super) fn leave_alone(&mut self) {
+        self.normal = Default::default();
+        self.given[0] = 1.0;
     }
 
     /// Begins to look for impulses, from those of now.

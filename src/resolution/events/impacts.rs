@@ -23,21 +23,21 @@
 //!
 //! Cost: one look at every contact with restitution per substep, in lanes, and a heap of the few that may meet. Nothing where no contact has restitution.
 
-use crate::body::{Bodies, NONE};
-use crate::collision::{Contacts, Manifold};
-use crate::compute::{BodyState, GROUND_ROW, Width};
+use crate::body::NONE;
+use crate::collision::Manifold;
+use crate::compute::{BodyState, GROUND_ROW};
 use crate::math::Vec2;
-use crate::resolution::approach::{MEETING_TOLERANCE, RESTING_SUBSTEPS, Substep, Watched, approach};
 use crate::resolution::block::{Row, solve_pair};
 use crate::resolution::constraint::ContactConstraint;
-use crate::resolution::constraint_graph::{BlockPlace, ConstraintGraph};
+use crate::resolution::constraint_graph::BlockPlace;
 use crate::resolution::contact_block::Marks;
+use crate::resolution::events::approach::{RESTING_SUBSTEPS, Substep, Watched, approach};
+use crate::resolution::events::queue::{Expected, ImpactQueue, Neighbours};
+use crate::resolution::events::{EventScene, MEETING_TOLERANCE};
 use crate::resolution::follow::manifold_in;
-use crate::resolution::impact_queue::{ImpactQueue, Neighbours};
-use crate::resolution::integrate::{Kicks, drift, drift_until};
 
-/// How often one contact may bounce within a substep. More happens only where bodies are wedged; the sweeps
-/// take what is left, as if there were no restitution.
+/// How often one contact may be met within a substep. More happens only where bodies are wedged, and the sweeps take what
+/// is left, as if there were no restitution; or where they turn away from each other for as long as they approach.
 const IMPACTS_PER_SUBSTEP: u8 = 16;
 
 /// A contact that may bounce, and that was looked at closely.
@@ -56,15 +56,6 @@ struct BouncyContact {
     impacts: u8,
 }
 
-/// How a point approaches.
-#[derive(Clone, Copy, Debug, PartialEq)]
-struct Approach {
-    /// Gap, m; negative where the bodies overlap.
-    separation: f32,
-    /// Relative velocity along the normal in the middle of the substep, m/s, negative.
-    speed: f32,
-}
-
 /// Two bodies at the time they meet.
 #[derive(Clone, Copy, Debug)]
 struct Meeting {
@@ -78,6 +69,15 @@ struct Meeting {
     speed: f32,
     /// Gaps that differ by no more than this are closed together, m.
     tolerance: f32,
+}
+
+/// What a body has been through in this substep.
+#[derive(Clone, Copy, Debug, Default)]
+struct RowImpacts {
+    /// How many impacts.
+    count: u32,
+    /// Time of the last, s.
+    last: f32,
 }
 
 /// The impacts stage and its buffers.
@@ -95,26 +95,10 @@ pub(crate) struct Impacts {
     queue: ImpactQueue,
     neighbours: Neighbours,
     neighbours_are_built: bool,
-    /// By row: time of the last impact in this substep, s.
-    last_impact: Vec<f32>,
+    by_row: Vec<RowImpacts>,
     /// Rows with an impact in this substep.
     hit_rows: Vec<u32>,
     count: usize,
-}
-
-/// What the stage works on.
-#[derive(Debug)]
-pub(crate) struct ImpactScene<'a> {
-    pub(crate) bodies: &'a mut Bodies,
-    pub(crate) contacts: &'a Contacts,
-    pub(crate) kicks: &'a Kicks,
-    pub(crate) graph: &'a mut ConstraintGraph,
-    /// Length of the substep, s.
-    pub(crate) h: f32,
-    /// Slowest approach that bounces, m/s.
-    pub(crate) restitution_threshold: f32,
-    /// How many contacts are looked at together.
-    pub(crate) width: Width,
 }
 
 impl Impacts {
@@ -153,104 +137,114 @@ impl Impacts {
     }
 
     /// Lets everything bounce that meets within this substep, in the order of time. Whether that has moved any body.
-    pub(crate) fn run(&mut self, scene: &mut ImpactScene<'_>) -> bool {
-        self.last_impact.resize(scene.bodies.row_count(), 0.0);
+    pub(crate) fn run(&mut self, scene: &mut EventScene<'_>) -> bool {
+        self.by_row.resize(scene.bodies.row_count(), RowImpacts::default());
         self.places.resize(self.watched.end() as usize, NONE);
         for place in self.met.drain(..) {
             self.contacts[place].impacts = 0;
         }
         self.look_at_all(scene);
-        while let Some((expected, number)) = self.queue.pop() {
-            // Impacts since may have hastened, delayed or cancelled it.
-            let approaching = self.contacts[self.place_of(number)].approaching(scene);
-            let Some(time) = self.upcoming(number, approaching, scene) else { continue };
-            if time > expected {
-                self.queue.push(time, number);
-            } else {
-                self.meet(number, expected, scene);
+        while let Some(expected) = self.queue.pop() {
+            let place = self.places[expected.contact as usize] as usize;
+            // An impact of one of the bodies since then had it expected anew.
+            if expected.impacts_before == self.impacts_of(self.contacts[place].rows) {
+                self.meet(place, expected, scene);
             }
         }
         let have_moved = !self.hit_rows.is_empty();
         for row in self.hit_rows.drain(..) {
-            self.last_impact[row as usize] = 0.0;
+            self.by_row[row as usize] = RowImpacts::default();
         }
         have_moved
     }
 
-    /// Tells the sweeps of all contacts what is to wait for an impact, and expects those that may come.
-    fn look_at_all(&mut self, scene: &mut ImpactScene<'_>) {
+    /// Finds the points that are pending, and expects the impacts that may come.
+    fn look_at_all(&mut self, scene: &mut EventScene<'_>) {
         let mut due = std::mem::take(&mut self.due);
-        let ImpactScene { kicks, h, restitution_threshold, .. } = *scene;
-        let substep = Substep { states: &scene.bodies.states, kicks, h, restitution_threshold };
-        self.watched.look(scene.width, substep, scene.graph, &mut due);
+        let EventScene { kicks, scheme, .. } = *scene;
+        let substep = Substep {
+            states: &scene.bodies.states,
+            kicks,
+            h: scheme.substep_time(),
+            restitution_threshold: scheme.restitution_threshold,
+        };
+        self.watched.look(scheme.width, substep, scene.graph, &mut due);
         for number in due.drain(..) {
             self.expect(number, scene);
         }
         self.due = due;
     }
 
-    /// Where a contact is among those that were looked at.
-    fn place_of(&self, number: u32) -> usize {
-        self.places[number as usize] as usize
+    /// How many impacts two bodies have been through in this substep.
+    fn impacts_of(&self, rows: [u32; 2]) -> u32 {
+        rows.iter().map(|&row| self.by_row[row as usize].count).sum()
     }
 
-    /// The same, from now on if it was not before.
-    fn take_up(&mut self, number: u32, scene: &ImpactScene<'_>) -> usize {
+    /// Where a contact is among those that were looked at closely, from now on if it was not before.
+    fn take_up(
+        &mut self,
+        number: u32,
+        rows: [u32; 2],
+        normal: Vec2,
+        scene: &EventScene<'_>,
+    ) -> &mut BouncyContact {
         let place = &mut self.places[number as usize];
         if *place == NONE {
             *place = self.contacts.len() as u32;
             let graph_place = self.watched.graph_place(number);
-            let (contact, rows) = (scene.graph.contact_at(graph_place), scene.graph.rows(graph_place));
+            let contact = scene.graph.contact_at(graph_place);
+            // The setting, or what support makes up for anyway.
+            let borne = RESTING_SUBSTEPS * scene.h() * normal.dot(scene.acceleration(rows)).abs();
             self.contacts.push(BouncyContact {
                 contact,
                 graph_place,
                 rows,
                 restitution: scene.contacts[contact].restitution,
-                threshold: bounce_threshold(rows, graph_place, scene),
+                threshold: scene.scheme.restitution_threshold.max(borne),
                 greatest_speed: 0.0,
                 impacts: 0,
             });
         }
-        *place as usize
+        &mut self.contacts[*place as usize]
     }
 
-    /// Queues the next impact of a contact, if it comes within this substep, and tells the sweeps to leave
-    /// alone the points that approach fast but are still apart.
-    fn expect(&mut self, number: u32, scene: &mut ImpactScene<'_>) {
-        let place = self.take_up(number, scene);
-        let approaching = self.contacts[place].approaching(scene);
-        let waits = approaching.map(|point| point.is_some_and(|point| point.separation > 0.0));
-        self.watched.set_waiting(number, waits, scene.graph);
-        if let Some(time) = self.upcoming(number, approaching, scene) {
-            self.queue.push(time, number);
+    /// Queues the next impact of a contact, if it comes within this substep, and marks the points that approach fast but
+    /// are still apart as pending.
+    fn expect(&mut self, number: u32, scene: &mut EventScene<'_>) {
+        let (rows, block, place) = scene.graph.block(self.watched.graph_place(number));
+        let (rows, constraint) = (rows.get(place), block.load_one(place));
+        let pair = scene.states(rows);
+        let least = scene.scheme.restitution_threshold;
+        let mut speeds = [0, 1].map(|index| approaching(&constraint, index, least, &pair));
+        if speeds != [None; 2] {
+            let bouncy = self.take_up(number, rows, constraint.normal.into(), scene);
+            let (threshold, may_bounce) = (bouncy.threshold, bouncy.impacts < IMPACTS_PER_SUBSTEP);
+            speeds = speeds.map(|speed| speed.filter(|&speed| may_bounce && speed < -threshold));
         }
-    }
-
-    /// When a contact whose points approach so will meet, s, if within this substep.
-    fn upcoming(
-        &self,
-        number: u32,
-        approaching: [Option<Approach>; 2],
-        scene: &ImpactScene<'_>,
-    ) -> Option<f32> {
-        if approaching == [None; 2] {
-            return None;
+        if speeds == [None; 2] {
+            return self.watched.set_pending(number, [false; 2], scene.graph);
         }
-        let bouncy = &self.contacts[self.place_of(number)];
-        let acceleration = bouncy.acceleration(scene);
-        let time_of = |point: Option<Approach>| {
-            point.and_then(|point| time_of_impact(point.separation, point.speed, acceleration, scene.h))
-        };
-        let first = approaching.into_iter().filter_map(time_of).fold(f32::INFINITY, f32::min);
+        let (h, [a, b]) = (scene.h(), &pair);
+        let separations = [0, 1].map(|index| constraint.separation(&constraint.points[index], a, b));
+        let is_pending = [0, 1].map(|index| speeds[index].is_some() && separations[index] > 0.0);
+        self.watched.set_pending(number, is_pending, scene.graph);
+        let acceleration = Vec2::from(constraint.normal).dot(scene.acceleration(rows));
+        let time_of = |index: usize| time_of_impact(separations[index], speeds[index]?, acceleration, h);
+        let first = [0, 1].into_iter().filter_map(time_of).fold(f32::INFINITY, f32::min);
         // Never before an earlier impact of either body: until then it moved otherwise.
-        let time = bouncy.rows.iter().fold(first, |time, &row| time.max(self.last_impact[row as usize]));
-        (time <= scene.h).then_some(time)
+        let time = rows.iter().fold(first, |time, &row| time.max(self.by_row[row as usize].last));
+        if time <= h {
+            self.queue.push(Expected { time, contact: number, impacts_before: self.impacts_of(rows) });
+        }
     }
 
     /// Looks at two bodies at the time they should meet, and lets them bounce if they do.
-    fn meet(&mut self, number: u32, time: f32, scene: &mut ImpactScene<'_>) {
-        let place = self.place_of(number);
+    fn meet(&mut self, place: usize, expected: Expected, scene: &mut EventScene<'_>) {
+        let (number, time) = (expected.contact, expected.time);
         let bouncy = &mut self.contacts[place];
+        if bouncy.impacts == IMPACTS_PER_SUBSTEP {
+            return;
+        }
         bouncy.impacts += 1;
         self.met.push(place);
         let there = bouncy.states_at(time, scene);
@@ -260,98 +254,73 @@ impl Impacts {
         if meeting.gap > meeting.tolerance {
             // The surfaces have turned away from each other since: they meet later.
             let later = time + meeting.gap / meeting.speed;
-            if later <= scene.h {
-                self.queue.push(later, number);
+            if later <= scene.h() {
+                self.queue.push(Expected { time: later, ..expected });
             }
             return;
         }
-        let before = bouncy.states(scene);
-        let mut after = before;
+        let mut after = scene.states(bouncy.rows);
         bouncy.apply_impulses(&meeting, &mut after);
-        if let Some(manifold) = manifold.restricted_to(&contact.manifold) {
-            let mut constraint = scene.graph.constraint(bouncy.graph_place);
+        if manifold.has_features_of(&contact.manifold) {
+            scene.graph.set_geometry(bouncy.graph_place, &meeting.constraint);
+        } else if let Some(manifold) = manifold.restricted_to(&contact.manifold) {
+            let mut constraint = meeting.constraint;
             constraint.set_manifold_in(&manifold, &there[0], &there[1]);
             scene.graph.set_geometry(bouncy.graph_place, &constraint);
         }
         self.count += 1;
         let moved = scene.graph.moved_rows(bouncy.graph_place);
-        self.part(moved, before, after, time, scene);
-        self.look_again(moved, scene);
-    }
-
-    /// Gives two bodies their velocities after an impact, and moves them by what they would else miss.
-    fn part(
-        &mut self,
-        rows: [u32; 2],
-        before: [BodyState; 2],
-        after: [BodyState; 2],
-        time: f32,
-        scene: &mut ImpactScene<'_>,
-    ) {
-        for ((row, mut state), before) in rows.into_iter().zip(after).zip(before) {
-            if row == GROUND_ROW {
-                continue;
-            }
-            drift_until(time, &before, &mut state);
-            scene.bodies.states[row as usize] = state;
-            self.last_impact[row as usize] = time;
+        scene.change_velocities(moved, after, time);
+        for row in moved.into_iter().filter(|&row| row != GROUND_ROW) {
+            let of_row = &mut self.by_row[row as usize];
+            *of_row = RowImpacts { count: of_row.count + 1, last: time };
             self.hit_rows.push(row);
         }
+        self.look_again(moved, number, scene);
     }
 
-    /// Expects the impacts of all contacts of two bodies anew.
-    fn look_again(&mut self, rows: [u32; 2], scene: &mut ImpactScene<'_>) {
+    /// Expects the impacts of all contacts of two bodies anew, whose own contact has this number.
+    fn look_again(&mut self, rows: [u32; 2], own: u32, scene: &mut EventScene<'_>) {
         if !self.neighbours_are_built {
             self.neighbours_are_built = true;
             self.neighbours.clear(scene.bodies.row_count());
             let (watched, neighbours) = (&self.watched, &mut self.neighbours);
             watched.for_each(|number, place| neighbours.add(number, scene.graph.moved_rows(place)));
         }
+        self.expect(own, scene);
         for row in rows {
             let mut place = self.neighbours.last(row);
             while let Some((number, before)) = self.neighbours.get(place) {
-                self.expect(number, scene);
+                if number != own {
+                    self.expect(number, scene);
+                }
                 place = before;
             }
         }
     }
 }
 
+/// Speed of a point along the normal in the middle of the substep, m/s, negative, if it approaches fast enough to bounce.
+fn approaching(
+    constraint: &ContactConstraint<f32>,
+    index: usize,
+    threshold: f32,
+    pair: &[BodyState; 2],
+) -> Option<f32> {
+    let (speed, is_fast) = approach(constraint, index, threshold, pair);
+    is_fast.then_some(speed)
+}
+
 impl BouncyContact {
-    fn states(&self, scene: &ImpactScene<'_>) -> [BodyState; 2] {
-        self.rows.map(|row| scene.bodies.states[row as usize])
-    }
-
-    /// Per point: how it approaches, if fast enough to bounce.
-    fn approaching(&self, scene: &ImpactScene<'_>) -> [Option<Approach>; 2] {
-        let constraint = scene.graph.constraint(self.graph_place);
-        let pair = self.states(scene);
-        [0, 1].map(|index| {
-            let (speed, is_fast) = approach(&constraint, index, self.threshold, &pair);
-            let [a, b] = &pair;
-            (is_fast && self.impacts < IMPACTS_PER_SUBSTEP).then(|| Approach {
-                separation: constraint.separation(&constraint.points[index], a, b),
-                speed,
-            })
-        })
-    }
-
-    /// Acceleration of b against a along the normal, m/s².
-    fn acceleration(&self, scene: &ImpactScene<'_>) -> f32 {
-        let [a, b] = self.rows.map(|row| scene.kicks.acceleration(row));
-        Vec2::from(scene.graph.constraint(self.graph_place).normal).dot(b - a)
-    }
-
     /// The two bodies where they will be at a time within the substep: x + v t + a t (t - h)/2 for the velocity v
     /// of the middle of the substep.
-    fn states_at(&self, time: f32, scene: &ImpactScene<'_>) -> [BodyState; 2] {
-        self.rows.map(|row| {
-            let mut state = scene.bodies.states[row as usize];
-            drift(&mut state, time);
-            let bend = scene.kicks.acceleration(row) * (0.5 * time * (time - scene.h));
+    fn states_at(&self, time: f32, scene: &EventScene<'_>) -> [BodyState; 2] {
+        let mut states = scene.states_at(self.rows, time);
+        for (row, state) in self.rows.into_iter().zip(&mut states) {
+            let bend = scene.kicks.acceleration(row) * (0.5 * time * (time - scene.h()));
             state.delta_position = state.delta_position + bend.into();
-            state
-        })
+        }
+        states
     }
 
     /// What of a manifold at a time meets there; `None` if nothing approaches fast enough to bounce.
@@ -360,24 +329,24 @@ impl BouncyContact {
         manifold: &Manifold,
         time: f32,
         [a, b]: &[BodyState; 2],
-        scene: &ImpactScene<'_>,
+        scene: &EventScene<'_>,
     ) -> Option<Meeting> {
         let mut constraint = scene.graph.constraint(self.graph_place);
-        constraint.points = Default::default();
-        constraint.set_geometry(manifold);
-        let [k_a, k_b] = self.rows.map(|row| scene.kicks.acceleration(row));
-        let gained = manifold.normal.dot(k_b - k_a) * (time - 0.5 * scene.h);
-        let speeds = [0, 1].map(|index| {
+        constraint.set_manifold_in(manifold, a, b);
+        let gained = manifold.normal.dot(scene.acceleration(self.rows)) * (time - 0.5 * scene.h());
+        let mut speeds = [None; 2];
+        let mut gaps = [f32::INFINITY; 2];
+        for (index, there) in manifold.points().iter().enumerate() {
             let point = &constraint.points[index];
             let speed = constraint.normal.dot(point.relative_velocity(a, b)) + gained;
-            (point.normal_k > 0.0 && speed < -self.threshold).then_some(speed)
-        });
-        let gap_of = |index: usize| speeds[index].map(|_| constraint.points[index].separation);
-        let gap = [0, 1].into_iter().filter_map(gap_of).fold(f32::INFINITY, f32::min);
+            if speed < -self.threshold {
+                (speeds[index], gaps[index]) = (Some(speed), there.separation);
+            }
+        }
+        let gap = gaps[0].min(gaps[1]);
         let speed = -speeds.into_iter().flatten().fold(0.0, f32::min);
-        let tolerance = MEETING_TOLERANCE * speed * scene.h;
-        let speeds = [0, 1]
-            .map(|index| speeds[index].filter(|_| constraint.points[index].separation <= gap + tolerance));
+        let tolerance = MEETING_TOLERANCE * speed * scene.h();
+        let speeds = [0, 1].map(|index| speeds[index].filter(|_| gaps[index] <= gap + tolerance));
         (speed > 0.0).then_some(Meeting { constraint, speeds, gap, speed, tolerance })
     }
 
@@ -416,11 +385,4 @@ fn time_of_impact(s: f32, v: f32, a: f32, h: f32) -> Option<f32> {
     // The form of the root that does not cancel for start < 0, which the threshold on v sees to.
     let time = 2.0 * s / (discriminant.sqrt() - start);
     (time >= 0.0 && time <= h).then_some(time)
-}
-
-/// Approach speed, m/s, from which the contact of two rows bounces: the setting, or what support makes up for anyway.
-fn bounce_threshold(rows: [u32; 2], graph_place: (u32, u32), scene: &ImpactScene<'_>) -> f32 {
-    let normal = Vec2::from(scene.graph.constraint(graph_place).normal);
-    let [a, b] = rows.map(|row| scene.kicks.acceleration(row));
-    scene.restitution_threshold.max(RESTING_SUBSTEPS * scene.h * normal.dot(b - a).abs())
 }

@@ -2,7 +2,7 @@
 //! lanes. What rests, or is still far apart, costs no more.
 
 use crate::compute::{self, BodyState, COLUMN, Column, Job, Lane, LaneVec2, RowPairs, Width};
-use crate::resolution::constraint::{ContactConstraint, OUT_OF_REACH};
+use crate::resolution::constraint::ContactConstraint;
 use crate::resolution::constraint_graph::{BlockPlace, ConstraintGraph, place_in};
 use crate::resolution::contact_block::{ContactBlock, Marks};
 use crate::resolution::integrate::Kicks;
@@ -11,16 +11,12 @@ use crate::store::places_of;
 /// An approach slower than this many substeps' gain of speed, by forces or by the load of the contact, is no
 /// impact: a body that rests gains half a substep's before its support is applied, and a bounce that slow would
 /// be over within the substep.
-pub(crate) const RESTING_SUBSTEPS: f32 = 2.0;
-
-/// Two bodies have met, and two points meet together, within this share of the way that the approach makes in a
-/// substep, no unit: a box that lands flat is not to be tipped over by a rounding error.
-pub(crate) const MEETING_TOLERANCE: f32 = 1e-3;
+pub(super) const RESTING_SUBSTEPS: f32 = 2.0;
 
 /// Speed of a point along the normal, m/s, and whether it approaches fast enough to bounce: faster than `threshold`,
 /// m/s, and than the load makes up for.
 #[inline(always)]
-pub(crate) fn approach<L: Lane>(
+pub(super) fn approach<L: Lane>(
     constraint: &ContactConstraint<L>,
     index: usize,
     threshold: L,
@@ -38,41 +34,41 @@ pub(crate) fn approach<L: Lane>(
 struct WatchedBlock {
     place: BlockPlace,
     bouncy: Marks,
-    /// Whether the sweeps have been told to leave some of their points alone.
-    is_waiting: bool,
+    /// Whether some of their points are pending.
+    has_pending: bool,
 }
 
 /// The contacts that may bounce. Their numbers are in the order in which they are solved.
 #[derive(Clone, Debug, Default)]
-pub(crate) struct Watched {
+pub(super) struct Watched {
     blocks: Vec<WatchedBlock>,
     len: usize,
 }
 
 impl Watched {
-    pub(crate) fn clear(&mut self) {
+    pub(super) fn clear(&mut self) {
         self.blocks.clear();
         self.len = 0;
     }
 
     /// How many contacts there are.
-    pub(crate) fn len(&self) -> usize {
+    pub(super) fn len(&self) -> usize {
         self.len
     }
 
     /// Numbers are below this.
-    pub(crate) fn end(&self) -> u32 {
+    pub(super) fn end(&self) -> u32 {
         (self.blocks.len() * COLUMN) as u32
     }
 
     /// Watches the contacts of a block that may bounce. Blocks come in the order in which they are solved.
-    pub(crate) fn watch(&mut self, place: BlockPlace, bouncy: Marks) {
-        self.blocks.push(WatchedBlock { place, bouncy, is_waiting: false });
+    pub(super) fn watch(&mut self, place: BlockPlace, bouncy: Marks) {
+        self.blocks.push(WatchedBlock { place, bouncy, has_pending: false });
         self.len += bouncy.count();
     }
 
     /// Calls `visit` with the number of each and its place in the constraint graph.
-    pub(crate) fn for_each(&self, mut visit: impl FnMut(u32, (u32, u32))) {
+    pub(super) fn for_each(&self, mut visit: impl FnMut(u32, (u32, u32))) {
         for (block_number, watched) in self.blocks.iter().enumerate() {
             watched.bouncy.for_each(|of_block| {
                 visit(number_of(block_number, of_block), place_in(watched.place, of_block));
@@ -81,24 +77,24 @@ impl Watched {
     }
 
     /// Where the contact with a number is in the constraint graph.
-    pub(crate) fn graph_place(&self, number: u32) -> (u32, u32) {
+    pub(super) fn graph_place(&self, number: u32) -> (u32, u32) {
         let number = number as usize;
         place_in(self.blocks[number / COLUMN].place, number % COLUMN)
     }
 
-    /// Tells the sweeps which points of the contact with a number wait for an impact.
-    pub(crate) fn set_waiting(&mut self, number: u32, waits: [bool; 2], graph: &mut ConstraintGraph) {
+    /// Says which points of the contact with a number are pending.
+    pub(super) fn set_pending(&mut self, number: u32, is_pending: [bool; 2], graph: &mut ConstraintGraph) {
         let graph_place = self.graph_place(number);
-        let is_waiting = &mut self.blocks[number as usize / COLUMN].is_waiting;
-        *is_waiting |= waits[0] || waits[1];
-        if *is_waiting {
-            graph.set_awaits_impact(graph_place, awaits(waits));
+        let has_pending = &mut self.blocks[number as usize / COLUMN].has_pending;
+        *has_pending |= is_pending[0] || is_pending[1];
+        if *has_pending {
+            graph.set_pending(graph_place, is_pending);
         }
     }
 
-    /// Tells the sweeps which points approach fast and are apart, and appends the numbers of the contacts that may meet
+    /// Marks the points that approach fast and are apart as pending, and appends the numbers of the contacts that may meet
     /// within the substep to `due`.
-    pub(crate) fn look(
+    pub(super) fn look(
         &mut self,
         width: Width,
         substep: Substep<'_>,
@@ -109,11 +105,6 @@ impl Watched {
     }
 }
 
-/// What the sweeps see as added to the separations of points that wait for an impact or not, m.
-fn awaits(waits: [bool; 2]) -> [f32; 2] {
-    waits.map(|waits| if waits { OUT_OF_REACH } else { 0.0 })
-}
-
 /// The number of the contact at a place of one of the watched blocks.
 fn number_of(block: usize, place: usize) -> u32 {
     (block * COLUMN + place) as u32
@@ -121,13 +112,13 @@ fn number_of(block: usize, place: usize) -> u32 {
 
 /// How bodies move in a substep.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Substep<'a> {
-    pub(crate) states: &'a [BodyState],
-    pub(crate) kicks: &'a Kicks,
+pub(super) struct Substep<'a> {
+    pub(super) states: &'a [BodyState],
+    pub(super) kicks: &'a Kicks,
     /// Its length, s.
-    pub(crate) h: f32,
+    pub(super) h: f32,
     /// Slowest approach that bounces, m/s.
-    pub(crate) restitution_threshold: f32,
+    pub(super) restitution_threshold: f32,
 }
 
 struct Look<'a> {
@@ -143,8 +134,8 @@ impl Job for Look<'_> {
         let Self { blocks, substep, graph, due } = self;
         for (number, watched) in blocks.iter_mut().enumerate() {
             let (rows, block) = graph.block_at_mut(watched.place);
-            if std::mem::take(&mut watched.is_waiting) {
-                block.await_no_impact();
+            if std::mem::take(&mut watched.has_pending) {
+                block.clear_pending();
             }
             let (is_single, bouncy) = (block.fit().is_single, watched.bouncy);
             for (first, bouncy) in bouncy.lanes::<L>() {
@@ -153,10 +144,10 @@ impl Job for Look<'_> {
                 } else {
                     substep.look::<L, 2>(rows, block, first, bouncy)
                 };
-                for place in places_of(found.waits[0] | found.waits[1]) {
-                    let waits = found.waits.map(|bits| bits >> place & 1 != 0);
-                    block.set_awaits_impact(first + place, awaits(waits));
-                    watched.is_waiting = true;
+                for place in places_of(found.pending[0] | found.pending[1]) {
+                    let is_pending = found.pending.map(|bits| bits >> place & 1 != 0);
+                    block.set_pending(first + place, is_pending);
+                    watched.has_pending = true;
                 }
                 due.extend(places_of(found.meets).map(|place| number_of(number, first + place)));
             }
@@ -168,7 +159,7 @@ impl Job for Look<'_> {
 #[derive(Clone, Copy, Debug, Default)]
 struct Found {
     /// By point: those where it is apart and approaches fast enough to bounce.
-    waits: [u32; 2],
+    pending: [u32; 2],
     /// Those that may meet in the substep.
     meets: u32,
 }
@@ -208,7 +199,7 @@ impl Substep<'_> {
             let is_fast = L::bits(is_fast) & bouncy;
             // No path of this speed and acceleration goes farther within the substep.
             let least = separation + (speed - acceleration * h) * h;
-            found.waits[index] = is_fast & L::bits(separation.greater(zero));
+            found.pending[index] = is_fast & L::bits(separation.greater(zero));
             found.meets |= is_fast & !L::bits(least.greater(zero));
         }
         found

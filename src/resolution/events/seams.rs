@@ -11,14 +11,12 @@
 //!
 //! Runs once per substep, on circles with two contacts with the ground or more.
 
-use crate::body::Bodies;
-use crate::collision::Contacts;
 use crate::compute::{BodyState, GROUND_ROW, LaneVec2};
-use crate::resolution::approach::MEETING_TOLERANCE;
-use crate::resolution::constraint::{ContactConstraint, OUT_OF_REACH};
+use crate::resolution::constraint::ContactConstraint;
 use crate::resolution::constraint_graph::ConstraintGraph;
-use crate::resolution::follow::manifold_in;
-use crate::resolution::integrate::{drift, drift_until};
+use crate::resolution::events::{EventScene, MEETING_TOLERANCE};
+use crate::resolution::follow::constraint_in;
+use crate::resolution::integrate::drift_until;
 
 /// How many pieces a circle may reach in a substep, looks in vain counted; the sweeps take what is left.
 const MEETINGS_PER_SUBSTEP: usize = 64;
@@ -32,7 +30,7 @@ struct Piece {
     /// Index of the contact, and its place in the constraint graph.
     contact: u32,
     graph_place: (u32, u32),
-    /// Whether the sweeps are told to leave it alone.
+    /// Whether it is marked as pending: the circle is still to reach it.
     is_ahead: bool,
     /// Separation at which the circle is on it, m: that of the pieces under load, which yield a little.
     level: f32,
@@ -47,18 +45,6 @@ pub(crate) struct Seams {
     pieces: Vec<Piece>,
     /// By row: how many pieces the circle there has in reach.
     counts: Vec<u32>,
-}
-
-/// What the stage works on.
-#[derive(Debug)]
-pub(crate) struct SeamScene<'a> {
-    pub(crate) bodies: &'a mut Bodies,
-    pub(crate) contacts: &'a Contacts,
-    pub(crate) graph: &'a mut ConstraintGraph,
-    /// Whether there is a warm start after the move.
-    pub(crate) starts_again: bool,
-    /// Length of the substep, s.
-    pub(crate) h: f32,
 }
 
 impl Seams {
@@ -117,7 +103,7 @@ impl Seams {
             for piece in pieces {
                 let constraint = graph.constraint(piece.graph_place);
                 let point = &constraint.points[0];
-                let is_free = point.normal_impulse == 0.0 && constraint.special.awaits_impact[0] == 0.0;
+                let is_free = point.normal_impulse == 0.0 && !graph.is_pending(piece.graph_place)[0];
                 piece.level = level;
                 let [a, b] = piece.states(states);
                 let reach = (-constraint.normal.dot(point.relative_velocity(&a, &b))).max(0.0) * h;
@@ -127,12 +113,12 @@ impl Seams {
     }
 
     /// Before the move: circles meet what they reach during it.
-    pub(crate) fn run(&mut self, scene: &mut SeamScene<'_>) {
+    pub(crate) fn run(&mut self, scene: &mut EventScene<'_>) {
         for pieces in self.by_circle() {
             let (mut now, mut rest) = (0.0, BodyState::REST.velocity);
             for piece in &mut *pieces {
                 let friction = &scene.graph.constraint(piece.graph_place).frictions[0];
-                piece.warm_start = if scene.starts_again { friction.warm_start } else { 0.0 };
+                piece.warm_start = if scene.scheme.split_kick { friction.warm_start } else { 0.0 };
             }
             for _ in 0..MEETINGS_PER_SUBSTEP {
                 let ahead = pieces.iter().enumerate().filter(|(_, piece)| piece.is_ahead);
@@ -144,10 +130,11 @@ impl Seams {
                     rest = rest + pass_load_on(pieces, next, now, scene);
                 }
             }
+            let h = scene.h();
             let state = &mut scene.bodies.states[pieces[0].row() as usize];
             let before = *state;
             state.velocity = state.velocity + rest;
-            drift_until(scene.h, &before, state);
+            drift_until(h, &before, state);
         }
     }
 }
@@ -171,47 +158,39 @@ impl Piece {
     fn be_ahead(&mut self, is_ahead: bool, graph: &mut ConstraintGraph) {
         if is_ahead != self.is_ahead {
             self.is_ahead = is_ahead;
-            graph.set_awaits_impact(self.graph_place, [if is_ahead { OUT_OF_REACH } else { 0.0 }, 0.0]);
+            graph.set_pending(self.graph_place, [is_ahead, false]);
         }
     }
 
     /// When the circle reaches the piece, s, if within this substep; not before `now`.
-    fn time_of_meeting(&self, now: f32, scene: &SeamScene<'_>) -> Option<f32> {
+    fn time_of_meeting(&self, now: f32, scene: &EventScene<'_>) -> Option<f32> {
         let constraint = scene.graph.constraint(self.graph_place);
         let [a, b] = self.states(&scene.bodies.states);
         let gap = constraint.separation(&constraint.points[0], &a, &b) - self.level;
         let speed = -constraint.normal.dot(constraint.points[0].relative_velocity(&a, &b));
         let time = (gap / speed).max(now);
-        (speed > 0.0 && time <= scene.h).then_some(time)
+        (speed > 0.0 && time <= scene.h()).then_some(time)
     }
 
     /// Stops the approach of the circle to the piece at `time`, s; false if they do not meet yet.
-    fn meet(&mut self, time: f32, scene: &mut SeamScene<'_>) -> bool {
-        let before = self.states(&scene.bodies.states);
-        let mut there = before;
-        for state in &mut there {
-            drift(state, time);
-        }
+    fn meet(&mut self, time: f32, scene: &mut EventScene<'_>) -> bool {
+        let there = scene.states_at(self.rows, time);
         let contact = &scene.contacts[self.contact];
-        let manifold = manifold_in(contact, scene.bodies, [&there[0], &there[1]]);
-        let Some(manifold) = manifold.restricted_to(&contact.manifold) else {
+        let place = self.graph_place;
+        let Some((constraint, gap)) = constraint_in(contact, place, scene.bodies, scene.graph, &there) else {
             self.be_ahead(false, scene.graph);
             return false;
         };
-        let mut constraint = scene.graph.constraint(self.graph_place);
-        constraint.set_manifold_in(&manifold, &there[0], &there[1]);
-        scene.graph.set_geometry(self.graph_place, &constraint);
-        let speed = -constraint.normal.dot(constraint.points[0].relative_velocity(&before[0], &before[1]));
-        if manifold.points()[0].separation - self.level > MEETING_TOLERANCE * speed.abs() * scene.h {
+        scene.graph.set_geometry(place, &constraint);
+        let mut after = scene.states(self.rows);
+        let speed = -constraint.normal.dot(constraint.points[0].relative_velocity(&after[0], &after[1]));
+        if gap - self.level > MEETING_TOLERANCE * speed.abs() * scene.h() {
             return false;
         }
         self.be_ahead(false, scene.graph);
-        let mut after = before;
-        constraint
-            .apply_collision_impulses([(speed / constraint.points[0].normal_k).max(0.0), 0.0], &mut after);
-        let (before, mut after) = (before[self.circle], after[self.circle]);
-        drift_until(time, &before, &mut after);
-        scene.bodies.states[self.row() as usize] = after;
+        let impulse = (speed / constraint.points[0].normal_k).max(0.0);
+        constraint.apply_collision_impulses([impulse, 0.0], &mut after);
+        scene.change_velocities(scene.graph.moved_rows(place), after, time);
         true
     }
 }
@@ -222,8 +201,8 @@ impl Piece {
 /// `time` and the new one for the rest, so that of the second half, the warm start after the move, 2 (1 - time/h) goes
 /// over: more than all of it, if the new piece is met in the first half. Returns the velocity that the rest is to give
 /// the circle after the move, m/s, along the old normals.
-fn pass_load_on(pieces: &mut [Piece], next: usize, time: f32, scene: &mut SeamScene<'_>) -> LaneVec2<f32> {
-    let share = 2.0 * (1.0 - time / scene.h);
+fn pass_load_on(pieces: &mut [Piece], next: usize, time: f32, scene: &mut EventScene<'_>) -> LaneVec2<f32> {
+    let share = 2.0 * (1.0 - time / scene.h());
     let mut rest = BodyState::REST.velocity;
     for left in (0..pieces.len()).filter(|&left| left != next) {
         let old = scene.graph.constraint(pieces[left].graph_place);
@@ -235,8 +214,8 @@ fn pass_load_on(pieces: &mut [Piece], next: usize, time: f32, scene: &mut SeamSc
         let passed_on = std::mem::take(&mut pieces[left].warm_start);
         pieces[next].warm_start += passed_on;
         let goes = share * passed_on;
-        let [normal, tangent, warm_start] = load(&old, scene.starts_again);
-        let borne = load(&scene.graph.constraint(pieces[next].graph_place), scene.starts_again);
+        let [normal, tangent, warm_start] = load(&old, scene.scheme.split_kick);
+        let borne = load(&scene.graph.constraint(pieces[next].graph_place), scene.scheme.split_kick);
         let met = [borne[0] + normal + warm_start - goes, borne[1] + tangent, borne[2] + goes];
         scene.graph.set_load(pieces[left].graph_place, [0.0; 3]);
         scene.graph.set_load(pieces[next].graph_place, met);

@@ -1,0 +1,73 @@
+//! How a step is solved.
+
+use crate::compute::Width;
+use crate::resolution::integrate::SpeedLimits;
+use crate::resolution::kernel::{Sweep, SweepOver};
+
+/// How a step is solved. One text covers the default and the classic scheme: the classic one has a single
+/// kick, one substep, many sweeps with friction, none to relax, and projects positions afterwards.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Scheme {
+    /// Length of the step, s.
+    pub(crate) dt: f32,
+    pub(crate) substeps: u32,
+    /// Length of a substep over that of the last step's, no unit: impulses are stored per substep.
+    pub(crate) impulse_scale: f32,
+    /// Sweeps before the bodies move, per substep.
+    pub(crate) iterations: u32,
+    /// Sweeps after the bodies have moved, per substep.
+    pub(crate) relax_iterations: u32,
+    /// Half a kick before and half after the drift, rather than a whole one before it.
+    pub(crate) split_kick: bool,
+    /// Whether islands under great load may be solved directly.
+    pub(crate) adapts: bool,
+    pub(crate) warm_starting: bool,
+    pub(crate) block_solve: bool,
+    /// Iterations of position projection at the end of the step, instead of a bias in the sweeps.
+    pub(crate) projections: Option<u32>,
+    /// Slowest approach that bounces, m/s.
+    pub(crate) restitution_threshold: f32,
+    pub(crate) limits: SpeedLimits,
+    /// How many contacts are solved at a time.
+    pub(crate) width: Width,
+    /// Whether they are solved by kernels that leave out what none of them needs.
+    pub(crate) fitted_kernels: bool,
+}
+
+impl Scheme {
+    /// Length of a substep, s.
+    pub(crate) fn substep_time(&self) -> f32 {
+        self.dt / self.substeps as f32
+    }
+
+    /// How long the forces of one kick act, s.
+    pub(crate) fn kick_time(&self) -> f32 {
+        if self.split_kick { 0.5 * self.substep_time() } else { self.substep_time() }
+    }
+
+    /// The sweeps before the bodies move.
+    pub(crate) fn main_sweep(&self) -> Sweep {
+        Sweep {
+            biased: self.projections.is_none(),
+            friction: self.relax_iterations == 0,
+            block: self.block_solve,
+        }
+    }
+
+    /// The sweeps after it.
+    pub(crate) fn relax_sweep(&self) -> Sweep {
+        Sweep { biased: false, friction: true, ..self.main_sweep() }
+    }
+
+    /// A sweep of this kind; `have_moved` says whether bodies have since the last.
+    pub(crate) fn sweep_over(&self, kind: Sweep, have_moved: bool) -> SweepOver {
+        let per_substep = 1.0 / self.substep_time();
+        let starts_again = self.split_kick && self.warm_starting;
+        SweepOver { kind, have_moved, per_substep, is_fitted: self.fitted_kernels, starts_again }
+    }
+
+    /// What of the last impulses is applied before the move, and again after it where the kick is split.
+    pub(crate) fn warm_part(&self) -> f32 {
+        if self.split_kick { 0.5 } else { 1.0 }
+    }
+}
