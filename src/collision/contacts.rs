@@ -42,20 +42,6 @@ struct Link {
     next: u32,
 }
 
-/// What the contacts of a colour are sorted by, so that most blocks of the solver have contacts of one kind and leave
-/// out what these do not need: how many points they have, and whether they follow the surface.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Kind {
-    Single,
-    SingleFollower,
-    DoubleFollower,
-    Double,
-}
-
-impl Kind {
-    pub(crate) const COUNT: usize = 4;
-}
-
 /// What is known of two bodies that are close: three cache lines, of which the first is all that is read of bodies out
 /// of reach of each other, as half of the contacts of a pile are.
 #[repr(C, align(64))]
@@ -78,15 +64,9 @@ pub(crate) struct Contact {
     pub(crate) has_circle: bool,
     /// For how many steps it has been followed since its manifold was found.
     pub(crate) followed_steps: u8,
-    /// Among which contacts of its colour the constraint graph has it.
-    pub(crate) sorted_as: Kind,
-    /// For how many steps it has been under great load.
-    pub(crate) loaded_steps: u8,
     /// How fast the bodies approached each other along the normal before the last step, or when they
     /// bounced in it, m/s.
     pub(crate) approach_speed: f32,
-    /// Colour and place in the constraint graph, while the contact has points and is awake.
-    pub(crate) graph_place: Option<(u32, u32)>,
     /// Place in the list of awake contacts, `NONE` while neither body is awake.
     awake_place: u32,
     /// Mixed coefficient of friction.
@@ -95,8 +75,6 @@ pub(crate) struct Contact {
     pub(crate) restitution: f32,
     /// Width of the thinner of the two bodies, m.
     pub(crate) thickness: f32,
-    /// The overlap that sweeps would leave under it, as a share of the thickness.
-    pub(crate) sag: f32,
     /// Points within the speculative margin; empty where the shapes are farther apart.
     pub(crate) manifold: Manifold,
     pub(crate) frozen: Frozen,
@@ -104,7 +82,7 @@ pub(crate) struct Contact {
 }
 
 const _: () = assert!(size_of::<Option<Contact>>() == 3 * LINE);
-const _: () = assert!(offset_of!(Contact, manifold) + size_of::<Manifold>() == Contact::SOLVED.end * LINE);
+const _: () = assert!(offset_of!(Contact, manifold) + size_of::<Manifold>() <= Contact::SOLVED.end * LINE);
 
 impl Contact {
     /// The cache line of the points.
@@ -119,27 +97,6 @@ impl Contact {
     pub(crate) fn has_touched(&self) -> bool {
         let touches = |point: &ManifoldPoint| point.normal_impulse > 0.0 || point.separation <= 0.0;
         self.has_bounced || self.manifold.points().iter().any(touches)
-    }
-
-    /// Among which contacts of its colour it belongs.
-    #[inline(always)]
-    pub(crate) fn kind(&self) -> Kind {
-        match (self.manifold.points().len(), self.follows) {
-            (0 | 1, false) => Kind::Single,
-            (0 | 1, true) => Kind::SingleFollower,
-            (_, true) => Kind::DoubleFollower,
-            (_, false) => Kind::Double,
-        }
-    }
-
-    /// Whether the constraint graph has it where it no longer belongs: it has got or lost points, or follows or not.
-    #[inline(always)]
-    pub(crate) fn is_misplaced(&self) -> bool {
-        let has_points = !self.manifold.points().is_empty();
-        match self.graph_place {
-            None => has_points,
-            Some(_) => !has_points || self.sorted_as != self.kind(),
-        }
     }
 
     /// Takes note that the bodies do not meet within the step. Most of these have not before: what is only read need not go
@@ -267,17 +224,13 @@ impl Contacts {
             friction,
             restitution,
             thickness: a.thickness.min(b.thickness),
-            loaded_steps: 0,
-            sag: 0.0,
             is_touching: false,
             holds_still: false,
             has_bounced: false,
             approach_speed: 0.0,
-            graph_place: None,
             follows: false,
             has_circle: (a.is_round || b.is_round) && !is_flat,
             followed_steps: 0,
-            sorted_as: Kind::Single,
             awake_place: NONE,
             links: first.map(|next| Link { previous: NONE, next }),
         });

@@ -8,7 +8,7 @@ mod distant;
 mod manifold;
 mod refresh;
 
-pub(crate) use contacts::{AHEAD, ChosenContacts, Contact, Contacts, Frozen, Kind};
+pub(crate) use contacts::{AHEAD, ChosenContacts, Contact, Contacts, Frozen};
 pub use detection::detect;
 pub(crate) use detection::{Offset, Touch, detect_flat, detect_from, detect_within, is_flat, sweep, touch};
 pub(crate) use distant::DistantPairs;

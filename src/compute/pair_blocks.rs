@@ -41,15 +41,6 @@ impl<B> PairBlocks<B> {
         (&self.rows[number], &self.blocks[number])
     }
 
-    /// A block, to change all but its rows.
-    ///
-    /// # Panics
-    /// If there is no such block.
-    #[inline(always)]
-    pub(crate) fn block_mut(&mut self, number: usize) -> &mut B {
-        &mut self.blocks[number]
-    }
-
     /// A block, to change it, and its rows.
     ///
     /// # Panics

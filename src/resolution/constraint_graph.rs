@@ -11,7 +11,7 @@ mod passes;
 use core::ops::Range;
 
 use crate::body::Bodies;
-use crate::collision::{Contacts, Kind};
+use crate::collision::{Contact, Contacts};
 use crate::compute::{COLUMN, DistinctIndices, GROUND_ROW, PairBlocks, RowMarks, RowPairs};
 use crate::resolution::constraint::ContactConstraint;
 use crate::resolution::contact_block::{BlockEnd, BlockStart, ContactBlock};
@@ -31,12 +31,65 @@ const OVERFLOW: usize = COLOURS;
 /// The place of contacts that are solved directly.
 const DIRECT: usize = COLOURS + 1;
 
-/// Where a block is in the graph: its colour, and its number in it.
-pub(crate) type BlockPlace = (u32, usize);
+/// Where a contact is in the graph: its colour, and which of the contacts there it is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct GraphIndex {
+    colour: u32,
+    contact: u32,
+}
 
-/// The place in the graph of the contact at a place of a block.
-pub(crate) fn place_in((colour, number): BlockPlace, place: usize) -> (u32, u32) {
-    (colour, (number * COLUMN + place) as u32)
+impl GraphIndex {
+    fn block(self) -> BlockIndex {
+        BlockIndex { colour: self.colour, block: self.contact / COLUMN as u32 }
+    }
+
+    /// Its place in its block.
+    fn place(self) -> usize {
+        self.contact as usize % COLUMN
+    }
+}
+
+/// Where a block is in the graph: its colour, and which of the blocks there it is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct BlockIndex {
+    colour: u32,
+    block: u32,
+}
+
+impl BlockIndex {
+    /// The contact at a place of the block.
+    pub(crate) fn contact(self, place: usize) -> GraphIndex {
+        GraphIndex { colour: self.colour, contact: self.block * COLUMN as u32 + place as u32 }
+    }
+
+    /// Whether its contacts are solved directly.
+    pub(crate) fn is_solved_directly(self) -> bool {
+        self.colour as usize == DIRECT
+    }
+}
+
+/// What the contacts of a colour are sorted by, so that most blocks have contacts of one kind and leave out what these do
+/// not need: how many points they have, and whether they follow the surface.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Kind {
+    Single,
+    SingleFollower,
+    DoubleFollower,
+    Double,
+}
+
+impl Kind {
+    const COUNT: usize = 4;
+
+    #[inline(always)]
+    fn of(contact: &Contact) -> Self {
+        match (contact.manifold.points().len(), contact.follows) {
+            (0 | 1, false) => Self::Single,
+            (0 | 1, true) => Self::SingleFollower,
+            (_, true) => Self::DoubleFollower,
+            (_, false) => Self::Double,
+        }
+    }
 }
 
 /// Contacts of one colour, which share no movable body; or those that have none.
@@ -63,6 +116,8 @@ pub(crate) struct ConstraintGraph {
     colours: Vec<Colour>,
     /// Which of them have contacts.
     used: Used,
+    /// By index of a contact: where it is; shorter where no later contact was ever in the graph.
+    homes: Vec<Option<GraphIndex>>,
     /// How many contacts there are.
     len: usize,
     /// Slots of the bodies whose contacts are solved directly.
@@ -103,6 +158,7 @@ impl Default for ConstraintGraph {
         Self {
             colours: vec![Colour::default(); DIRECT + 1],
             used: Used::default(),
+            homes: Vec::new(),
             len: 0,
             direct: BitSet::default(),
             direct_count: 0,
@@ -135,20 +191,35 @@ impl ConstraintGraph {
     }
 
     /// The blocks with what is special about their contacts as the step begins, in the order in which they are solved.
-    pub(crate) fn starts(&self) -> impl Iterator<Item = (BlockPlace, BlockStart)> {
+    pub(crate) fn starts(&self) -> impl Iterator<Item = (BlockIndex, BlockStart)> {
         self.in_order().flat_map(|(number, colour)| {
-            colour.starts.iter().enumerate().map(move |(block, &start)| ((number, block), start))
+            let blocks = (0..).zip(&colour.starts);
+            blocks.map(move |(block, &start)| (BlockIndex { colour: number, block }, start))
         })
     }
 
-    /// The colour of a place in the graph; `None` where the contact has none.
-    pub(crate) fn colour((colour, _): (u32, u32)) -> Option<u32> {
-        (colour < OVERFLOW as u32).then_some(colour)
+    /// Where the contact with this index is; `None` where it is not in the graph.
+    #[inline(always)]
+    pub(crate) fn home(&self, index: u32) -> Option<GraphIndex> {
+        self.homes.get(index as usize).copied().flatten()
     }
 
-    /// Whether the contacts at a place of the graph are solved directly.
-    pub(crate) fn is_solved_directly((colour, _): BlockPlace) -> bool {
-        colour as usize == DIRECT
+    /// The colour of the contact with this index; `None` where it has none.
+    pub(crate) fn colour_of(&self, index: u32) -> Option<u32> {
+        self.home(index).map(|home| home.colour).filter(|&colour| colour < OVERFLOW as u32)
+    }
+
+    /// Whether the contact with this index is where it no longer belongs: it has got or lost points, or follows or not.
+    #[inline(always)]
+    pub(crate) fn is_misplaced(&self, index: u32, contact: &Contact) -> bool {
+        let has_points = !contact.manifold.points().is_empty();
+        match self.home(index) {
+            None => has_points,
+            Some(home) => {
+                let kind = self.colours[home.colour as usize].kind_at(home.contact as usize);
+                !has_points || kind != Kind::of(contact) as usize
+            }
+        }
     }
 
     /// How the contacts of the body in `slot` are solved.
@@ -185,9 +256,12 @@ impl ConstraintGraph {
 
     /// Enters the contact with this index, if it is not in the graph: into a colour, or to what is solved directly, if that
     /// holds for one of its bodies.
-    pub(crate) fn enter(&mut self, contacts: &mut Contacts, bodies: &Bodies, index: u32) {
-        if contacts[index].graph_place.is_some() {
+    pub(crate) fn enter(&mut self, contacts: &Contacts, bodies: &Bodies, index: u32) {
+        if self.home(index).is_some() {
             return;
+        }
+        if self.homes.len() <= index as usize {
+            self.homes.resize(contacts.greatest_index() as usize + 1, None);
         }
         let slots = contacts[index].slots;
         let moves = slots.map(|slot| bodies.is_dynamic(slot));
@@ -203,7 +277,7 @@ impl ConstraintGraph {
                 }
             }
         }
-        entered.push(colour as u32, index, contacts);
+        entered.push(colour as u32, index, Kind::of(&contacts[index]), &mut self.homes);
         self.used.set(colour, true);
         self.len += 1;
     }
@@ -226,11 +300,11 @@ impl ConstraintGraph {
     }
 
     /// Moves a contact of the graph to where those of its kind are.
-    pub(crate) fn sort_in(&mut self, contacts: &mut Contacts, index: u32) {
-        if let Some((number, place)) = contacts[index].graph_place {
-            let colour = &mut self.colours[number as usize];
-            colour.take(number, place as usize, contacts);
-            colour.push(number, index, contacts);
+    pub(crate) fn sort_in(&mut self, contacts: &Contacts, index: u32) {
+        if let Some(home) = self.home(index) {
+            let colour = &mut self.colours[home.colour as usize];
+            colour.take(home, &mut self.homes);
+            colour.push(home.colour, index, Kind::of(&contacts[index]), &mut self.homes);
         }
     }
 
@@ -238,8 +312,8 @@ impl ConstraintGraph {
     /// solve has found is forgotten: light bodies between heavy ones would be thrown about by the part of it that sweeps
     /// give back.
     pub(crate) fn rehome(&mut self, contacts: &mut Contacts, bodies: &Bodies, index: u32) {
-        let Some((colour, _)) = contacts[index].graph_place else { return };
-        let was_direct = colour as usize == DIRECT;
+        let Some(home) = self.home(index) else { return };
+        let was_direct = home.block().is_solved_directly();
         if was_direct == self.is_any_direct(contacts[index].slots) {
             return;
         }
@@ -253,94 +327,95 @@ impl ConstraintGraph {
     }
 
     /// Takes the contact with this index out of its colour, if it is in one.
-    pub(crate) fn leave(&mut self, contacts: &mut Contacts, index: u32) {
-        let Some((colour, place)) = contacts[index].graph_place.take() else { return };
-        let left = &mut self.colours[colour as usize];
-        left.take(colour, place as usize, contacts);
+    pub(crate) fn leave(&mut self, contacts: &Contacts, index: u32) {
+        let Some(home) = self.home(index) else { return };
+        let left = &mut self.colours[home.colour as usize];
+        left.take(home, &mut self.homes);
+        self.homes[index as usize] = None;
         // Fixed and kinematic bodies were never entered; taking them out does nothing.
         for slot in contacts[index].slots {
             left.bodies.remove(slot);
         }
-        self.used.set(colour as usize, !left.is_empty());
+        self.used.set(home.colour as usize, !left.is_empty());
         self.len -= 1;
     }
 
     /// The block at its place of the graph, and the rows of its bodies.
     #[inline(always)]
-    pub(crate) fn block_at(&self, (colour, number): BlockPlace) -> (&RowPairs, &ContactBlock) {
-        self.colours[colour as usize].blocks.get(number)
+    pub(crate) fn block_at(&self, BlockIndex { colour, block }: BlockIndex) -> (&RowPairs, &ContactBlock) {
+        self.colours[colour as usize].blocks.get(block as usize)
     }
 
     /// The same, to change the block.
     #[inline(always)]
-    pub(crate) fn block_at_mut(&mut self, (colour, number): BlockPlace) -> (&RowPairs, &mut ContactBlock) {
-        self.colours[colour as usize].blocks.get_mut(number)
+    pub(crate) fn block_at_mut(&mut self, index: BlockIndex) -> (&RowPairs, &mut ContactBlock) {
+        self.colours[index.colour as usize].blocks.get_mut(index.block as usize)
     }
 
     /// Index of the contact at a place of the graph.
-    pub(crate) fn contact_at(&self, (colour, place): (u32, u32)) -> u32 {
-        self.colours[colour as usize].contacts[place as usize]
+    pub(crate) fn contact_at(&self, GraphIndex { colour, contact }: GraphIndex) -> u32 {
+        self.colours[colour as usize].contacts[contact as usize]
     }
 
     /// The block of the contact at a place of the graph, the rows of its bodies, and its place there.
     #[inline(always)]
-    pub(crate) fn block(&self, (colour, place): (u32, u32)) -> (&RowPairs, &ContactBlock, usize) {
-        let (rows, block) = self.block_at((colour, place as usize / COLUMN));
-        (rows, block, place as usize % COLUMN)
+    pub(crate) fn block(&self, index: GraphIndex) -> (&RowPairs, &ContactBlock, usize) {
+        let (rows, block) = self.block_at(index.block());
+        (rows, block, index.place())
     }
 
-    pub(crate) fn block_mut(&mut self, (colour, place): (u32, u32)) -> (&mut ContactBlock, usize) {
-        (self.colours[colour as usize].blocks.block_mut(place as usize / COLUMN), place as usize % COLUMN)
+    pub(crate) fn block_mut(&mut self, index: GraphIndex) -> (&mut ContactBlock, usize) {
+        (self.block_at_mut(index.block()).1, index.place())
     }
 
     /// The constraint of the contact at a place of the graph.
     #[inline(always)]
-    pub(crate) fn constraint(&self, place: (u32, u32)) -> ContactConstraint<f32> {
-        let (_, block, place) = self.block(place);
+    pub(crate) fn constraint(&self, at: GraphIndex) -> ContactConstraint<f32> {
+        let (_, block, place) = self.block(at);
         block.load_one(place)
     }
 
     /// The rows of the bodies of the contact at a place of the graph.
-    pub(crate) fn rows(&self, place: (u32, u32)) -> [u32; 2] {
-        let (rows, _, place) = self.block(place);
+    pub(crate) fn rows(&self, at: GraphIndex) -> [u32; 2] {
+        let (rows, _, place) = self.block(at);
         rows.get(place)
     }
 
     /// The same, with the ground's in the place of a body that contacts do not move.
-    pub(crate) fn moved_rows(&self, place: (u32, u32)) -> [u32; 2] {
-        let (rows, _, place) = self.block(place);
+    pub(crate) fn moved_rows(&self, at: GraphIndex) -> [u32; 2] {
+        let (rows, _, place) = self.block(at);
         let [[a, b], [a_moves, b_moves]] = [rows.get(place), rows.moves::<1>(place)];
         [(a, a_moves), (b, b_moves)].map(|(row, moves)| if moves != 0 { row } else { GROUND_ROW })
     }
 
     /// Gives the contact at a place of the graph the normal and the points of `constraint`.
-    pub(crate) fn set_geometry(&mut self, place: (u32, u32), constraint: &ContactConstraint<f32>) {
-        let (block, place) = self.block_mut(place);
+    pub(crate) fn set_geometry(&mut self, at: GraphIndex, constraint: &ContactConstraint<f32>) {
+        let (block, place) = self.block_mut(at);
         block.store_geometry(place, constraint);
     }
 
     /// Changes the impulses of a point of the contact at a place of the graph, N s, along normal and tangent.
-    pub(crate) fn set_impulses(&mut self, place: (u32, u32), point: usize, impulses: [f32; 2]) {
-        let (block, place) = self.block_mut(place);
+    pub(crate) fn set_impulses(&mut self, at: GraphIndex, point: usize, impulses: [f32; 2]) {
+        let (block, place) = self.block_mut(at);
         block.set_impulses(place, point, impulses);
     }
 
     /// Changes what the first point of the contact at a place of the graph bears, N s: its impulses along normal and
     /// tangent, and what the warm start after the move will apply along the normal.
-    pub(crate) fn set_load(&mut self, place: (u32, u32), load: [f32; 3]) {
-        let (block, place) = self.block_mut(place);
+    pub(crate) fn set_load(&mut self, at: GraphIndex, load: [f32; 3]) {
+        let (block, place) = self.block_mut(at);
         block.set_load(place, load);
     }
 
     /// Says which points of the contact at a place of the graph are pending.
-    pub(crate) fn set_pending(&mut self, place: (u32, u32), is_pending: [bool; 2]) {
-        let (block, place) = self.block_mut(place);
+    pub(crate) fn set_pending(&mut self, at: GraphIndex, is_pending: [bool; 2]) {
+        let (block, place) = self.block_mut(at);
         block.set_pending(place, is_pending);
     }
 
     /// Which points of the contact at a place of the graph are pending.
-    pub(crate) fn is_pending(&self, place: (u32, u32)) -> [bool; 2] {
-        let (_, block, place) = self.block(place);
+    pub(crate) fn is_pending(&self, at: GraphIndex) -> [bool; 2] {
+        let (_, block, place) = self.block(at);
         block.is_pending(place)
     }
 
@@ -359,11 +434,8 @@ impl ConstraintGraph {
                 if self.is_any_direct(contacts[index].slots) != (number == DIRECT) {
                     return Err(format!("contact {index} is not solved as its bodies are"));
                 }
-                if contacts[index].graph_place != Some((number as u32, place as u32)) {
+                if self.home(index) != Some(GraphIndex { colour: number as u32, contact: place as u32 }) {
                     return Err(format!("contact {index} is not where the constraint graph holds it"));
-                }
-                if contacts[index].sorted_as as usize != colour.kind_at(place) {
-                    return Err(format!("contact {index} is not among those of its kind"));
                 }
                 for slot in contacts[index].slots {
                     if number < COLOURS && bodies.is_dynamic(slot) && !seen.insert(slot) {
@@ -397,38 +469,38 @@ impl Colour {
     }
 
     /// Puts a contact to those of its kind; `number` is that of this colour.
-    fn push(&mut self, number: u32, index: u32, contacts: &mut Contacts) {
-        let kind = contacts[index].kind();
-        contacts[index].sorted_as = kind;
+    fn push(&mut self, number: u32, index: u32, kind: Kind, homes: &mut [Option<GraphIndex>]) {
         // It is put last. Of each kind after it, the first contact becomes the last, in exchange for it.
         let mut place = self.contacts.len();
         self.contacts.push(index);
         for later in (kind as usize + 1..Kind::COUNT).rev() {
             let first = self.ends_of_kinds[later - 1];
-            self.exchange(number, place, first, contacts);
+            self.exchange(number, place, first, homes);
             self.ends_of_kinds[later] += 1;
             place = first;
         }
         self.ends_of_kinds[kind as usize] += 1;
-        contacts[index].graph_place = Some((number, place as u32));
+        homes[index as usize] = Some(GraphIndex { colour: number, contact: place as u32 });
     }
 
-    /// Takes the contact at a place out: the last of each kind from its own on is exchanged for it.
-    fn take(&mut self, number: u32, mut place: usize, contacts: &mut Contacts) {
+    /// Takes a contact out: the last of each kind from its own on is exchanged for it.
+    fn take(&mut self, home: GraphIndex, homes: &mut [Option<GraphIndex>]) {
+        let mut place = home.contact as usize;
         for kind in self.kind_at(place)..Kind::COUNT {
             self.ends_of_kinds[kind] -= 1;
             let last = self.ends_of_kinds[kind];
-            self.exchange(number, place, last, contacts);
+            self.exchange(home.colour, place, last, homes);
             place = last;
         }
         self.contacts.pop();
     }
 
     /// Exchanges a contact that has no place yet, or no longer, for another one, which has then its place.
-    fn exchange(&mut self, number: u32, place: usize, other: usize, contacts: &mut Contacts) {
+    fn exchange(&mut self, number: u32, place: usize, other: usize, homes: &mut [Option<GraphIndex>]) {
         if place != other {
             self.contacts.swap(place, other);
-            contacts[self.contacts[place]].graph_place = Some((number, place as u32));
+            let home = GraphIndex { colour: number, contact: place as u32 };
+            homes[self.contacts[place] as usize] = Some(home);
         }
     }
 }

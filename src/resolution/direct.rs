@@ -153,13 +153,13 @@ impl DirectSolver {
         for &slot in island {
             for index in contacts.of_body(bodies, slot) {
                 let contact = &contacts[index];
-                let Some(graph_place) = contact.graph_place else { continue };
+                let Some(home) = graph.home(index) else { continue };
                 // The ground's row is no mover's.
-                let movers = graph.moved_rows(graph_place).map(|row| self.mover_of_row[row as usize]);
+                let movers = graph.moved_rows(home).map(|row| self.mover_of_row[row as usize]);
                 // A contact is in the lists of both its bodies.
                 if movers.contains(&NONE) || slot == contact.slots[0] {
                     let count = contact.manifold.points().len();
-                    self.points.extend((0..count).map(|index| DirectPoint::new(graph_place, index, movers)));
+                    self.points.extend((0..count).map(|index| DirectPoint::new(home, index, movers)));
                 }
             }
         }
@@ -212,10 +212,10 @@ impl DirectSolver {
         // Half the forces have acted before the move, all of them after it.
         let share = if aim == Aim::Push { 0.5 } else { 1.0 };
         for point in &mut self.points {
-            let rows = graph.rows(point.graph_place);
+            let rows = graph.rows(point.home);
             let sides = rows.map(|row| &states[row as usize]);
-            point.take_up(&graph.constraint(point.graph_place), sides, aim, 1.0 / h);
-            if graph.is_pending(point.graph_place)[point.index] {
+            point.take_up(&graph.constraint(point.home), sides, aim, 1.0 / h);
+            if graph.is_pending(point.home)[point.index] {
                 point.leave_alone();
             }
             point.impulse = point.impulse.map(|impulse| share * impulse);
@@ -228,11 +228,7 @@ impl DirectSolver {
         write(&self.movers, &self.sought, states);
         if aim == Aim::Relax {
             for point in &self.points {
-                graph.set_impulses(
-                    point.graph_place,
-                    point.index,
-                    point.impulse.map(|impulse| impulse as f32),
-                );
+                graph.set_impulses(point.home, point.index, point.impulse.map(|impulse| impulse as f32));
             }
         }
     }

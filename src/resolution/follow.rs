@@ -10,7 +10,7 @@ use crate::collision::{Contact, Contacts, Manifold, detect_within};
 use crate::compute::{BodyState, Column, Crew, Lane, PairStates, Width};
 use crate::math::{Rot, Vec2};
 use crate::resolution::constraint::ContactConstraint;
-use crate::resolution::constraint_graph::ConstraintGraph;
+use crate::resolution::constraint_graph::{ConstraintGraph, GraphIndex};
 use crate::resolution::contact_block::ContactBlock;
 use crate::resolution::follower::Follower;
 use crate::resolution::kernel::Kernel;
@@ -36,13 +36,13 @@ pub(crate) fn manifold_in(contact: &Contact, bodies: &Bodies, [a, b]: [&BodyStat
 /// point there, m; `None` where one of its points is gone.
 pub(crate) fn constraint_in(
     contact: &Contact,
-    graph_place: (u32, u32),
+    home: GraphIndex,
     bodies: &Bodies,
     graph: &ConstraintGraph,
     [a, b]: &[BodyState; 2],
 ) -> Option<(ContactConstraint<f32>, f32)> {
     let manifold = manifold_in(contact, bodies, [a, b]).restricted_to(&contact.manifold)?;
-    let mut constraint = graph.constraint(graph_place);
+    let mut constraint = graph.constraint(home);
     constraint.set_manifold_in(&manifold, a, b);
     Some((constraint, manifold.points()[0].separation))
 }
@@ -56,7 +56,7 @@ pub(crate) struct Followers {
     /// How many blocks may have some.
     block_count: usize,
     /// By index, and place in the graph: those whose manifold has to be found anew.
-    found_anew: Vec<(u32, (u32, u32))>,
+    found_anew: Vec<(u32, GraphIndex)>,
 }
 
 impl Followers {
@@ -73,8 +73,8 @@ impl Followers {
     }
 
     /// Takes up the contact at a place of the graph, which follows the surface, but not in closed form.
-    pub(crate) fn find_anew(&mut self, graph_place: (u32, u32), graph: &ConstraintGraph) {
-        self.found_anew.push((graph.contact_at(graph_place), graph_place));
+    pub(crate) fn find_anew(&mut self, home: GraphIndex, graph: &ConstraintGraph) {
+        self.found_anew.push((graph.contact_at(home), home));
     }
 
     pub(crate) fn is_empty(&self) -> bool {

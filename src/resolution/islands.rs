@@ -44,14 +44,14 @@ impl Islands {
 }
 
 /// Appends the body in `slot` to `island`, and all that contacts connect with it, nearest first; none that was `seen`
-/// before. Calls `look_at` with every contact of theirs, with those between two of them twice.
+/// before. Calls `look_at` with index and contact of all of theirs, with those between two of them twice.
 pub(crate) fn find_island(
     slot: u32,
     bodies: &Bodies,
     contacts: &Contacts,
     seen: &mut BitSet,
     island: &mut Vec<u32>,
-    mut look_at: impl FnMut(&Contact),
+    mut look_at: impl FnMut(u32, &Contact),
 ) {
     let mut next = island.len();
     if seen.insert(slot) {
@@ -64,7 +64,7 @@ pub(crate) fn find_island(
             if contact.manifold.points().is_empty() {
                 continue;
             }
-            look_at(contact);
+            look_at(index, contact);
             let other = contact.other(slot);
             if bodies.is_dynamic(other) && seen.insert(other) {
                 island.push(other);

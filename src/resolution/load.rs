@@ -20,9 +20,20 @@ pub(super) const LASTING_STEPS: u8 = 4;
 /// to and fro.
 pub(super) const CALM_SHARE: f32 = 0.7;
 
+/// The load of a contact.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct ContactLoad {
+    /// For how many steps it has been great.
+    steps: u8,
+    /// The overlap that sweeps would leave under it, as a share of the width of the thinner body.
+    sag: f32,
+}
+
 /// The contacts under lasting load, found at the end of a step.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Loads {
+    /// By index of a contact.
+    pub(crate) of_contact: Vec<ContactLoad>,
     /// Indices of the contacts.
     pub(crate) lasting: Vec<u32>,
     /// Contacts that begin between bodies at rest, see [`begins_at_rest`].
@@ -32,6 +43,13 @@ pub(crate) struct Loads {
 }
 
 impl Loads {
+    /// Forgets the load of the contact that had an index; makes room for one that begins.
+    pub(crate) fn begin_contact(&mut self, index: u32) {
+        let end = index as usize + 1;
+        self.of_contact.resize(self.of_contact.len().max(end), ContactLoad::default());
+        self.of_contact[index as usize] = ContactLoad::default();
+    }
+
     /// Begins a step.
     pub(crate) fn clear(&mut self) {
         self.lasting.clear();
@@ -59,15 +77,14 @@ impl LoadMeasure {
 
     /// Takes note of the load of a contact, whose greatest k λ is `speed`, m/s. Returns whether it lasts.
     #[inline(always)]
-    pub(crate) fn is_lasting(self, contact: &mut Contact, speed: f32) -> bool {
+    pub(crate) fn is_lasting(self, contact: &Contact, load: &mut ContactLoad, speed: f32) -> bool {
         let sag = sag(self.factor * speed, self.per_substep);
         if !contact.holds_still || sag <= CALM_SHARE * DIRECT_SHARE * contact.thickness {
-            contact.loaded_steps = 0;
+            load.steps = 0;
             return false;
         }
-        contact.loaded_steps = contact.loaded_steps.saturating_add(1);
-        contact.sag = sag / contact.thickness;
-        contact.loaded_steps >= LASTING_STEPS
+        *load = ContactLoad { steps: load.steps.saturating_add(1), sag: sag / contact.thickness };
+        load.steps >= LASTING_STEPS
     }
 }
 
@@ -81,10 +98,10 @@ pub(super) struct Load {
 }
 
 impl Load {
-    pub(super) fn add(&mut self, contact: &Contact) {
-        if contact.loaded_steps >= LASTING_STEPS {
-            self.largest = self.largest.max(contact.sag);
-            self.is_recent |= contact.sag > DIRECT_SHARE && contact.loaded_steps < u8::MAX;
+    pub(super) fn add(&mut self, load: ContactLoad) {
+        if load.steps >= LASTING_STEPS {
+            self.largest = self.largest.max(load.sag);
+            self.is_recent |= load.sag > DIRECT_SHARE && load.steps < u8::MAX;
         }
     }
 }

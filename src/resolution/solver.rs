@@ -7,7 +7,7 @@ use crate::collision::Contacts;
 use crate::compute::{Chosen, Crew, Width};
 use crate::math::Vec2;
 use crate::resolution::constraint::StepResidual;
-use crate::resolution::constraint_graph::{ConstraintGraph, place_in};
+use crate::resolution::constraint_graph::ConstraintGraph;
 use crate::resolution::contact_block::Beginning;
 use crate::resolution::damping::{Damped, is_damped};
 use crate::resolution::direct::{Aim, DirectSolver};
@@ -230,13 +230,13 @@ impl Solver {
         self.seams.clear();
         let Self { impacts, followers, seams, .. } = self;
         for (block, start) in graph.starts() {
-            let is_swept = !ConstraintGraph::is_solved_directly(block);
+            let is_swept = !block.is_solved_directly();
             if start.bouncy.any() {
                 impacts.take_up_block(block, start.bouncy);
             }
-            start.found_anew.for_each(|place| followers.find_anew(place_in(block, place), graph));
+            start.found_anew.for_each(|place| followers.find_anew(block.contact(place), graph));
             if is_swept {
-                start.on_ground.for_each(|place| seams.take_up(place_in(block, place), graph));
+                start.on_ground.for_each(|place| seams.take_up(block.contact(place), graph));
             }
         }
         self.seams.group();

@@ -161,27 +161,34 @@ impl Tiers {
         let lasting = if tick.is_multiple_of(LOOK_STEPS) { &loads.lasting[..] } else { &[] };
         for &index in lasting {
             for slot in tables.slots(index) {
-                self.decide_island(slot, tick, rule, &mut tables);
+                self.decide_island(slot, tick, rule, loads, &mut tables);
             }
         }
         if tables.graph.solves_directly() {
             for row in 1..tables.bodies.row_count() {
                 let slot = tables.bodies.slot_of_row(row);
                 if tables.graph.is_direct(slot) {
-                    self.decide_island(slot, tick, rule, &mut tables);
+                    self.decide_island(slot, tick, rule, loads, &mut tables);
                 }
             }
         }
     }
 
     /// Decides for the island of the body in `slot`, if that was not done yet.
-    fn decide_island(&mut self, slot: u32, tick: u64, rule: TierRule, tables: &mut TierTables<'_>) {
+    fn decide_island(
+        &mut self,
+        slot: u32,
+        tick: u64,
+        rule: TierRule,
+        loads: &Loads,
+        tables: &mut TierTables<'_>,
+    ) {
         let was_direct = tables.graph.is_direct(slot);
         if self.seen.contains(slot) || (!was_direct && self.histories[slot as usize].quiet_until > tick) {
             return;
         }
         let mut load = Load::default();
-        self.find_island(slot, tables, |contact| load.add(contact));
+        self.find_island(slot, tables, |index, _| load.add(loads.of_contact[index as usize]));
         let was_direct = self.island.iter().any(|&slot| tables.graph.is_direct(slot));
         let history = History::of_island(self.island.iter().map(|&slot| self.histories[slot as usize]));
         let is_hopeless = !was_direct
@@ -226,7 +233,7 @@ impl Tiers {
         }
         let (mut begins, mut softest) = (true, 0.0_f32);
         self.island.clear();
-        find_island(slot, tables.bodies, tables.contacts, &mut self.begun, &mut self.island, |contact| {
+        find_island(slot, tables.bodies, tables.contacts, &mut self.begun, &mut self.island, |_, contact| {
             begins &= begins_at_rest(contact, tables.bodies);
             softest = softest.max(tables.inverse_mass(contact) / contact.thickness);
         });
@@ -243,7 +250,7 @@ impl Tiers {
     }
 
     /// Finds the island of the body in `slot`, and looks at its contacts.
-    fn find_island(&mut self, slot: u32, tables: &TierTables<'_>, look_at: impl FnMut(&Contact)) {
+    fn find_island(&mut self, slot: u32, tables: &TierTables<'_>, look_at: impl FnMut(u32, &Contact)) {
         self.island.clear();
         find_island(slot, tables.bodies, tables.contacts, &mut self.seen, &mut self.island, look_at);
     }
@@ -279,7 +286,7 @@ impl Tiers {
         for &slot in self.found.iter().rev() {
             if !self.ordered.contains(slot) {
                 let (seen, island) = (&mut self.ordered, &mut self.island);
-                find_island(slot, tables.bodies, tables.contacts, seen, island, |_| ());
+                find_island(slot, tables.bodies, tables.contacts, seen, island, |_, _| ());
             }
         }
         self.island.reverse();

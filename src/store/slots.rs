@@ -165,6 +165,15 @@ impl<T> ChosenSlots<'_, T> {
         self.0.prefetch(number, lines);
     }
 
+    /// Index of one of them.
+    ///
+    /// # Panics
+    /// If there are not so many.
+    #[inline(always)]
+    pub(crate) fn index(&self, number: usize) -> u32 {
+        self.0.indices()[number]
+    }
+
     /// One of them, if there are so many.
     #[inline(always)]
     pub(crate) fn get(&self, number: usize) -> Option<&T> {

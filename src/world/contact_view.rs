@@ -3,19 +3,19 @@
 use crate::body::BodyId;
 use crate::collision::{Contact, Manifold, ManifoldPoint};
 use crate::math::{Point, Vec2};
-use crate::resolution::ConstraintGraph;
 use crate::world::World;
 
 /// Two bodies that touch or are about to, as of the end of the last step.
 #[derive(Clone, Copy, Debug)]
 pub struct ContactRef<'a> {
     world: &'a World,
+    index: u32,
     contact: &'a Contact,
 }
 
 impl<'a> ContactRef<'a> {
-    pub(in crate::world) fn new(world: &'a World, contact: &'a Contact) -> Self {
-        Self { world, contact }
+    pub(in crate::world) fn new(world: &'a World, index: u32, contact: &'a Contact) -> Self {
+        Self { world, index, contact }
     }
 
     /// The body that the normal points away from.
@@ -57,7 +57,7 @@ impl<'a> ContactRef<'a> {
     /// The colour of the constraint graph that the contact is solved in; `None` while it sleeps, where it found no colour,
     /// and where it is solved directly. Contacts of one colour share no body that moves.
     pub fn colour(&self) -> Option<u32> {
-        self.contact.graph_place.and_then(ConstraintGraph::colour)
+        self.world.graph.colour_of(self.index)
     }
 
     /// Coefficient of friction of the contact.

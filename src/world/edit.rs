@@ -51,7 +51,7 @@ impl World {
 
     /// Ends a contact everywhere: graph, lists, pair set.
     pub(in crate::world) fn end_contact(&mut self, index: u32) {
-        self.graph.leave(&mut self.contacts, index);
+        self.graph.leave(&self.contacts, index);
         let contact = self.contacts.end(&mut self.bodies, index);
         let [a, b] = contact.slots;
         self.broad_phase.forget_pair(a, b);

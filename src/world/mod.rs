@@ -200,7 +200,7 @@ impl World {
         self.contacts
             .iter()
             .filter(|(_, contact)| !contact.manifold.points().is_empty())
-            .map(|(_, contact)| ContactRef::new(self, contact))
+            .map(|(index, contact)| ContactRef::new(self, index, contact))
     }
 
     /// What happened in the last step.
@@ -247,7 +247,7 @@ impl World {
             let slot = key.index();
             if self.bodies.is_dynamic(slot) && !seen.contains(slot) {
                 let mut slots = Vec::new();
-                find_island(slot, &self.bodies, &self.contacts, &mut seen, &mut slots, |_| ());
+                find_island(slot, &self.bodies, &self.contacts, &mut seen, &mut slots, |_, _| ());
                 slots.sort_unstable();
                 islands
                     .push(slots.into_iter().map(|slot| BodyId(self.bodies.records.key_at(slot))).collect());

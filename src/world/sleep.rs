@@ -76,7 +76,7 @@ impl Sleepers {
         let bodies = &*tables.bodies;
         let mut rests = true;
         self.island.clear();
-        find_island(slot, bodies, tables.contacts, &mut self.seen, &mut self.island, |contact| {
+        find_island(slot, bodies, tables.contacts, &mut self.seen, &mut self.island, |_, contact| {
             // What a moving kinematic body touches stays awake.
             let moves = |&slot: &u32| bodies.is_awake(slot) && !is_still(bodies, slot);
             rests &= !contact.slots.iter().any(moves);

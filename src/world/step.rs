@@ -99,6 +99,7 @@ impl World {
             let (a, b) = pairs[place];
             let (friction, restitution) = self.mixed(a, b);
             let index = self.contacts.begin(&mut self.bodies, [a, b], friction, restitution);
+            self.loads.begin_contact(index);
             if self.bodies.is_awake(a) || self.bodies.is_awake(b) {
                 self.contacts.set_awake(index);
             }
@@ -115,20 +116,22 @@ impl World {
     fn refresh_contacts(&mut self) {
         self.begin_contacts();
         let how = Refresh { dt: self.settings.tick_seconds() as f32, recycling: self.settings.recycling };
-        let Self { bodies, broad_phase, crew, is_close_now, .. } = self;
+        let Self { bodies, broad_phase, graph, crew, is_close_now, .. } = self;
         is_close_now.clear();
         is_close_now.resize(self.contacts.awake().len(), None);
         let awake = (self.contacts.awake_mut(), &mut is_close_now[..]);
         crew.run(awake, REFRESH_COST, |(mut contacts, is_close_now)| {
             for (place, is_close_now) in is_close_now.iter_mut().enumerate() {
                 contacts.prefetch_ahead(bodies, place);
+                let index = contacts.index(place);
                 let contact = contacts.get_mut(place);
                 let [a, b] = contact.slots;
                 refresh(contact, bodies, how);
                 let has_points = !contact.manifold.points().is_empty();
                 // Bodies with points are, whatever their boxes say, which may part meanwhile.
                 let is_close = has_points || broad_phase.overlap(a, b);
-                *is_close_now = (!is_close || contact.is_misplaced()).then_some(is_close);
+                let is_misplaced = graph.is_misplaced(index, contact);
+                *is_close_now = (!is_close || is_misplaced).then_some(is_close);
             }
         });
         let mut changed = std::mem::take(&mut self.changed_contacts);
@@ -142,14 +145,14 @@ impl World {
                 continue;
             }
             if self.contacts[index].manifold.points().is_empty() {
-                self.graph.leave(&mut self.contacts, index);
-            } else if self.contacts[index].graph_place.is_some() {
-                self.graph.sort_in(&mut self.contacts, index);
+                self.graph.leave(&self.contacts, index);
+            } else if self.graph.home(index).is_some() {
+                self.graph.sort_in(&self.contacts, index);
             } else {
                 self.enter_graph(index);
             }
             // The solver finds what touches, among what it solves.
-            if self.contacts[index].graph_place.is_none() {
+            if self.graph.home(index).is_none() {
                 self.contacts.note_change(index);
             }
         }
@@ -183,7 +186,7 @@ impl World {
         }
         let is_asleep = |slot: u32| self.bodies.records[slot].sleep_group != NONE;
         if !is_asleep(a) && !is_asleep(b) {
-            self.graph.enter(&mut self.contacts, &self.bodies, index);
+            self.graph.enter(&self.contacts, &self.bodies, index);
             if begins_at_rest(&self.contacts[index], &self.bodies) {
                 self.loads.begun_at_rest.push(index);
             }

@@ -88,7 +88,7 @@ impl World {
                 ));
             }
             let sleeps = [a, b].iter().any(|&slot| self.bodies.records[slot].sleep_group != NONE);
-            if contact.graph_place.is_some() && sleeps {
+            if self.graph.home(index).is_some() && sleeps {
                 return Err(format!("contact {index} is solved although {a} or {b} sleeps"));
             }
             let is_finite = contact.manifold.normal.is_finite()

@@ -6,14 +6,15 @@ use std::sync::Mutex;
 
 use crate::collision::{ChosenContacts, Contacts};
 use crate::compute::{
-    self, BlocksOver, BodyState, ByColumn, COLUMN, Column, Crew, Divide, Job, Lane, RowPairs, Width, lock,
+    self, BlocksOver, BodyState, ByColumn, COLUMN, Chosen, Column, Crew, Divide, Job, Lane, RowPairs, Width,
+    lock,
 };
 use crate::resolution::constraint::StepResidual;
 use crate::resolution::constraint_graph::{Colour, ConstraintGraph, DIRECT, OVERFLOW, Used};
 use crate::resolution::contact_block::{Beginning, BlockEnd, BlockStart, ContactBlock, ContactEnds};
 use crate::resolution::follower::Follower;
 use crate::resolution::kernel::Kernel;
-use crate::resolution::load::{LoadMeasure, Loads};
+use crate::resolution::load::{ContactLoad, LoadMeasure, Loads};
 
 /// What it costs to make sixteen constraints, to sweep over them once, and to write them back, ns.
 const PREPARE_COST: usize = 300;
@@ -77,10 +78,14 @@ impl ConstraintGraph {
         for colour in self.colours.iter_mut().filter(|colour| !colour.is_empty()) {
             let residual = &residual;
             let contacts = ByColumn(contacts.chosen(&colour.contacts));
-            let parts = ((contacts, colour.blocks.all()), &mut colour.ends[..]);
-            crew.run(parts, FINISH_COST, |((contacts, (rows, blocks)), ends)| {
-                let contacts = contacts.0;
-                compute::run(width, Finish { contacts, rows, blocks, ends, states, measure, residual });
+            let loads = ByColumn(Chosen::new(&mut loads.of_contact, &colour.contacts));
+            let parts = ((contacts, loads), (colour.blocks.all(), &mut colour.ends[..]));
+            crew.run(parts, FINISH_COST, |((contacts, loads), ((rows, blocks), ends))| {
+                let (contacts, loads) = (contacts.0, loads.0);
+                compute::run(
+                    width,
+                    Finish { contacts, loads, rows, blocks, ends, states, measure, residual },
+                );
             });
         }
         for colour in self.colours.iter().filter(|colour| !colour.is_empty()) {
@@ -277,6 +282,7 @@ impl Job for Prepare<'_> {
 /// Writes a step back into the contacts of some blocks of a colour.
 struct Finish<'a> {
     contacts: ChosenContacts<'a>,
+    loads: Chosen<'a, ContactLoad>,
     rows: &'a [RowPairs],
     blocks: &'a [ContactBlock],
     ends: &'a mut [BlockEnd],
@@ -293,10 +299,11 @@ impl Job for Finish<'_> {
         let blocks = self.rows.iter().zip(self.blocks).zip(self.ends);
         for (number, ((rows, block), end)) in blocks.enumerate() {
             let contacts = self.contacts.skipping(number * COLUMN);
+            let loads = self.loads.skipping(number * COLUMN);
             for place in (0..COLUMN.min(contacts.len())).step_by(L::WIDTH) {
                 block.end::<L>(place, &rows.gather(self.states, place), &mut ends);
             }
-            *end = write_back(block, &ends, contacts, self.measure);
+            *end = write_back(block, &ends, contacts, loads, self.measure);
         }
         let mut residual = lock(self.residual);
         *residual = residual.max(ends.residual());
@@ -310,6 +317,7 @@ fn write_back(
     block: &ContactBlock,
     ends: &ContactEnds,
     mut contacts: ChosenContacts<'_>,
+    mut loads: Chosen<'_, ContactLoad>,
     measure: LoadMeasure,
 ) -> BlockEnd {
     let mut end = BlockEnd::default();
@@ -317,7 +325,8 @@ fn write_back(
         contacts.prefetch_written(place);
         let contact = contacts.get_mut(place);
         block.finish(place, ends, contact);
-        end.lasting.set(place, measure.is_lasting(contact, ends.load.get(place)));
+        let is_lasting = measure.is_lasting(contact, loads.get_mut(place), ends.load.get(place));
+        end.lasting.set(place, is_lasting);
         let touches = contact.has_bounced || ends.touching.get(place);
         debug_assert_eq!(touches, contact.has_touched());
         end.changing.set(place, touches != contact.is_touching);

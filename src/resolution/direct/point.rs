@@ -4,6 +4,7 @@ use crate::body::NONE;
 use crate::compute::BodyState;
 use crate::math::Vec2;
 use crate::resolution::constraint::ContactConstraint;
+use crate::resolution::constraint_graph::GraphIndex;
 use crate::resolution::direct::Aim;
 use crate::resolution::direct::skyline::Skyline;
 use crate::resolution::softness::{bias, gap_bias};
@@ -21,7 +22,7 @@ const HELD: f64 = 0.1;
 /// A contact point with what it does to its two bodies.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct DirectPoint {
-    pub(super) graph_place: (u32, u32),
+    pub(super) home: GraphIndex,
     /// Which of the points of its contact it is.
     pub(super) index: usize,
     /// Indices of the movers, `NONE` for what contacts do not move.
@@ -47,9 +48,9 @@ pub(super) struct DirectPoint {
 }
 
 impl DirectPoint {
-    pub(super) fn new(graph_place: (u32, u32), index: usize, movers: [u32; 2]) -> Self {
+    pub(super) fn new(home: GraphIndex, index: usize, movers: [u32; 2]) -> Self {
         Self {
-            graph_place,
+            home,
             index,
             movers,
             normal: Default::default(),

@@ -3,7 +3,7 @@
 
 use crate::compute::{self, BodyState, COLUMN, Column, Job, Lane, LaneVec2, RowPairs, Width};
 use crate::resolution::constraint::ContactConstraint;
-use crate::resolution::constraint_graph::{BlockPlace, ConstraintGraph, place_in};
+use crate::resolution::constraint_graph::{BlockIndex, ConstraintGraph, GraphIndex};
 use crate::resolution::contact_block::{ContactBlock, Marks};
 use crate::resolution::integrate::Kicks;
 use crate::store::places_of;
@@ -32,7 +32,7 @@ pub(super) fn approach<L: Lane>(
 /// Those of the contacts of a block that may bounce.
 #[derive(Clone, Copy, Debug)]
 struct WatchedBlock {
-    place: BlockPlace,
+    at: BlockIndex,
     bouncy: Marks,
     /// Whether some of their points are pending.
     has_pending: bool,
@@ -62,33 +62,33 @@ impl Watched {
     }
 
     /// Watches the contacts of a block that may bounce. Blocks come in the order in which they are solved.
-    pub(super) fn watch(&mut self, place: BlockPlace, bouncy: Marks) {
-        self.blocks.push(WatchedBlock { place, bouncy, has_pending: false });
+    pub(super) fn watch(&mut self, at: BlockIndex, bouncy: Marks) {
+        self.blocks.push(WatchedBlock { at, bouncy, has_pending: false });
         self.len += bouncy.count();
     }
 
     /// Calls `visit` with the number of each and its place in the constraint graph.
-    pub(super) fn for_each(&self, mut visit: impl FnMut(u32, (u32, u32))) {
+    pub(super) fn for_each(&self, mut visit: impl FnMut(u32, GraphIndex)) {
         for (block_number, watched) in self.blocks.iter().enumerate() {
             watched.bouncy.for_each(|of_block| {
-                visit(number_of(block_number, of_block), place_in(watched.place, of_block));
+                visit(number_of(block_number, of_block), watched.at.contact(of_block));
             });
         }
     }
 
     /// Where the contact with a number is in the constraint graph.
-    pub(super) fn graph_place(&self, number: u32) -> (u32, u32) {
+    pub(super) fn home(&self, number: u32) -> GraphIndex {
         let number = number as usize;
-        place_in(self.blocks[number / COLUMN].place, number % COLUMN)
+        self.blocks[number / COLUMN].at.contact(number % COLUMN)
     }
 
     /// Says which points of the contact with a number are pending.
     pub(super) fn set_pending(&mut self, number: u32, is_pending: [bool; 2], graph: &mut ConstraintGraph) {
-        let graph_place = self.graph_place(number);
+        let home = self.home(number);
         let has_pending = &mut self.blocks[number as usize / COLUMN].has_pending;
         *has_pending |= is_pending[0] || is_pending[1];
         if *has_pending {
-            graph.set_pending(graph_place, is_pending);
+            graph.set_pending(home, is_pending);
         }
     }
 
@@ -133,7 +133,7 @@ impl Job for Look<'_> {
     fn run<L: Lane>(self) {
         let Self { blocks, substep, graph, due } = self;
         for (number, watched) in blocks.iter_mut().enumerate() {
-            let (rows, block) = graph.block_at_mut(watched.place);
+            let (rows, block) = graph.block_at_mut(watched.at);
             if std::mem::take(&mut watched.has_pending) {
                 block.clear_pending();
             }

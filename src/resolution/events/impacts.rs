@@ -29,7 +29,7 @@ use crate::compute::{BodyState, GROUND_ROW};
 use crate::math::Vec2;
 use crate::resolution::block::{Row, solve_pair};
 use crate::resolution::constraint::ContactConstraint;
-use crate::resolution::constraint_graph::BlockPlace;
+use crate::resolution::constraint_graph::{BlockIndex, GraphIndex};
 use crate::resolution::contact_block::Marks;
 use crate::resolution::events::approach::{RESTING_SUBSTEPS, Substep, Watched, approach};
 use crate::resolution::events::queue::{Expected, ImpactQueue, Neighbours};
@@ -45,7 +45,7 @@ const IMPACTS_PER_SUBSTEP: u8 = 16;
 struct BouncyContact {
     /// Index of the contact, and its place in the constraint graph.
     contact: u32,
-    graph_place: (u32, u32),
+    home: GraphIndex,
     rows: [u32; 2],
     restitution: f32,
     /// Approach speed from which the contact bounces, m/s.
@@ -113,8 +113,8 @@ impl Impacts {
     }
 
     /// Takes up the contacts of a block that have restitution. Blocks come in the order in which they are solved.
-    pub(crate) fn take_up_block(&mut self, place: BlockPlace, bouncy: Marks) {
-        self.watched.watch(place, bouncy);
+    pub(crate) fn take_up_block(&mut self, at: BlockIndex, bouncy: Marks) {
+        self.watched.watch(at, bouncy);
     }
 
     /// How many contacts may bounce.
@@ -191,13 +191,13 @@ impl Impacts {
         let place = &mut self.places[number as usize];
         if *place == NONE {
             *place = self.contacts.len() as u32;
-            let graph_place = self.watched.graph_place(number);
-            let contact = scene.graph.contact_at(graph_place);
+            let home = self.watched.home(number);
+            let contact = scene.graph.contact_at(home);
             // The setting, or what support makes up for anyway.
             let borne = RESTING_SUBSTEPS * scene.h() * normal.dot(scene.acceleration(rows)).abs();
             self.contacts.push(BouncyContact {
                 contact,
-                graph_place,
+                home,
                 rows,
                 restitution: scene.contacts[contact].restitution,
                 threshold: scene.scheme.restitution_threshold.max(borne),
@@ -211,7 +211,7 @@ impl Impacts {
     /// Queues the next impact of a contact, if it comes within this substep, and marks the points that approach fast but
     /// are still apart as pending.
     fn expect(&mut self, number: u32, scene: &mut EventScene<'_>) {
-        let (rows, block, place) = scene.graph.block(self.watched.graph_place(number));
+        let (rows, block, place) = scene.graph.block(self.watched.home(number));
         let (rows, constraint) = (rows.get(place), block.load_one(place));
         let pair = scene.states(rows);
         let least = scene.scheme.restitution_threshold;
@@ -262,14 +262,14 @@ impl Impacts {
         let mut after = scene.states(bouncy.rows);
         bouncy.apply_impulses(&meeting, &mut after);
         if manifold.has_features_of(&contact.manifold) {
-            scene.graph.set_geometry(bouncy.graph_place, &meeting.constraint);
+            scene.graph.set_geometry(bouncy.home, &meeting.constraint);
         } else if let Some(manifold) = manifold.restricted_to(&contact.manifold) {
             let mut constraint = meeting.constraint;
             constraint.set_manifold_in(&manifold, &there[0], &there[1]);
-            scene.graph.set_geometry(bouncy.graph_place, &constraint);
+            scene.graph.set_geometry(bouncy.home, &constraint);
         }
         self.count += 1;
-        let moved = scene.graph.moved_rows(bouncy.graph_place);
+        let moved = scene.graph.moved_rows(bouncy.home);
         scene.change_velocities(moved, after, time);
         for row in moved.into_iter().filter(|&row| row != GROUND_ROW) {
             let of_row = &mut self.by_row[row as usize];
@@ -331,7 +331,7 @@ impl BouncyContact {
         [a, b]: &[BodyState; 2],
         scene: &EventScene<'_>,
     ) -> Option<Meeting> {
-        let mut constraint = scene.graph.constraint(self.graph_place);
+        let mut constraint = scene.graph.constraint(self.home);
         constraint.set_manifold_in(manifold, a, b);
         let gained = manifold.normal.dot(scene.acceleration(self.rows)) * (time - 0.5 * scene.h());
         let mut speeds = [None; 2];

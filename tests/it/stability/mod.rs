@@ -3,8 +3,8 @@
 //! too.
 //!
 //! Those that take long are ignored here, beside a shorter one of their kind; run them with
-//! `cargo test --release -p rustycs-tests stability -- --include-ignored`. So are those that rustycs does not meet yet,
-//! with the cause.
+//! `cargo test --release -p rustycs-tests stability -- --include-ignored`. Those that rustycs does not meet are listed here
+//! as [`KNOWN_FAILURES`], each with its cause.
 
 mod confined;
 mod far;
@@ -18,28 +18,44 @@ mod structures;
 use rustycs_cases::Rustycs;
 use rustycs_cases::stability::{self, Lab};
 
+/// Cases that rustycs does not meet, and why. One that it comes to meet is taken off the list, and gets its test.
+const KNOWN_FAILURES: &[(&str, &str)] = &[
+    ("plate-on-heap", "the heap is more work than the direct solve takes on, and too stiff for sweeps"),
+    ("pyramid-40", "too many boxes for the direct solve: by sweeps the middle sags, and the rows tilt and rock"),
+    ("pyramid-100", "as pyramid-40, by centimetres"),
+    ("leaning-inside", "in the first steps, before the load has come up, the upper nine boxes begin to turn"),
+    ("crowd-of-50", "each of 49 others pushes a box as if it were alone"),
+    ("gravel-edge", "sweeps leave a hundredth of a stone of overlap in two of three such heaps, as chance will have it"),
+];
+
+/// What does not hold in a case.
+fn broken(name: &str) -> Vec<String> {
+    let cases = stability::all();
+    let case = cases.iter().find(|case| case.name == name);
+    let case = case.unwrap_or_else(|| panic!("there is no case {name}"));
+    let checks = case.play(&mut Lab::new(&Rustycs::default())).expect("rustycs is asked in every case");
+    assert!(!checks.is_empty(), "nothing is asked in {name}");
+    let broken = checks.iter().filter(|check| !check.holds());
+    broken
+        .map(|check| format!("{name}: {}: {} {}, not {:?}", check.what, check.value, check.unit, check.limit))
+        .collect()
+}
+
 /// Fails unless everything holds in these cases.
 #[track_caller]
 fn hold(names: &[&str]) {
-    let cases = stability::all();
-    let engine = Rustycs::default();
-    let mut broken = Vec::new();
-    for name in names {
-        let case = cases.iter().find(|case| case.name == *name);
-        let case = case.unwrap_or_else(|| panic!("there is no case {name}"));
-        let checks = case.play(&mut Lab::new(&engine)).expect("rustycs is asked in every case");
-        assert!(!checks.is_empty(), "nothing is asked in {name}");
-        for check in checks.iter().filter(|check| !check.holds()) {
-            broken.push(format!(
-                "{name}: {}: {} {}, not {:?}",
-                check.what, check.value, check.unit, check.limit
-            ));
-        }
-    }
+    let broken: Vec<String> = names.iter().flat_map(|name| broken(name)).collect();
     assert!(broken.is_empty(), "\n{}", broken.join("\n"));
 }
 
-/// Every case is named by some test in this folder.
+#[test]
+fn known_failures_are_not_met_yet() {
+    for (name, cause) in KNOWN_FAILURES {
+        assert!(!broken(name).is_empty(), "{name} is met now: take it off the list. It was said: {cause}");
+    }
+}
+
+/// Every case is named by some test in this folder, or in the list of known failures.
 #[test]
 fn every_case_is_a_test() {
     let texts = [
@@ -54,6 +70,8 @@ fn every_case_is_a_test() {
     ];
     for case in stability::all() {
         let name = format!("\"{}\"", case.name);
-        assert!(texts.iter().any(|text| text.contains(&name)), "no test plays {name}");
+        let is_played = texts.iter().any(|text| text.contains(&name));
+        let is_known = KNOWN_FAILURES.iter().any(|(known, _)| *known == case.name);
+        assert!(is_played != is_known, "{name} is to be either played by a test or a known failure");
     }
 }

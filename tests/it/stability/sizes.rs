@@ -21,11 +21,6 @@ fn gravel_comes_to_rest_on_a_ground_of_kilometres() {
 }
 
 #[test]
-fn gravel_comes_to_rest_at_the_edge_of_a_ground_of_kilometres() {
-    hold(&["gravel-edge"]);
-}
-
-#[test]
 fn needles_come_to_rest_in_a_box() {
     hold(&["needles"]);
 }
