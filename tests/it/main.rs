@@ -8,6 +8,7 @@ mod house;
 mod interface;
 mod lanes;
 mod laws;
+mod motion;
 mod queries;
 mod random_use;
 #[cfg(feature = "report")]

@@ -21,11 +21,17 @@ use rustycs_cases::stability::{self, Lab};
 /// Cases that rustycs does not meet, and why. One that it comes to meet is taken off the list, and gets its test.
 const KNOWN_FAILURES: &[(&str, &str)] = &[
     ("plate-on-heap", "the heap is more work than the direct solve takes on, and too stiff for sweeps"),
-    ("pyramid-40", "too many boxes for the direct solve: by sweeps the middle sags, and the rows tilt and rock"),
+    (
+        "pyramid-40",
+        "too many boxes for the direct solve: by sweeps the middle sags, and the rows tilt and rock",
+    ),
     ("pyramid-100", "as pyramid-40, by centimetres"),
     ("leaning-inside", "in the first steps, before the load has come up, the upper nine boxes begin to turn"),
     ("crowd-of-50", "each of 49 others pushes a box as if it were alone"),
-    ("gravel-edge", "sweeps leave a hundredth of a stone of overlap in two of three such heaps, as chance will have it"),
+    (
+        "gravel-edge",
+        "sweeps leave a hundredth of a stone of overlap in two of three such heaps, as chance will have it",
+    ),
 ];
 
 /// What does not hold in a case.

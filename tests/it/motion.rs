@@ -1,0 +1,145 @@
+//! What every scene of the demo does in its first second and after five: energy, top speed, overlap and who is awake,
+//! within bounds that follow from the scene. A hash tells that the motion has changed, this that it has got worse.
+
+use rustycs::{BodyType, Settings, World};
+use rustycs_scenes::Scene;
+
+/// When a scene is looked at, ticks.
+const LOOKS: [usize; 3] = [1, 30, 300];
+
+/// Scenes in which everything has come to rest after five seconds: what falls from a height H and bounces with restitution
+/// e lies still after (1 + e)/(1 - e) √(2H/g), 4 s at most, and then sleeps within another half.
+const AT_REST_IN_THE_END: [&str; 10] = [
+    "pool",
+    "materials",
+    "polygons",
+    "tower",
+    "far_tower",
+    "pyramid",
+    "card_house",
+    "arch",
+    "mass_ratio",
+    "friction_ramp",
+];
+
+/// What is to be seen of a world.
+#[derive(Clone, Copy, Debug)]
+struct Look {
+    /// J.
+    kinetic: f64,
+    potential: f64,
+    /// Of the dynamic bodies, m/s.
+    top_speed: f64,
+    /// m.
+    overlap: f64,
+    awake: usize,
+}
+
+impl Look {
+    fn at(world: &World) -> Self {
+        Self {
+            kinetic: world.kinetic_energy(),
+            potential: world.potential_energy(),
+            top_speed: speeds(world, BodyType::Dynamic).fold(0.0, f64::max),
+            overlap: f64::from(world.error().penetration),
+            awake: world.profile().counters().awake_bodies,
+        }
+    }
+
+    fn energy(&self) -> f64 {
+        self.kinetic + self.potential
+    }
+}
+
+/// How fast the fastest point of each body of a type is, m/s.
+fn speeds(world: &World, body_type: BodyType) -> impl Iterator<Item = f64> {
+    let bodies = world.bodies().filter(move |(_, body)| body.body_type() == body_type);
+    bodies.map(|(_, body)| {
+        let (aabb, center) = (body.aabb(), body.position());
+        let reach = (aabb.max - center).length().max((aabb.min - center).length());
+        f64::from(body.velocity().length() + body.angular_velocity().abs() * reach)
+    })
+}
+
+/// How many bodies move, or are moved.
+fn count_moving(world: &World) -> usize {
+    world.bodies().filter(|(_, body)| body.body_type() != BodyType::Fixed).count()
+}
+
+/// Plays a scene, and calls `check` with the first look, the tick and each later one.
+fn watch(scene: &Scene, mut check: impl FnMut(&World, Look, usize, Look)) {
+    let mut world = scene.build(1, Settings::default());
+    let first = Look::at(&world);
+    for tick in 1..=LOOKS[LOOKS.len() - 1] {
+        scene.before_tick(&mut world);
+        world.step();
+        if LOOKS.contains(&tick) {
+            check(&world, first, tick, Look::at(&world));
+        }
+    }
+}
+
+/// Contacts, friction, air and attractors take energy or keep it. The integrator lets that of an orbit swing by (ωh)²/24 of
+/// the kinetic energy, 1e-5 for the fastest of the demo.
+#[test]
+fn no_scene_that_nothing_drives_gains_energy() {
+    for scene in rustycs_scenes::all() {
+        watch(scene, |world, first, tick, look| {
+            let is_driven = world.bodies().any(|(_, body)| body.body_type() == BodyType::Kinematic);
+            let most = first.energy() + 1e-5 * (first.kinetic + look.kinetic);
+            assert!(
+                is_driven || look.energy() <= most,
+                "{} at tick {tick}: {look:?} from {first:?}",
+                scene.name
+            );
+        });
+    }
+}
+
+/// A drum, a paddle or a flipper strikes what it meets with at most twice its own speed, beside what that had fallen to.
+#[test]
+fn nothing_is_faster_than_what_drives_it_and_its_fall_allow() {
+    for scene in rustycs_scenes::all() {
+        let mut driven = 0.0_f64;
+        watch(scene, |world, first, tick, look| {
+            driven = speeds(world, BodyType::Kinematic).fold(driven, f64::max);
+            if driven > 0.0 {
+                let heights = world.bodies().map(|(_, body)| body.position_f64()[1]);
+                let (low, high) =
+                    heights.fold((f64::MAX, f64::MIN), |(low, high), y| (low.min(y), high.max(y)));
+                let fallen = (first.top_speed.powi(2) + 2.0 * 9.81 * (high - low)).sqrt();
+                let most = 2.0 * driven + fallen;
+                assert!(look.top_speed <= most, "{} at tick {tick}: {look:?}, {most} m/s", scene.name);
+            }
+        });
+    }
+}
+
+/// Under its own weight nothing is deeper than the overlap that counts as shallow, 2 cm; what is struck may be as much deeper
+/// as the fastest body goes in a tick, if the blow was seen one tick late.
+#[test]
+fn no_overlap_is_deeper_than_what_a_tick_can_miss() {
+    for scene in rustycs_scenes::all() {
+        watch(scene, |_, first, tick, look| {
+            let most = 0.02 + first.top_speed.max(look.top_speed) / 60.0;
+            assert!(look.overlap <= most, "{} at tick {tick}: {look:?}, {most} m", scene.name);
+        });
+    }
+}
+
+/// Nothing sleeps before it has been at rest for half a second.
+#[test]
+fn all_are_awake_at_first_and_what_can_rest_sleeps_in_the_end() {
+    for scene in rustycs_scenes::all() {
+        watch(scene, |world, _, tick, look| {
+            let is_over = tick == LOOKS[2];
+            let rests = AT_REST_IN_THE_END.contains(&scene.name);
+            let is_right = match (is_over, rests) {
+                (false, _) => look.awake == count_moving(world),
+                (true, true) => look.awake == 0 && look.kinetic == 0.0,
+                (true, false) => look.awake <= count_moving(world),
+            };
+            assert!(is_right, "{} at tick {tick}: {look:?}", scene.name);
+        });
+    }
+}
