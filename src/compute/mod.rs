@@ -62,6 +62,8 @@ pub(crate) use distinct::{Chosen, DistinctIndices};
 pub(crate) use lane::Lane;
 use lane::each_alone;
 pub(crate) use pair_blocks::{BlocksOver, PairBlocks, PairStates, RowMarks};
+#[cfg(test)]
+pub(crate) use portable::F32x4;
 pub(crate) use prefetch::{FIRST_LINE, LINE, prefetch, prefetch_lines};
 pub(crate) use state::{BodyState, GROUND_ROW};
 pub(crate) use vector::{LaneRot, LaneVec2};

@@ -504,3 +504,84 @@ impl Colour {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::body::Body;
+    use crate::collision::{Manifold, ManifoldPoint};
+    use crate::math::Vec2;
+    use crate::shape::Shape;
+
+    /// A fixed body in slot 0 and dynamic ones, with a contact of one point between each two of some slots.
+    fn touching(count: u32, pairs: &[[u32; 2]]) -> (Bodies, Contacts, ConstraintGraph) {
+        let (mut bodies, mut contacts) = (Bodies::default(), Contacts::default());
+        let shape = Shape::circle(1.0);
+        bodies.insert(&Body::fixed(shape));
+        for _ in 1..count {
+            bodies.insert(&Body::dynamic(shape));
+        }
+        let mut graph = ConstraintGraph::default();
+        for &slots in pairs {
+            let index = contacts.begin(&mut bodies, slots, 0.5, 0.0);
+            contacts[index].manifold = Manifold::of_one(Vec2::new(0.0, 1.0), ManifoldPoint::default());
+            graph.enter(&contacts, &bodies, index);
+        }
+        (bodies, contacts, graph)
+    }
+
+    #[test]
+    fn a_chain_takes_two_colours_and_contacts_with_the_ground_the_last() {
+        let (bodies, contacts, graph) = touching(5, &[[1, 2], [2, 3], [3, 4], [0, 1], [0, 4]]);
+        graph.validate(&contacts, &bodies).unwrap();
+        let colours = [0, 1, 2, 3, 4].map(|index| graph.colour_of(index));
+        let last = COLOURS as u32 - 1;
+        assert_eq!(colours, [Some(0), Some(1), Some(0), Some(last), Some(last)]);
+    }
+
+    #[test]
+    fn the_contacts_of_a_crowded_body_overflow_and_come_back_to_colours_that_are_free_again() {
+        let pairs: Vec<[u32; 2]> = (2..32).map(|other| [1, other]).collect();
+        let (bodies, contacts, mut graph) = touching(32, &pairs);
+        graph.validate(&contacts, &bodies).unwrap();
+        assert_eq!(graph.occupancy(), (FIRST_GROUND_COLOUR, 30 - FIRST_GROUND_COLOUR));
+        for index in 0..5 {
+            graph.leave(&contacts, index);
+        }
+        graph.enter(&contacts, &bodies, 2);
+        graph.validate(&contacts, &bodies).unwrap();
+        assert_eq!((graph.len(), graph.colour_of(2), graph.home(3)), (26, Some(0), None));
+    }
+
+    #[test]
+    fn what_follows_or_gets_a_second_point_is_sorted_in_anew() {
+        let (bodies, mut contacts, mut graph) = touching(9, &[[1, 2], [3, 4], [5, 6], [7, 8]]);
+        contacts[1].follows = true;
+        let point = ManifoldPoint::default();
+        contacts[2].manifold = Manifold::of_two(Vec2::new(0.0, 1.0), point, point);
+        for index in [1, 2] {
+            assert!(graph.is_misplaced(index, &contacts[index]));
+            graph.sort_in(&contacts, index);
+            assert!(!graph.is_misplaced(index, &contacts[index]));
+        }
+        graph.validate(&contacts, &bodies).unwrap();
+        let order: Vec<u32> = graph.colours[0].contacts.to_vec();
+        assert_eq!((order[2], order[3]), (1, 2), "single, single follower, double: {order:?}");
+    }
+
+    #[test]
+    fn what_a_direct_body_touches_has_no_colour_and_moves_over_without_its_impulses() {
+        let (bodies, mut contacts, mut graph) = touching(4, &[[1, 2], [2, 3]]);
+        assert!(graph.set_tier(2, Tier::Direct) && !graph.set_tier(2, Tier::Direct));
+        contacts[0].manifold.points_mut()[0].normal_impulse = 1.0;
+        graph.rehome(&mut contacts, &bodies, 0);
+        graph.rehome(&mut contacts, &bodies, 1);
+        graph.validate(&contacts, &bodies).unwrap();
+        assert_eq!((graph.colour_of(0), graph.occupancy()), (None, (0, 0)));
+        assert!(contacts[0].is_loaded());
+        graph.set_tier(2, Tier::Swept);
+        graph.rehome(&mut contacts, &bodies, 0);
+        assert_eq!(graph.colour_of(0), Some(0));
+        assert!(!contacts[0].is_loaded());
+    }
+}

@@ -70,3 +70,21 @@ impl Damped {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::damping_loss;
+
+    /// 1 - e^(-ct), whose next term is (ct)³/6; and never more than all of a velocity.
+    #[test]
+    fn a_share_of_the_velocity_is_lost_as_the_exponential_says() {
+        for c in [1e-4_f32, 0.1, 1.0, 10.0, 60.0] {
+            let x = c / 480.0;
+            let exact = -f64::from(-x).exp_m1();
+            let error = (f64::from(damping_loss(c, 1.0 / 480.0)) - exact).abs();
+            assert!(error <= f64::from(x).powi(3) / 6.0 + 2e-7 * exact, "damping {c} /s: {error}");
+        }
+        assert_eq!(damping_loss(0.0, 1.0), 0.0);
+        assert!((0.999..=1.0).contains(&damping_loss(1e4, 1.0)));
+    }
+}

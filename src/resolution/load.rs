@@ -112,3 +112,54 @@ pub(crate) fn begins_at_rest(contact: &Contact, bodies: &Bodies) -> bool {
     contact.manifold.points().iter().all(|point| point.normal_impulse == 0.0)
         && contact.slots.into_iter().all(stands)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::body::Body;
+    use crate::collision::Contacts;
+    use crate::shape::Shape;
+
+    /// Two boxes 1 m thick, in contact and at rest.
+    fn contact() -> Contact {
+        let mut bodies = Bodies::default();
+        let slots =
+            [0.0, 1.0].map(|y| bodies.insert(&Body::dynamic(Shape::obb(1.0, 1.0)).at([0.0, y])).0.index());
+        let mut contacts = Contacts::default();
+        let index = contacts.begin(&mut bodies, slots, 0.5, 0.0);
+        contacts[index].holds_still = true;
+        contacts[index].clone()
+    }
+
+    /// The k λ, m/s per substep at 240 Hz, under which a contact sags by so much.
+    fn speed_for(wanted: f32) -> f32 {
+        wanted / sag(1.0, USUAL_RATE)
+    }
+
+    #[test]
+    fn a_load_lasts_when_it_was_great_for_some_steps_and_ends_at_once() {
+        let (measure, contact, mut load) =
+            (LoadMeasure::new(true, USUAL_RATE), contact(), ContactLoad::default());
+        let great = speed_for(DIRECT_SHARE);
+        let lasts: Vec<bool> = (0..6).map(|_| measure.is_lasting(&contact, &mut load, great)).collect();
+        assert_eq!(lasts, (1..=6).map(|step| step >= LASTING_STEPS).collect::<Vec<_>>());
+        let mut island = Load::default();
+        island.add(load);
+        assert!((island.largest / DIRECT_SHARE - 1.0).abs() < 1e-6, "{island:?}");
+        assert!(!measure.is_lasting(&contact, &mut load, speed_for(0.5 * CALM_SHARE * DIRECT_SHARE)));
+        assert!(!measure.is_lasting(&contact, &mut load, great), "a new load has to last anew");
+    }
+
+    #[test]
+    fn more_substeps_do_not_change_what_a_load_is() {
+        let (contact, great) = (contact(), speed_for(DIRECT_SHARE));
+        for factor in [1.0, 2.0, 10.0] {
+            let (measure, mut load) = (LoadMeasure::new(true, factor * USUAL_RATE), ContactLoad::default());
+            measure.is_lasting(&contact, &mut load, great / factor);
+            assert!(
+                (load.sag / DIRECT_SHARE - 1.0).abs() < 1e-6,
+                "{load:?} with {factor} times the substeps"
+            );
+        }
+    }
+}

@@ -67,3 +67,37 @@ impl Marks {
         places_of(self.0.into()).for_each(visit);
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::Marks;
+    use crate::compute::{COLUMN, F32x4, Lane};
+
+    fn marked(places: &[usize]) -> Marks {
+        let mut marks = Marks::default();
+        places.iter().for_each(|&place| marks.put(place, true));
+        marks
+    }
+
+    #[test]
+    fn a_mark_is_put_and_taken_away_alone() {
+        let mut marks = marked(&[0, 5, 15]);
+        marks.put(5, false);
+        assert_eq!((0..COLUMN).filter(|&place| marks.get(place)).collect::<Vec<_>>(), [0, 15]);
+        assert_eq!(marks.count(), 2);
+    }
+
+    #[test]
+    fn lanes_see_the_marks_of_their_places() {
+        let marks = marked(&[1, 4, 6, 15]);
+        let lanes: Vec<_> = marks.lanes::<F32x4>().collect();
+        assert_eq!(lanes, [(0, 0b0010), (4, 0b0101), (12, 0b1000)]);
+        for first in (0..COLUMN).step_by(4) {
+            let bits = lanes.iter().find(|lane| lane.0 == first).map_or(0, |lane| lane.1);
+            assert_eq!(F32x4::bits(marks.mask::<F32x4>(first)), bits, "from {first} on");
+        }
+        let mut written = marks;
+        written.write::<F32x4>(4, 0b1000);
+        assert_eq!((0..COLUMN).filter(|&place| written.get(place)).collect::<Vec<_>>(), [1, 7, 15]);
+    }
+}

@@ -42,3 +42,28 @@ impl History {
         self.unsolved_times = (self.unsolved_times + 1).min(MOST_UNSOLVED_TIMES);
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::{History, MOST_UNSOLVED_TIMES, RETRY_STEPS};
+
+    #[test]
+    fn an_island_has_the_worst_of_its_bodies() {
+        let calm = History { calm_steps: 9, quiet_until: 3, unsolved_times: 0 };
+        let troubled = History { calm_steps: 2, quiet_until: 7, unsolved_times: 1 };
+        let island = History::of_island([calm, troubled].into_iter());
+        assert_eq!((island.calm_steps, island.quiet_until, island.unsolved_times), (2, 7, 1));
+    }
+
+    #[test]
+    fn what_is_not_solved_is_tried_again_after_twice_as_long_each_time_and_then_given_up() {
+        let mut history = History::default();
+        let mut waits = Vec::new();
+        while !history.is_given_up() {
+            history.leave_alone(1000);
+            waits.push((history.quiet_until - 1000) / RETRY_STEPS);
+        }
+        assert_eq!(waits.len(), usize::from(MOST_UNSOLVED_TIMES));
+        assert!(waits[0] == 1 && waits.windows(2).all(|pair| pair[1] == 2 * pair[0]), "{waits:?}");
+    }
+}
