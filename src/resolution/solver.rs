@@ -90,7 +90,7 @@ pub(crate) fn solve(
         solver.direct.solve(tables.graph, &mut tables.bodies.states, Aim::Push, h);
         solver.drift_and_kick(scheme, tables, acceleration);
         solver.followers.follow((tables.crew, scheme.width), (tables.contacts, tables.bodies, tables.graph));
-        solver.relax(scheme, tables);
+        relax(scheme, tables);
         solver.direct.solve(tables.graph, &mut tables.bodies.states, Aim::Relax, h);
     }
     for _ in 0..scheme.projections.unwrap_or(0) {
@@ -147,18 +147,6 @@ impl Solver {
             graph.for_each_swept(crew, scheme.width, &mut bodies.states, &sweep);
         }
         self.seams.run(&mut EventScene { bodies, contacts, kicks: &self.kicks, graph, scheme });
-    }
-
-    /// Contacts by sweeps, after the bodies have moved.
-    fn relax(&mut self, scheme: &Scheme, tables: &mut SolveTables<'_>) {
-        if scheme.split_kick {
-            warm_start(WarmStartTime::AfterMove, scheme, tables);
-        }
-        let (graph, states) = (&mut *tables.graph, &mut tables.bodies.states);
-        for iteration in 0..scheme.relax_iterations {
-            let sweep = scheme.sweep_over(scheme.relax_sweep(), iteration == 0);
-            graph.for_each_swept(tables.crew, scheme.width, states, &sweep);
-        }
     }
 
     /// Fills the rows of kicks, the constraints, and the contacts that may bounce.
@@ -275,6 +263,18 @@ impl Solver {
             }
         });
         residual
+    }
+}
+
+/// Contacts by sweeps, after the bodies have moved.
+fn relax(scheme: &Scheme, tables: &mut SolveTables<'_>) {
+    if scheme.split_kick {
+        warm_start(WarmStartTime::AfterMove, scheme, tables);
+    }
+    let (graph, states) = (&mut *tables.graph, &mut tables.bodies.states);
+    for iteration in 0..scheme.relax_iterations {
+        let sweep = scheme.sweep_over(scheme.relax_sweep(), iteration == 0);
+        graph.for_each_swept(tables.crew, scheme.width, states, &sweep);
     }
 }
 

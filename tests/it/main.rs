@@ -6,6 +6,7 @@ mod determinism;
 mod golden;
 mod house;
 mod interface;
+mod issues;
 mod lanes;
 mod laws;
 mod motion;

@@ -57,7 +57,7 @@ fn every_scene_steps_alike_on_any_number_of_threads() {
     for scene in rustycs_scenes::all() {
         let build = |settings| scene.build(3, settings);
         let before_tick = |world: &mut World| scene.before_tick(world);
-        step_on_any_number_of_threads(scene.name, &Settings::default(), 30, build, before_tick);
+        step_on_any_number_of_threads(scene.name, &Settings::default(), 120, build, before_tick);
     }
 }
 

@@ -10,7 +10,8 @@ use crate::compute::{
     lock,
 };
 use crate::resolution::constraint::StepResidual;
-use crate::resolution::constraint_graph::{Colour, ConstraintGraph, DIRECT, OVERFLOW, Used};
+use crate::resolution::constraint_graph::colour::{Colour, DIRECT, OVERFLOW};
+use crate::resolution::constraint_graph::{ConstraintGraph, Used};
 use crate::resolution::contact_block::{Beginning, BlockEnd, BlockStart, ContactBlock, ContactEnds};
 use crate::resolution::follower::Follower;
 use crate::resolution::kernel::Kernel;

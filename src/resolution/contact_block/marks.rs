@@ -75,7 +75,9 @@ mod tests {
 
     fn marked(places: &[usize]) -> Marks {
         let mut marks = Marks::default();
-        places.iter().for_each(|&place| marks.put(place, true));
+        for &place in places {
+            marks.put(place, true);
+        }
         marks
     }
 

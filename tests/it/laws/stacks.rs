@@ -111,24 +111,6 @@ fn a_light_box_carries_ten_thousand_times_its_mass_and_the_others_pay_nothing() 
     assert_eq!(tier_of(&world, light), Swept);
 }
 
-/// What was solved directly and then flies alone bears nothing: it is not solved directly any more, nor does it bring that
-/// back when it lands.
-#[test]
-fn a_box_that_flies_out_of_its_island_is_swept_again() {
-    let mut world = earth_with(Settings { sleep: false, ..Settings::default() });
-    add_floor(&mut world, 0.6);
-    let light = add(&mut world, unit_box(0.0, 0.5));
-    let heavy = add(&mut world, unit_box(0.0, 1.5).density(10_000.0));
-    run(&mut world, 1.0);
-    assert_eq!(world.body(light).unwrap().tier(), Direct);
-    world.remove(heavy);
-    world.body_mut(light).unwrap().set_velocity([0.0, 20.0]).unwrap();
-    run(&mut world, 2.0);
-    let light = world.body(light).unwrap();
-    assert!(light.position().y > 10.0, "it flies");
-    assert_eq!(light.tier(), Swept);
-}
-
 /// A stack of 200 boxes: sweeps would leave it 4.6 m shorter. It must lose no more than the tolerance of the direct
 /// solve in each contact and the way that it goes until its load is found: the first steps are sweeps, and what they
 /// leave is driven out at 28 1/s.

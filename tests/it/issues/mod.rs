@@ -1,0 +1,8 @@
+//! What was wrong once, one file for each bug, named by what was seen of it.
+
+mod damping_by_count;
+mod flying_out_of_a_direct_island;
+mod met_in_one_corner;
+mod pair_with_a_body_that_left;
+mod pair_with_a_removed_body;
+mod stale_manifold;
