@@ -147,13 +147,16 @@ impl Kernel for SweepOver {
     /// kinds has no branches, which keeps numbers in registers, and reads nothing that no contact has.
     #[inline(always)]
     fn run<L: Lane>(&self, block: &mut ContactBlock, states: &mut PairStates<'_>, place: usize) {
-        let is_usual = self.kind == Sweep::MAIN || self.kind == Sweep::RELAX;
+        let is_usual = (self.kind == Sweep::MAIN || self.kind == Sweep::RELAX) && !block.has_pending();
         let Fit { is_single, is_still, .. } = fit::<L>(block);
         match (self.is_fitted && is_usual, is_single, is_still) {
             (true, true, _) => self.sweep_usual::<L, 1>(block, states, place, false),
             (true, false, true) => self.sweep_usual::<L, 2>(block, states, place, true),
             (true, false, false) => self.sweep_usual::<L, 2>(block, states, place, false),
-            (false, ..) => self.sweep::<L, 2>(block, states, place, self.kind, false),
+            (false, ..) => self.sweep::<L, 2, true>(block, states, place, self.kind, false),
+        }
+        if self.starts_again && block.has_cold_contacts() {
+            self.solve_cold_contacts::<L>(block, states, place);
         }
     }
 }
@@ -170,15 +173,17 @@ impl SweepOver {
     ) {
         match (self.kind, fit::<L>(block).is_smooth) {
             (Sweep::RELAX, true) => {
-                self.sweep::<L, POINTS>(block, states, place, Sweep::SMOOTH_RELAX, is_still);
+                self.sweep::<L, POINTS, false>(block, states, place, Sweep::SMOOTH_RELAX, is_still);
             }
-            (Sweep::RELAX, false) => self.sweep::<L, POINTS>(block, states, place, Sweep::RELAX, is_still),
-            _ => self.sweep::<L, POINTS>(block, states, place, Sweep::MAIN, is_still),
+            (Sweep::RELAX, false) => {
+                self.sweep::<L, POINTS, false>(block, states, place, Sweep::RELAX, is_still);
+            }
+            _ => self.sweep::<L, POINTS, false>(block, states, place, Sweep::MAIN, is_still),
         }
     }
 
     #[inline(always)]
-    fn sweep<L: Lane, const POINTS: usize>(
+    fn sweep<L: Lane, const POINTS: usize, const MAY_BE_PENDING: bool>(
         &self,
         block: &mut ContactBlock,
         states: &mut PairStates<'_>,
@@ -190,16 +195,13 @@ impl SweepOver {
             find_separations::<L, POINTS>(block, states, place, is_still);
         }
         let mut pair = states.gather_velocities(place);
-        self.solve::<L, POINTS>(block, place, kind, is_still, &mut pair);
-        if POINTS == 2 && self.starts_again && block.has_cold_contacts() {
-            self.solve_cold_contacts::<L, POINTS>(block, place, kind, is_still, &mut pair);
-        }
+        self.solve::<L, POINTS, MAY_BE_PENDING>(block, place, kind, is_still, &mut pair);
         states.scatter_velocities(place, &pair);
     }
 
     /// Solves contacts once: normals, then friction.
     #[inline(always)]
-    fn solve<L: Lane, const POINTS: usize>(
+    fn solve<L: Lane, const POINTS: usize, const MAY_BE_PENDING: bool>(
         &self,
         block: &mut ContactBlock,
         place: usize,
@@ -207,7 +209,7 @@ impl SweepOver {
         is_still: bool,
         pair: &mut [BodyState<L>; 2],
     ) {
-        let mut impulse = self.solve_normals::<L, POINTS>(block, place, kind, is_still, pair);
+        let mut impulse = self.solve_normals::<L, POINTS, MAY_BE_PENDING>(block, place, kind, is_still, pair);
         if kind.friction {
             // The push along the normal, which is still to come, is across to the tangent.
             impulse = impulse + solve_frictions::<L, POINTS>(block, place, is_still, pair);
@@ -219,43 +221,44 @@ impl SweepOver {
     /// Solves those that begin to bear load a few times more, and with friction before the move too: there are no impulses to
     /// start them from, and a box set on a slope would go down freely for half a substep.
     #[inline(always)]
-    fn solve_cold_contacts<L: Lane, const POINTS: usize>(
+    fn solve_cold_contacts<L: Lane>(
         &self,
         block: &mut ContactBlock,
+        states: &mut PairStates<'_>,
         place: usize,
-        kind: Sweep,
-        is_still: bool,
-        pair: &mut [BodyState<L>; 2],
     ) {
         let is_cold = block.cold_and_loaded::<L>(place);
         if L::bits(is_cold) == 0 {
             return;
         }
-        let (before, before_pair) = (block.load::<L>(place), *pair);
+        let (before, before_pair) = (block.load::<L>(place), states.gather_velocities(place));
+        let mut pair = before_pair;
         for _ in 0..COLD_SWEEPS {
-            self.solve::<L, POINTS>(block, place, Sweep { friction: true, ..kind }, is_still, pair);
+            let kind = Sweep { friction: true, ..self.kind };
+            self.solve::<L, 2, true>(block, place, kind, false, &mut pair);
         }
         let mut after = block.load::<L>(place);
-        for index in 0..POINTS {
+        for index in 0..2 {
             let (point, friction) = (&mut after.points[index], &mut after.frictions[index]);
             let before_impulse = before.points[index].normal_impulse;
             point.normal_impulse = L::select(is_cold, point.normal_impulse, before_impulse);
-            if !kind.friction {
+            if !self.kind.friction {
                 // The warm start after the move does as much again.
                 friction.impulse = friction.impulse + friction.impulse;
             }
             friction.impulse = L::select(is_cold, friction.impulse, before.frictions[index].impulse);
         }
-        block.store_normal_impulses::<L, POINTS>(place, &after);
-        block.store_friction_impulses::<L, POINTS>(place, &after);
+        block.store_normal_impulses::<L, 2>(place, &after);
+        block.store_friction_impulses::<L, 2>(place, &after);
         for (state, before) in pair.iter_mut().zip(&before_pair) {
             *state = BodyState::select(is_cold, state, before);
         }
+        states.scatter_velocities(place, &pair);
     }
 
     /// Turns the bodies; returns the impulse that is still to push them, N s.
     #[inline(always)]
-    fn solve_normals<L: Lane, const POINTS: usize>(
+    fn solve_normals<L: Lane, const POINTS: usize, const MAY_BE_PENDING: bool>(
         &self,
         block: &mut ContactBlock,
         place: usize,
@@ -263,7 +266,8 @@ impl SweepOver {
         is_still: bool,
         [a, b]: &mut [BodyState<L>; 2],
     ) -> LaneVec2<L> {
-        let mut constraint = ContactConstraint { is_still, ..block.load_active::<L>(place) };
+        let constraint = if MAY_BE_PENDING { block.load_active(place) } else { block.load(place) };
+        let mut constraint = ContactConstraint { is_still, ..constraint };
         let axis = Axis::<L, POINTS>::new(&constraint, constraint.normal);
         let speeds = axis.speeds(&constraint, a, b);
         let mut changes = [L::splat(0.0); POINTS];
