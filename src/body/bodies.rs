@@ -46,7 +46,7 @@ pub(crate) struct Motion {
     /// The body's row of `Bodies::states`, `GROUND_ROW` while it is fixed or asleep.
     pub(crate) row: u32,
     /// What rounding has kept out of the velocity so far, m/s.
-    pub(crate) velocity_carry: Vec2,
+    pub(crate) velocity_compensation: Vec2,
     /// How long the body has been nearly at rest, s.
     pub(crate) still_time: f32,
     /// How far the outline may still move before its box must be looked at, m.
@@ -136,7 +136,7 @@ impl Bodies {
             pose: body.pose(),
             inverse_mass: if is_dynamic { 1.0 / mass } else { 0.0 },
             inverse_inertia: if is_dynamic && body.can_turn() { 1.0 / inertia } else { 0.0 },
-            velocity_carry: Vec2::ZERO,
+            velocity_compensation: Vec2::ZERO,
             extent: body.shape.extent(),
             thickness: body.shape.thickness(),
             still_time: 0.0,

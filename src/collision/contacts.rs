@@ -102,7 +102,7 @@ impl Contact {
     /// Takes note that the bodies do not meet within the step. Most of these have not before: what is only read need not go
     /// back to memory.
     #[inline(always)]
-    pub(crate) fn part(&mut self) {
+    pub(crate) fn clear(&mut self) {
         let is_apart = self.manifold.points().is_empty()
             && !self.holds_still
             && !self.has_bounced
@@ -353,7 +353,7 @@ impl Contacts {
 
     /// Takes note that the body in `slot` was moved by hand: where its contacts were followed to is no longer where they
     /// are.
-    pub(crate) fn forget_followed(&mut self, bodies: &Bodies, slot: u32) {
+    pub(crate) fn forget_moving(&mut self, bodies: &Bodies, slot: u32) {
         let mut index = bodies.records[slot].first_contact;
         while index != NONE {
             let contact = &mut self[index];

@@ -2,16 +2,16 @@
 //! (narrow phase), to contacts that live across steps.
 
 pub(crate) mod broad_phase;
+mod candidates;
 mod contacts;
 mod detection;
-mod distant;
 mod manifold;
 mod refresh;
 
+pub(crate) use candidates::CandidatePairs;
 pub(crate) use contacts::{AHEAD, ChosenContacts, Contact, Contacts, Frozen};
 pub use detection::detect;
 pub(crate) use detection::{Offset, Touch, detect_flat, detect_from, detect_within, is_flat, sweep, touch};
-pub(crate) use distant::DistantPairs;
 pub(crate) use manifold::Corner;
 pub use manifold::{FeatureId, Manifold, ManifoldPoint};
 pub(crate) use refresh::{Refresh, are_out_of_reach, refresh};

@@ -71,32 +71,32 @@ pub(crate) struct Refresh {
 pub(crate) fn refresh(contact: &mut Contact, bodies: &Bodies, settings: Refresh) {
     let pair = Pair::new(contact.slots, bodies, settings.dt);
     if pair.is_out_of_reach() {
-        return contact.part();
+        return contact.clear();
     }
-    let upkeep = pair.upkeep(contact, settings.recycling);
-    let holds_still = match upkeep {
-        Upkeep::Recycle(_) | Upkeep::FindHalfway(_) => true,
-        Upkeep::MoveAlong(course, _) => pair.is_slow(course),
-        Upkeep::LeaveAsFollowed | Upkeep::FindAnew(_) => false,
+    let update = pair.update(contact, settings.recycling);
+    let holds_still = match update {
+        ManifoldUpdate::Recycle(_) | ManifoldUpdate::FindHalfway(_) => true,
+        ManifoldUpdate::MoveAlong(course, _) => pair.is_slow(course),
+        ManifoldUpdate::LeaveAsFollowed | ManifoldUpdate::FindAnew(_) => false,
     };
-    let is_to_follow = matches!(upkeep, Upkeep::LeaveAsFollowed | Upkeep::FindAnew(_));
+    let is_to_follow = matches!(update, ManifoldUpdate::LeaveAsFollowed | ManifoldUpdate::FindAnew(_));
     let mut approach_speed = 0.0;
-    match upkeep {
-        Upkeep::Recycle(since) => recycle(contact, since),
-        Upkeep::FindHalfway(course) => {
-            let Some(touch) = pair.find_halfway(course) else { return contact.part() };
+    match update {
+        ManifoldUpdate::Recycle(since) => recycle(contact, since),
+        ManifoldUpdate::FindHalfway(course) => {
+            let Some(touch) = pair.find_halfway(course) else { return contact.clear() };
             approach_speed = course.closing(touch.normal) / settings.dt;
             move_to(touch, contact);
         }
-        Upkeep::MoveAlong(course, touch) => {
+        ManifoldUpdate::MoveAlong(course, touch) => {
             approach_speed = course.closing(touch.normal) / settings.dt;
             move_to(touch, contact);
         }
-        Upkeep::LeaveAsFollowed => contact.followed_steps += 1,
-        Upkeep::FindAnew(course) => {
+        ManifoldUpdate::LeaveAsFollowed => contact.followed_steps += 1,
+        ManifoldUpdate::FindAnew(course) => {
             let manifold = pair.find_manifold(course);
             if manifold.points().is_empty() {
-                return contact.part();
+                return contact.clear();
             }
             approach_speed = course.closing(manifold.normal) / settings.dt;
             pair.take_over(manifold, contact);
@@ -122,16 +122,16 @@ fn recycle(contact: &mut Contact, since: Since) {
 }
 
 /// How a manifold is brought up to date.
-enum Upkeep {
+enum ManifoldUpdate {
     /// Normal and anchors are kept.
     Recycle(Since),
     /// It is found where the bodies will be halfway through the step.
-    FindHalfway(Course),
+    FindHalfway(PredictedMotion),
     /// A circle has moved along a face that does not, and will stay over it: it touches here.
-    MoveAlong(Course, Touch),
+    MoveAlong(PredictedMotion, Touch),
     /// It has been followed to where it is.
     LeaveAsFollowed,
-    FindAnew(Course),
+    FindAnew(PredictedMotion),
 }
 
 /// The two bodies of a contact as the narrow phase sees them: from the centre of a.
@@ -155,14 +155,14 @@ struct Pair<'a> {
 
 /// What two bodies are expected to do within the step.
 #[derive(Clone, Copy)]
-struct Course {
+struct PredictedMotion {
     /// Translation of b against a, m.
     motion: Vec2,
     /// Farthest that the outlines can come closer by turning, m.
     turning: f32,
 }
 
-impl Course {
+impl PredictedMotion {
     /// How much closer the bodies come along the normal by their translation, m.
     #[inline(always)]
     fn closing(&self, normal: Vec2) -> f32 {
@@ -218,10 +218,10 @@ impl<'a> Pair<'a> {
     }
 
     #[inline(always)]
-    fn course(&self) -> Course {
+    fn course(&self) -> PredictedMotion {
         let [state_a, state_b] = self.slots.map(|slot| self.bodies.state(slot));
         let turning = |motion: &Motion, w: f32| (w.abs() * self.dt).min(2.0) * motion.extent;
-        Course {
+        PredictedMotion {
             motion: self.motion(),
             turning: turning(self.motion_a, state_a.angular_velocity)
                 + turning(self.motion_b, state_b.angular_velocity),
@@ -284,43 +284,47 @@ impl<'a> Pair<'a> {
     /// How the manifold is to be brought up to date. What carries load keeps it while the bodies are nearly where they were,
     /// but not that of a single corner, over which a body topples: its arm is what decides whether and when.
     #[inline(always)]
-    fn upkeep(&self, contact: &Contact, recycling: bool) -> Upkeep {
+    fn update(&self, contact: &Contact, recycling: bool) -> ManifoldUpdate {
         if !recycling || contact.manifold.points().is_empty() {
-            return Upkeep::FindAnew(self.course());
+            return ManifoldUpdate::FindAnew(self.course());
         }
         if contact.has_circle {
             let course = self.course();
             if self.is_on_ground()
                 && let Some(touch) = self.find_on_face(course)
             {
-                return Upkeep::MoveAlong(course, touch);
+                return ManifoldUpdate::MoveAlong(course, touch);
             }
-            return if self.is_slow(course) { Upkeep::FindHalfway(course) } else { Upkeep::FindAnew(course) };
+            return if self.is_slow(course) {
+                ManifoldUpdate::FindHalfway(course)
+            } else {
+                ManifoldUpdate::FindAnew(course)
+            };
         }
         let is_loaded = contact.is_loaded();
         if is_loaded && contact.pivots() {
             if contact.followed_steps == 0 && self.lingers(self.course(), STILL_TIME) {
                 let since = self.since(&contact.frozen);
                 if self.has_hardly_moved(&since) {
-                    return Upkeep::Recycle(since);
+                    return ManifoldUpdate::Recycle(since);
                 }
             }
             let was_followed = contact.follows && contact.followed_steps < LONGEST_FOLLOWED;
             return if was_followed && self.strayed(&contact.frozen) < self.near() {
-                Upkeep::LeaveAsFollowed
+                ManifoldUpdate::LeaveAsFollowed
             } else {
-                Upkeep::FindAnew(self.course())
+                ManifoldUpdate::FindAnew(self.course())
             };
         }
         let since = self.since(&contact.frozen);
         if is_loaded && self.stays(&since) {
-            return Upkeep::Recycle(since);
+            return ManifoldUpdate::Recycle(since);
         }
         let course = self.course();
         if !is_loaded && self.lingers(course, REST_TIME) && self.has_hardly_moved(&since) {
-            Upkeep::Recycle(since)
+            ManifoldUpdate::Recycle(since)
         } else {
-            Upkeep::FindAnew(course)
+            ManifoldUpdate::FindAnew(course)
         }
     }
 
@@ -366,7 +370,7 @@ impl<'a> Pair<'a> {
     }
 
     /// Whether it would take the bodies more than this time, s, to go as far as the distance from which on they have points.
-    fn lingers(&self, Course { motion, turning }: Course, time: f32) -> bool {
+    fn lingers(&self, PredictedMotion { motion, turning }: PredictedMotion, time: f32) -> bool {
         (motion.length() + turning) * time < self.near() * self.dt
     }
 
@@ -399,8 +403,8 @@ impl<'a> Pair<'a> {
     }
 
     /// The manifold of bodies on this course; without points where they do not meet within the step.
-    fn find_manifold(&self, course: Course) -> Manifold {
-        let Course { motion, turning } = course;
+    fn find_manifold(&self, course: PredictedMotion) -> Manifold {
+        let PredictedMotion { motion, turning } = course;
         let margin = self.near() + motion.length() + turning;
         let Some(manifold) = self.detect_at(self.offset.near, margin) else { return Manifold::default() };
         let gap = manifold.points().iter().fold(f32::INFINITY, |gap, point| gap.min(point.separation));

@@ -1,8 +1,8 @@
-//! The crew without the feature `parallel`: the caller alone.
+//! The pool without the feature `parallel`: the caller alone.
 
 /// Nobody beside the caller.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Team;
+pub(super) struct Workers;
 
 /// There is nobody to let sleep when it goes.
 #[must_use = "as that of the feature"]
@@ -13,8 +13,8 @@ impl AtWork {
     pub(super) const ALONE: Self = Self;
 }
 
-#[expect(clippy::unused_self, reason = "it is called as the team of the feature is")]
-impl Team {
+#[expect(clippy::unused_self, reason = "it is called as the workers of the feature is")]
+impl Workers {
     #[inline(always)]
     pub(super) fn begin(&mut self, _threads: usize) -> AtWork {
         AtWork::ALONE

@@ -8,7 +8,7 @@
 //! [`run`] is where a width is chosen: a [`Job`] is compiled once per width, all of it inlined into one function
 //! that may use the instructions of that width.
 //!
-//! [`Crew`] divides work among threads, where there are several. Where a slice cannot be divided for it, parts write to
+//! [`ThreadPool`] divides work among threads, where there are several. Where a slice cannot be divided for it, parts write to
 //! what two lists say: [`Chosen`] elements, by a list of indices that takes none twice, and the bodies of [`PairBlocks`],
 //! which are divided only after a check that they share none. Both hand out what a part may write, and nothing else.
 //!
@@ -21,13 +21,13 @@ mod avx512;
 mod column;
 #[cfg(feature = "report")]
 mod counted;
-mod crew;
 mod dispatch;
 mod distinct;
 mod lane;
 #[cfg(target_arch = "aarch64")]
 mod neon;
 mod pair_blocks;
+mod pool;
 #[cfg(any(test, not(any(target_arch = "x86_64", target_arch = "aarch64"))))]
 mod portable;
 mod prefetch;
@@ -36,11 +36,11 @@ mod sse2;
 mod state;
 #[cfg(feature = "parallel")]
 mod sync;
-#[cfg_attr(not(feature = "parallel"), path = "alone.rs")]
-mod team;
 #[cfg(test)]
 mod tests;
 mod vector;
+#[cfg_attr(not(feature = "parallel"), path = "alone.rs")]
+mod workers;
 
 #[cfg(target_arch = "aarch64")]
 use neon as four;
@@ -55,13 +55,13 @@ use column::RowPlace;
 pub(crate) use column::{COLUMN, Column, RowPairs};
 #[cfg(feature = "report")]
 pub(crate) use counted::{Count, Counted, count};
-pub(crate) use crew::{ByColumn, Crew, Divide, MOST_THREADS, lock};
 pub use dispatch::Lanes;
 pub(crate) use dispatch::{Job, Width, run};
 pub(crate) use distinct::{Chosen, DistinctIndices};
 pub(crate) use lane::Lane;
 use lane::each_alone;
 pub(crate) use pair_blocks::{BlocksOver, PairBlocks, PairStates, RowMarks};
+pub(crate) use pool::{ByColumn, Divide, MOST_THREADS, ThreadPool, lock};
 #[cfg(test)]
 pub(crate) use portable::F32x4;
 pub(crate) use prefetch::{FIRST_LINE, LINE, prefetch, prefetch_lines};

@@ -1,7 +1,7 @@
 //! Every lane against `f32`, bit for bit.
 
 #[cfg(feature = "parallel")]
-use crate::compute::Crew;
+use crate::compute::ThreadPool;
 use crate::compute::{
     BodyState, COLUMN, Column, GROUND_ROW, Job, Lane, LaneRot, LaneVec2, Lanes, PairBlocks, RowPairs, Width,
     portable, run,
@@ -430,14 +430,14 @@ fn a_width_is_never_more_than_was_asked_for() {
 fn work_is_divided_into_parts_that_share_nothing() {
     // Items that cost nothing, so that work is divided however little it is, and some that do, ns.
     for (threads, cost) in [1, 2, 3, 4, 16].into_iter().flat_map(|threads| [(threads, 1), (threads, 150)]) {
-        let mut crew = Crew::default();
+        let mut pool = ThreadPool::default();
         if cost == 1 {
-            crew.divide_all();
+            pool.divide_all();
         }
-        let _at_work = crew.begin_step(threads, usize::MAX / 1000);
+        let _at_work = pool.begin_step(threads, usize::MAX / 1000);
         for count in [0, 1, 2, 3, 7, 31, 32, 33, 1000] {
             let mut visits = vec![0; count];
-            crew.run((0..count, &mut visits[..]), cost, |(numbers, visits)| {
+            pool.run((0..count, &mut visits[..]), cost, |(numbers, visits)| {
                 assert_eq!(numbers.len(), visits.len());
                 visits.iter_mut().zip(numbers).for_each(|(visits, number)| *visits += number + 1);
             });
@@ -449,30 +449,30 @@ fn work_is_divided_into_parts_that_share_nothing() {
 #[test]
 #[cfg(feature = "parallel")]
 fn a_part_that_fails_fails_the_work_and_the_next_work_is_done() {
-    let mut crew = Crew::default();
-    crew.divide_all();
-    let at_work = crew.begin_step(2, 0);
-    let fail = || crew.run(0..100, 1, |numbers| assert!(!numbers.contains(&70), "part with 70"));
+    let mut pool = ThreadPool::default();
+    pool.divide_all();
+    let at_work = pool.begin_step(2, 0);
+    let fail = || pool.run(0..100, 1, |numbers| assert!(!numbers.contains(&70), "part with 70"));
     assert!(std::panic::catch_unwind(std::panic::AssertUnwindSafe(fail)).is_err());
     let done = std::sync::atomic::AtomicUsize::new(0);
-    crew.run(0..100, 1, |numbers| _ = done.fetch_add(numbers.len(), std::sync::atomic::Ordering::Relaxed));
+    pool.run(0..100, 1, |numbers| _ = done.fetch_add(numbers.len(), std::sync::atomic::Ordering::Relaxed));
     assert_eq!(done.into_inner(), 100);
     drop(at_work);
-    assert!(crew.is_alone());
+    assert!(pool.is_alone());
 }
 
 #[test]
 #[cfg(feature = "parallel")]
 fn threads_rest_after_a_panic_in_a_step_and_work_in_the_next() {
-    let mut crew = Crew::default();
-    crew.divide_all();
+    let mut pool = ThreadPool::default();
+    pool.divide_all();
     for _ in 0..3 {
         let mut step = || {
-            let _at_work = crew.begin_step(2, 0);
-            assert!(!crew.is_alone());
+            let _at_work = pool.begin_step(2, 0);
+            assert!(!pool.is_alone());
             panic!("beside all parts");
         };
         assert!(std::panic::catch_unwind(std::panic::AssertUnwindSafe(&mut step)).is_err());
-        assert!(crew.is_alone());
+        assert!(pool.is_alone());
     }
 }

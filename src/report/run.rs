@@ -8,7 +8,7 @@ use crate::report::reference::{FineRuns, ROUNDING, Sensitivity, Source, ladder, 
 use crate::report::result::{Reference, Report, Row, RunTime};
 use crate::report::study::{Progress, Study};
 use crate::report::sweep::{Variant, sweeps_per_substep};
-use crate::report::track::{Course, Track, moving_count, ticks_to};
+use crate::report::track::{PredictedMotion, Track, moving_count, ticks_to};
 use crate::world::{Clock, Settings, World};
 
 /// Timed runs that are together shorter than this, s, are repeated ...
@@ -266,8 +266,11 @@ impl<'a> Runner<'a> {
         let substeps = f64::from(variant.settings.substeps);
         let (before, total) = (self.done, self.total);
         let every = (PROGRESS_EVERY / substeps).max(1.0) as u64;
-        let course =
-            Course { times: &self.times, measure: &self.study.measure, drive: self.study.drive.as_deref() };
+        let course = PredictedMotion {
+            times: &self.times,
+            measure: &self.study.measure,
+            drive: self.study.drive.as_deref(),
+        };
         let progress = &mut self.study.progress;
         let mut say = |done: f64| {
             let progress = progress(&Progress { done: (done / total).min(1.0), label: &variant.label });
@@ -290,7 +293,7 @@ impl<'a> Runner<'a> {
             let (mut seconds, mut simulated) = (0.0, 0.0);
             for seed in self.study.seeds.clone() {
                 let mut world = self.world(seed, variant)?;
-                let course = Course {
+                let course = PredictedMotion {
                     times: &self.times,
                     measure: &self.study.measure,
                     drive: self.study.drive.as_deref(),

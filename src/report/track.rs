@@ -60,7 +60,7 @@ pub(super) struct Track {
 }
 
 /// How a run goes.
-pub(super) struct Course<'a, 'm> {
+pub(super) struct PredictedMotion<'a, 'm> {
     /// Sample times, s, ascending; the run ends with the last.
     pub(super) times: &'a [f64],
     pub(super) measure: &'a Measure<'m>,
@@ -73,7 +73,7 @@ pub(super) fn ticks_to(time: f64, tick: f64) -> u64 {
     (time / tick - 1e-6).ceil().max(0.0) as u64
 }
 
-impl Course<'_, '_> {
+impl PredictedMotion<'_, '_> {
     /// Ticks of a whole run.
     pub(super) fn ticks(&self, world: &World) -> u64 {
         self.times.last().map_or(0, |&end| ticks_to(end, world.settings().tick_seconds()))

@@ -425,7 +425,7 @@ mod tests {
         }
         graph.validate(&contacts, &bodies).unwrap();
         let order: Vec<u32> = graph.colours[0].contacts.to_vec();
-        assert_eq!((order[2], order[3]), (1, 2), "single, single follower, double: {order:?}");
+        assert_eq!((order[2], order[3]), (1, 2), "single, single moving, double: {order:?}");
     }
 
     #[test]

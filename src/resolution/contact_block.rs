@@ -27,8 +27,9 @@ pub(crate) struct ContactBlock {
     /// By point: the contacts of which it approaches fast enough to bounce, and has not met what it is to bounce from. The
     /// sweeps leave it alone, and it bears nothing.
     pending: [Marks; 2],
-    /// What the caller calls those of them that follow the surface; `NONE` where there are none.
-    pub(crate) followers: u32,
+    /// Index of the moving geometry of those of them that have one, in [`MovingContacts`](crate::resolution::moving::MovingContacts);
+    /// `NONE` where none has.
+    pub(crate) moving: u32,
     columns: ContactConstraint<Column>,
 }
 

@@ -3,7 +3,7 @@
 use core::ops::Range;
 
 use crate::body::Forcing;
-use crate::compute::{BodyState, Crew, Width};
+use crate::compute::{BodyState, ThreadPool, Width};
 use crate::resolution::integrate::{Advance, Kicks, SpeedLimits, integrate};
 
 /// Damping of the body of a row, for one kick.
@@ -53,7 +53,7 @@ impl Damped {
     /// Moves the bodies in `rows` on as [`integrate`] does; with each kick, those with damping lose their part.
     pub(crate) fn integrate(
         &self,
-        means: (&Crew, Width),
+        means: (&ThreadPool, Width),
         rows: Range<usize>,
         (states, kicks): (&mut [BodyState], &mut Kicks),
         advance: Advance,

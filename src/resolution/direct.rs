@@ -240,7 +240,7 @@ impl DirectSolver {
             point.begin();
         }
         self.follow_impulses(part);
-        if self.is_content(part) {
+        if self.is_complementary(part) {
             return true;
         }
         if part.is_unsolved {
@@ -272,8 +272,8 @@ impl DirectSolver {
     }
 
     /// Whether all points have what they want.
-    fn is_content(&self, part: &Part) -> bool {
-        self.points[part.points.clone()].iter().all(|point| point.is_content(&self.sought))
+    fn is_complementary(&self, part: &Part) -> bool {
+        self.points[part.points.clone()].iter().all(|point| point.is_complementary(&self.sought))
     }
 
     /// The fall-back where bodies collide in a heap that Newton's method does not come to grips with: sweeps over the

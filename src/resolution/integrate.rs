@@ -6,7 +6,7 @@
 
 use core::ops::Range;
 
-use crate::compute::{self, BodyState, COLUMN, Column, Crew, Divide, Job, Lane, LaneVec2, Width};
+use crate::compute::{self, BodyState, COLUMN, Column, Divide, Job, Lane, LaneVec2, ThreadPool, Width};
 use crate::math::Vec2;
 
 /// What acts on a body, or on as many as a lane holds.
@@ -17,7 +17,7 @@ pub(crate) struct Kick<C> {
     /// What rounding has kept out of the velocity so far, m/s. At 240 Hz and four substeps half a kick of
     /// gravity is 5e-3 m/s; a velocity of 20 m/s in `f32` would lose up to 1e-6 of it, each time to the
     /// same side.
-    pub(crate) carry: LaneVec2<C>,
+    pub(crate) compensation: LaneVec2<C>,
     /// Angular acceleration, rad/s².
     pub(crate) angular_acceleration: C,
 }
@@ -27,7 +27,7 @@ impl Kick<Column> {
     fn load<L: Lane>(&self, place: usize) -> Kick<L> {
         Kick {
             acceleration: self.acceleration.load(place),
-            carry: self.carry.load(place),
+            compensation: self.compensation.load(place),
             angular_acceleration: L::load(&self.angular_acceleration, place),
         }
     }
@@ -49,14 +49,14 @@ impl Kicks {
     /// Writes what acts on the bodies in some rows.
     pub(crate) fn fill(
         &mut self,
-        crew: &Crew,
+        pool: &ThreadPool,
         rows: Range<usize>,
         kick_of: impl Fn(usize) -> Kick<f32> + Sync,
     ) {
-        self.for_each(crew, rows, FILL_COST, |row, column, place| {
+        self.for_each(pool, rows, FILL_COST, |row, column, place| {
             let kick = kick_of(row);
             column.acceleration.store(place, kick.acceleration);
-            column.carry.store(place, kick.carry);
+            column.compensation.store(place, kick.compensation);
             column.angular_acceleration.set(place, kick.angular_acceleration);
         });
     }
@@ -64,11 +64,11 @@ impl Kicks {
     /// Writes the accelerations, m/s², of those of the bodies in some rows that have one.
     pub(crate) fn accelerate(
         &mut self,
-        crew: &Crew,
+        pool: &ThreadPool,
         rows: Range<usize>,
         acceleration_of: impl Fn(usize) -> Option<Vec2> + Sync,
     ) {
-        self.for_each(crew, rows, ACCELERATE_COST, |row, column, place| {
+        self.for_each(pool, rows, ACCELERATE_COST, |row, column, place| {
             if let Some(acceleration) = acceleration_of(row) {
                 column.acceleration.store(place, acceleration.into());
             }
@@ -78,13 +78,13 @@ impl Kicks {
     /// Calls `change` with each of some rows, its column and its place there.
     fn for_each(
         &mut self,
-        crew: &Crew,
+        pool: &ThreadPool,
         rows: Range<usize>,
         cost: usize,
         change: impl Fn(usize, &mut Kick<Column>, usize) + Sync,
     ) {
         let numbers = rows.start / COLUMN..rows.end.div_ceil(COLUMN);
-        crew.run((numbers.clone(), &mut self.columns[numbers]), cost, |(numbers, columns)| {
+        pool.run((numbers.clone(), &mut self.columns[numbers]), cost, |(numbers, columns)| {
             for (number, column) in numbers.zip(columns) {
                 let first = number * COLUMN;
                 for row in rows.start.max(first)..rows.end.min(first + COLUMN) {
@@ -100,8 +100,8 @@ impl Kicks {
     }
 
     /// What rounding has kept out of the velocity of the body of a row, m/s.
-    pub(crate) fn carry(&self, row: usize) -> Vec2 {
-        self.columns[row / COLUMN].carry.load::<f32>(row % COLUMN).into()
+    pub(crate) fn compensation(&self, row: usize) -> Vec2 {
+        self.columns[row / COLUMN].compensation.load::<f32>(row % COLUMN).into()
     }
 }
 
@@ -130,7 +130,7 @@ const ACCELERATE_COST: usize = 200;
 
 /// Moves the bodies in `rows` on, without damping: their states and what acts on them, by row; states in whole columns.
 pub(crate) fn integrate(
-    (crew, width): (&Crew, Width),
+    (pool, width): (&ThreadPool, Width),
     rows: Range<usize>,
     (states, kicks): (&mut [BodyState], &mut Kicks),
     advance: Advance,
@@ -144,7 +144,7 @@ pub(crate) fn integrate(
     let (states, columns) = (&mut states[first * COLUMN..], &mut kicks.columns[first..]);
     let rows = rows.start - first * COLUMN..rows.end - first * COLUMN;
     let pass = Integrate { rows, states, columns, advance, limits };
-    crew.run(pass, COST, |part| compute::run(width, part));
+    pool.run(pass, COST, |part| compute::run(width, part));
 }
 
 /// So many rows are moved on one by one rather than with a lane of which the others stay.
@@ -197,7 +197,7 @@ impl Integrate<'_> {
             drift(&mut state, h);
         }
         let mut this = column.load::<L>(place);
-        let carry_before = this.carry;
+        let compensation_before = this.compensation;
         if let Some(t) = self.advance.kick {
             kick(&mut state, &mut this, t, self.limits);
         }
@@ -207,10 +207,10 @@ impl Integrate<'_> {
             let places = L::load(&Column::PLACES, place);
             let moves = L::both(places.greater(edge(rows.start)), edge(rows.end).greater(places));
             state = BodyState::select(moves, &state, &before);
-            this.carry = LaneVec2::select(moves, this.carry, carry_before);
+            this.compensation = LaneVec2::select(moves, this.compensation, compensation_before);
         }
         if self.advance.kick.is_some() {
-            column.carry.store(place, this.carry);
+            column.compensation.store(place, this.compensation);
         }
         if drift_time.is_some() {
             L::store_rows(self.states, first, &state);
@@ -242,24 +242,28 @@ impl Job for Integrate<'_> {
     }
 }
 
-/// v + gain + carry; what rounding loses of it is the new carry (Kahan, 1965; sum by Knuth's two-sum).
+/// v + gain + compensation; what rounding loses of it is the new compensation (Kahan, 1965; sum by Knuth's two-sum).
 #[inline(always)]
-fn add_carried<L: Lane>(v: LaneVec2<L>, gain: LaneVec2<L>, carry: &mut LaneVec2<L>) -> LaneVec2<L> {
+fn add_compensated<L: Lane>(
+    v: LaneVec2<L>,
+    gain: LaneVec2<L>,
+    compensation: &mut LaneVec2<L>,
+) -> LaneVec2<L> {
     let (zero, infinity) = (L::splat(0.0), L::splat(f32::INFINITY));
-    let gain = gain + *carry;
+    let gain = gain + *compensation;
     let sum = v + gain;
     let gained = sum - v;
     let lost = (v - (sum - gained)) + (gain - gained);
-    // A speed so great that the sum overflows leaves nothing to carry.
+    // A speed so great that the sum overflows leaves nothing to compensation.
     let is_finite = L::both(infinity.greater(lost.x.abs()), infinity.greater(lost.y.abs()));
-    *carry = LaneVec2 { x: L::select(is_finite, lost.x, zero), y: L::select(is_finite, lost.y, zero) };
+    *compensation = LaneVec2 { x: L::select(is_finite, lost.x, zero), y: L::select(is_finite, lost.y, zero) };
     sum
 }
 
 /// v += t·a, with what rounding loses carried to the next kick.
 #[inline(always)]
 fn kick<L: Lane>(state: &mut BodyState<L>, kick: &mut Kick<L>, t: f32, limits: SpeedLimits) {
-    let sum = add_carried(state.velocity, kick.acceleration * L::splat(t), &mut kick.carry);
+    let sum = add_compensated(state.velocity, kick.acceleration * L::splat(t), &mut kick.compensation);
     state.velocity = LaneVec2 { x: clamp(sum.x, limits.speed), y: clamp(sum.y, limits.speed) };
     let w = state.angular_velocity + kick.angular_acceleration * L::splat(t);
     state.angular_velocity = clamp(w, limits.spin);
@@ -324,24 +328,27 @@ mod tests {
                 };
                 let mut states: Vec<_> = (0..count.next_multiple_of(COLUMN)).map(of_row).collect();
                 let before = states.clone();
-                let (crew, mut kicks) = (Crew::default(), Kicks::default());
+                let (pool, mut kicks) = (ThreadPool::default(), Kicks::default());
                 kicks.reset(count);
                 let acceleration = Vec2::new(0.0, -9.81).into();
-                kicks.fill(&crew, rows.clone(), |_| Kick { acceleration, ..Kick::default() });
+                kicks.fill(&pool, rows.clone(), |_| Kick { acceleration, ..Kick::default() });
                 let limits = SpeedLimits { speed: 1e6, spin: 1e6 };
                 let advance = Advance { drift, kick: Some(0.005) };
-                let means = (&crew, lanes.width());
+                let means = (&pool, lanes.width());
                 integrate(means, rows.clone(), (&mut states, &mut kicks), advance, limits);
-                let carries: Vec<_> = (0..count).map(|row| kicks.carry(row)).collect();
+                let compensations: Vec<_> = (0..count).map(|row| kicks.compensation(row)).collect();
                 for row in (0..states.len()).filter(|row| !rows.contains(row)) {
                     let stays = |states: &[BodyState]| format!("{:?}", states[row]);
                     assert_eq!(stays(&states), stays(&before), "row {row}");
-                    assert!(carries.get(row).is_none_or(|&carry| carry == Vec2::ZERO), "row {row}");
+                    assert!(
+                        compensations.get(row).is_none_or(|&compensation| compensation == Vec2::ZERO),
+                        "row {row}"
+                    );
                 }
                 let BodyState { velocity, delta_rotation: LaneRot { s, .. }, .. } = states[rows.end - 1];
                 assert!(velocity.y < -3.0, "the last row has got its kick");
                 assert_eq!(s > 0.0, drift.is_some(), "the last row has turned");
-                format!("{states:?} {carries:?}")
+                format!("{states:?} {compensations:?}")
             });
             assert!(moved.iter().all(|other| *other == moved[0]), "rows {rows:?}");
         }

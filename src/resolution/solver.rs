@@ -4,7 +4,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 use crate::body::{Bodies, Forcing, Motion};
 use crate::collision::Contacts;
-use crate::compute::{Chosen, Crew, Width};
+use crate::compute::{Chosen, ThreadPool, Width};
 use crate::math::Vec2;
 use crate::resolution::constraint::StepResidual;
 use crate::resolution::constraint_graph::ConstraintGraph;
@@ -12,11 +12,11 @@ use crate::resolution::contact_block::Beginning;
 use crate::resolution::damping::{Damped, is_damped};
 use crate::resolution::direct::{Aim, DirectSolver};
 use crate::resolution::events::{EventScene, Impacts, Seams};
-use crate::resolution::follow::Followers;
 use crate::resolution::integrate::{Advance, Kick, Kicks};
 use crate::resolution::islands::Islands;
 use crate::resolution::kernel::{ForgetImpulses, WarmStart, WarmStartTime};
 use crate::resolution::load::{LoadMeasure, Loads};
+use crate::resolution::moving::MovingContacts;
 use crate::resolution::projection::Project;
 use crate::resolution::scheme::Scheme;
 
@@ -31,8 +31,8 @@ pub(crate) trait Acceleration: Sync {
     fn at(&self, bodies: &Bodies, slot: u32, delta: Vec2) -> Vec2;
 }
 
-/// What it costs to write the carry of a body back, ns.
-const CARRY_COST: usize = 3;
+/// What it costs to write the compensation of a body back, ns.
+const COMPENSATION_COST: usize = 3;
 
 /// Buffers of the solver, kept from step to step.
 #[derive(Clone, Debug, Default)]
@@ -42,7 +42,7 @@ pub(crate) struct Solver {
     steady: Vec<Vec2>,
     damped: Damped,
     pub(crate) impacts: Impacts,
-    followers: Followers,
+    moving: MovingContacts,
     seams: Seams,
     direct: DirectSolver,
 }
@@ -55,7 +55,7 @@ pub(crate) struct SolveTables<'a> {
     pub(crate) graph: &'a mut ConstraintGraph,
     pub(crate) loads: &'a mut Loads,
     /// Who does the work.
-    pub(crate) crew: &'a Crew,
+    pub(crate) pool: &'a ThreadPool,
 }
 
 /// One step: moves the velocities and deltas of all rows, and the impulses of contacts.
@@ -89,12 +89,12 @@ pub(crate) fn solve(
         solver.push(scheme, tables, has_moved);
         solver.direct.solve(tables.graph, &mut tables.bodies.states, Aim::Push, h);
         solver.drift_and_kick(scheme, tables, acceleration);
-        solver.followers.follow((tables.crew, scheme.width), (tables.contacts, tables.bodies, tables.graph));
+        solver.moving.follow((tables.pool, scheme.width), (tables.contacts, tables.bodies, tables.graph));
         relax(scheme, tables);
         solver.direct.solve(tables.graph, &mut tables.bodies.states, Aim::Relax, h);
     }
     for _ in 0..scheme.projections.unwrap_or(0) {
-        tables.graph.for_each_swept(tables.crew, Width::ONE, &mut tables.bodies.states, &Project);
+        tables.graph.for_each_swept(tables.pool, Width::ONE, &mut tables.bodies.states, &Project);
     }
     solver.finish(scheme, tables)
 }
@@ -141,10 +141,10 @@ impl Solver {
         let h = scheme.substep_time();
         self.seams.hold_back(tables.graph, &tables.bodies.states, h);
         warm_start(WarmStartTime::BeforeMove, scheme, tables);
-        let SolveTables { bodies, contacts, graph, crew, .. } = tables;
+        let SolveTables { bodies, contacts, graph, pool, .. } = tables;
         let sweep = scheme.sweep_over(scheme.main_sweep(), has_moved);
         for _ in 0..scheme.iterations {
-            graph.for_each_swept(crew, scheme.width, &mut bodies.states, &sweep);
+            graph.for_each_swept(pool, scheme.width, &mut bodies.states, &sweep);
         }
         self.seams.run(&mut EventScene { bodies, contacts, kicks: &self.kicks, graph, scheme });
     }
@@ -158,10 +158,10 @@ impl Solver {
         acceleration: &impl Acceleration,
     ) {
         self.prepare_kicks(scheme, tables, acceleration);
-        let SolveTables { bodies, contacts, graph, crew, .. } = &mut *tables;
+        let SolveTables { bodies, contacts, graph, pool, .. } = &mut *tables;
         let from = Beginning { contacts, bodies, impulse_scale: scheme.impulse_scale, dt: scheme.dt };
-        self.followers.reset(graph.blocks_with_followers());
-        graph.prepare(crew, scheme.width, from, self.followers.columns_mut());
+        self.moving.reset(graph.blocks_with_moving());
+        graph.prepare(pool, scheme.width, from, self.moving.columns_mut());
         self.gather_special(graph);
         self.direct.clear();
         for island in islands.iter() {
@@ -178,7 +178,7 @@ impl Solver {
         };
         let has_damping = AtomicBool::new(false);
         self.kicks.reset(bodies.row_count());
-        self.kicks.fill(tables.crew, rows.clone(), |row| {
+        self.kicks.fill(tables.pool, rows.clone(), |row| {
             let motion = &bodies.motions[bodies.slot_of_row(row) as usize];
             if motion.inverse_mass == 0.0 {
                 return Kick::default();
@@ -189,7 +189,7 @@ impl Solver {
             }
             Kick {
                 acceleration: steady_of(forcing, motion).into(),
-                carry: motion.velocity_carry.into(),
+                compensation: motion.velocity_compensation.into(),
                 angular_acceleration: forcing.torque * motion.inverse_inertia,
             }
         });
@@ -216,13 +216,13 @@ impl Solver {
     fn gather_special(&mut self, graph: &ConstraintGraph) {
         self.impacts.clear();
         self.seams.clear();
-        let Self { impacts, followers, seams, .. } = self;
+        let Self { impacts, moving, seams, .. } = self;
         for (block, start) in graph.starts() {
             let is_swept = !block.is_solved_directly();
             if start.bouncy.any() {
                 impacts.take_up_block(block, start.bouncy);
             }
-            start.found_anew.for_each(|place| followers.find_anew(block.contact(place), graph));
+            start.found_anew.for_each(|place| moving.find_anew(block.contact(place), graph));
             if is_swept {
                 start.on_ground.for_each(|place| seams.take_up(block.contact(place), graph));
             }
@@ -233,7 +233,7 @@ impl Solver {
     /// Finds the accelerations that depend on the place anew.
     fn accelerate(&mut self, tables: &SolveTables<'_>, acceleration: &impl Acceleration) {
         let bodies = &*tables.bodies;
-        self.kicks.accelerate(tables.crew, 1..bodies.row_count(), |row| {
+        self.kicks.accelerate(tables.pool, 1..bodies.row_count(), |row| {
             let (slot, state) = (bodies.slot_of_row(row), &bodies.states[row]);
             let varying = || acceleration.at(bodies, slot, state.delta_position.into());
             bodies.is_dynamic(slot).then(|| self.steady[row] + varying())
@@ -243,23 +243,23 @@ impl Solver {
     /// Moves all bodies on.
     fn integrate(&mut self, scheme: &Scheme, tables: &mut SolveTables<'_>, advance: Advance) {
         let rows = 1..tables.bodies.row_count();
-        let SolveTables { bodies: Bodies { states, .. }, crew, .. } = tables;
-        let means = (*crew, scheme.width);
+        let SolveTables { bodies: Bodies { states, .. }, pool, .. } = tables;
+        let means = (*pool, scheme.width);
         let tables = (&mut states[..], &mut self.kicks);
         self.damped.integrate(means, rows, tables, advance, scheme.limits);
     }
 
-    /// Writes impulses back into the contacts and carries back into the bodies.
+    /// Writes impulses back into the contacts and compensations back into the bodies.
     fn finish(&self, scheme: &Scheme, tables: &mut SolveTables<'_>) -> StepResidual {
         let rows = 1..tables.bodies.row_count();
-        let SolveTables { bodies, contacts, graph, loads, crew } = tables;
+        let SolveTables { bodies, contacts, graph, loads, pool } = tables;
         let measure = LoadMeasure::new(scheme.adapts, 1.0 / scheme.substep_time());
         loads.unsolved.extend(self.direct.unsolved_rows().map(|row| bodies.slot_of_row(row as usize)));
-        let residual = graph.finish(crew, scheme.width, &bodies.states, contacts, (measure, loads));
+        let residual = graph.finish(pool, scheme.width, &bodies.states, contacts, (measure, loads));
         let motions = Chosen::new(&mut bodies.motions, &bodies.awake);
-        crew.run((rows, motions), CARRY_COST, |(rows, mut motions)| {
+        pool.run((rows, motions), COMPENSATION_COST, |(rows, mut motions)| {
             for (place, row) in rows.enumerate() {
-                motions.get_mut(place).velocity_carry = self.kicks.carry(row);
+                motions.get_mut(place).velocity_compensation = self.kicks.compensation(row);
             }
         });
         residual
@@ -274,17 +274,17 @@ fn relax(scheme: &Scheme, tables: &mut SolveTables<'_>) {
     let (graph, states) = (&mut *tables.graph, &mut tables.bodies.states);
     for iteration in 0..scheme.relax_iterations {
         let sweep = scheme.sweep_over(scheme.relax_sweep(), iteration == 0);
-        graph.for_each_swept(tables.crew, scheme.width, states, &sweep);
+        graph.for_each_swept(tables.pool, scheme.width, states, &sweep);
     }
 }
 
 /// One of the warm starts of a substep; without warm starting, impulses are forgotten.
 fn warm_start(time: WarmStartTime, scheme: &Scheme, tables: &mut SolveTables<'_>) {
-    let SolveTables { bodies, graph, crew, .. } = tables;
+    let SolveTables { bodies, graph, pool, .. } = tables;
     if scheme.warm_starting {
         let start = WarmStart { part: scheme.warm_part(), time, is_fitted: scheme.fitted_kernels };
-        graph.for_each_swept(crew, scheme.width, &mut bodies.states, &start);
+        graph.for_each_swept(pool, scheme.width, &mut bodies.states, &start);
     } else if time == WarmStartTime::BeforeMove {
-        graph.for_each_swept(crew, scheme.width, &mut bodies.states, &ForgetImpulses);
+        graph.for_each_swept(pool, scheme.width, &mut bodies.states, &ForgetImpulses);
     }
 }

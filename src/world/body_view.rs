@@ -244,7 +244,7 @@ impl<'a> BodyMut<'a> {
     fn moved(&mut self) {
         let slot = self.slot();
         self.world.update_box(slot);
-        self.world.contacts.forget_followed(&self.world.bodies, slot);
+        self.world.contacts.forget_moving(&self.world.bodies, slot);
         self.wake();
         self.world.wake_neighbours(slot);
     }
@@ -256,7 +256,7 @@ impl<'a> BodyMut<'a> {
     pub fn set_velocity(&mut self, velocity: impl Into<Vec2>) -> Result<(), BodyError> {
         let velocity = velocity.into();
         check_vector("the velocity", velocity, "m/s")?;
-        self.motion().velocity_carry = Vec2::ZERO;
+        self.motion().velocity_compensation = Vec2::ZERO;
         if let Some(state) = self.state() {
             state.velocity = velocity.into();
         }

@@ -42,7 +42,7 @@ impl World {
         for index in contacts {
             self.end_contact(index);
         }
-        self.distant.note_removed(slot);
+        self.candidates.note_removed(slot);
         self.broad_phase.remove(slot);
         self.graph.set_tier(slot, Tier::Swept);
         self.tiers.forget(slot);

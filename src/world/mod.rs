@@ -29,8 +29,8 @@ pub use settings::{PositionCorrection, Settings, SettingsError};
 
 use crate::body::{Bodies, BodyId};
 use crate::collision::broad_phase::BroadPhase;
-use crate::collision::{Contacts, DistantPairs};
-use crate::compute::Crew;
+use crate::collision::{CandidatePairs, Contacts};
+use crate::compute::ThreadPool;
 use crate::math::{Aabb, Vec2};
 use crate::resolution::{ConstraintGraph, Loads, Solver, StepResidual, Tiers, find_island};
 use crate::store::{BitSet, Slots};
@@ -60,7 +60,7 @@ pub struct World {
     settings: Settings,
     bodies: Bodies,
     broad_phase: BroadPhase,
-    distant: DistantPairs,
+    candidates: CandidatePairs,
     contacts: Contacts,
     graph: ConstraintGraph,
     sleepers: Sleepers,
@@ -83,7 +83,7 @@ pub struct World {
     is_within_step: bool,
     /// Time that `advance` was given and no tick has used yet, s.
     unused_time: f64,
-    crew: Crew,
+    pool: ThreadPool,
     /// Scratch of the step.
     new_pairs: Vec<(u32, u32)>,
     /// Scratch of the step, by place in the list of awake contacts: of those that have changed, whether the bodies are
@@ -126,7 +126,7 @@ impl World {
             settings,
             bodies: Bodies::default(),
             broad_phase: BroadPhase::default(),
-            distant: DistantPairs::default(),
+            candidates: CandidatePairs::default(),
             contacts: Contacts::default(),
             graph: ConstraintGraph::default(),
             sleepers: Sleepers::default(),
@@ -144,7 +144,7 @@ impl World {
             ticks: 0,
             is_within_step: false,
             unused_time: 0.0,
-            crew: Crew::default(),
+            pool: ThreadPool::default(),
             new_pairs: Vec::new(),
             is_close_now: Vec::new(),
             leaves_box: Vec::new(),
@@ -297,7 +297,7 @@ impl World {
     /// different. For tests of that.
     #[doc(hidden)]
     pub fn divide_all_work(&mut self) {
-        self.crew.divide_all();
+        self.pool.divide_all();
     }
 
     /// Wakes every sleeping body.

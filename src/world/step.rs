@@ -42,8 +42,8 @@ impl World {
         self.is_within_step = true;
         let mut profile = std::mem::take(&mut self.profile);
         self.events.begin_step();
-        let size = self.bodies.awake_count() + self.distant.len() + self.contacts.awake().len();
-        let at_work = self.crew.begin_step(self.settings.threads, size);
+        let size = self.bodies.awake_count() + self.candidates.len() + self.contacts.awake().len();
+        let at_work = self.pool.begin_step(self.settings.threads, size);
         if self.bodies.awake_count() == 0 {
             // The solver will not run; what it found last is no longer so.
             self.residual = StepResidual::default();
@@ -51,7 +51,7 @@ impl World {
             self.solver.impacts.clear();
         }
         profile.run_stage(Stage::Pairs, self.broad_phase.moved_count(), || self.find_pairs());
-        let pairs = self.distant.len() + self.contacts.awake().len();
+        let pairs = self.candidates.len() + self.contacts.awake().len();
         profile.run_stage(Stage::Contacts, pairs, || self.refresh_contacts());
         profile.run_stage(Stage::Solve, self.bodies.awake_count(), || self.solve());
         profile.run_stage(Stage::Finalize, self.bodies.awake_count(), || self.finalize());
@@ -69,11 +69,11 @@ impl World {
     /// Takes up each new pair of bodies whose fat boxes overlap.
     fn find_pairs(&mut self) {
         // A new body may have the place of one that was removed.
-        self.distant.forget_removed(&mut self.broad_phase);
+        self.candidates.forget_removed(&mut self.broad_phase);
         let bodies = &self.bodies;
         let mut pairs = std::mem::take(&mut self.new_pairs);
         let accept = |a, b| bodies.is_dynamic(a) || bodies.is_dynamic(b);
-        self.broad_phase.find_pairs(&self.crew, accept, &mut pairs);
+        self.broad_phase.find_pairs(&self.pool, accept, &mut pairs);
         for &(a, b) in &pairs {
             for (sleeper, other) in [(a, b), (b, a)] {
                 // A sleeper does not move: something fixed was put beside it.
@@ -81,7 +81,7 @@ impl World {
                     self.wake_slot(sleeper);
                 }
             }
-            self.distant.add((a, b));
+            self.candidates.add((a, b));
         }
         pairs.clear();
         self.new_pairs = pairs;
@@ -90,10 +90,10 @@ impl World {
     /// Begins a contact for each pair of bodies that come within reach of each other, or sleep.
     fn begin_contacts(&mut self) {
         // Some leave the bounds in the step in which others fall asleep.
-        self.distant.forget_removed(&mut self.broad_phase);
+        self.candidates.forget_removed(&mut self.broad_phase);
         let mut pairs = std::mem::take(&mut self.new_pairs);
         let dt = self.settings.tick_seconds() as f32;
-        self.distant.sort_out((&self.crew, &self.bodies, &mut self.broad_phase), dt, &mut pairs);
+        self.candidates.sort_out((&self.pool, &self.bodies, &mut self.broad_phase), dt, &mut pairs);
         for place in 0..pairs.len() {
             self.contacts.prefetch_beginning(&self.bodies, &pairs, place);
             let (a, b) = pairs[place];
@@ -116,11 +116,11 @@ impl World {
     fn refresh_contacts(&mut self) {
         self.begin_contacts();
         let how = Refresh { dt: self.settings.tick_seconds() as f32, recycling: self.settings.recycling };
-        let Self { bodies, broad_phase, graph, crew, is_close_now, .. } = self;
+        let Self { bodies, broad_phase, graph, pool, is_close_now, .. } = self;
         is_close_now.clear();
         is_close_now.resize(self.contacts.awake().len(), None);
         let awake = (self.contacts.awake_mut(), &mut is_close_now[..]);
-        crew.run(awake, REFRESH_COST, |(mut contacts, is_close_now)| {
+        pool.run(awake, REFRESH_COST, |(mut contacts, is_close_now)| {
             for (place, is_close_now) in is_close_now.iter_mut().enumerate() {
                 contacts.prefetch_ahead(bodies, place);
                 let index = contacts.index(place);
@@ -197,7 +197,7 @@ impl World {
     fn solve(&mut self) {
         let settings = &self.settings;
         let rule = settings.tier_rule(self.acceleration.length());
-        let Self { bodies, contacts, graph, loads, crew, .. } = self;
+        let Self { bodies, contacts, graph, loads, pool, .. } = self;
         self.tiers.decide(self.ticks, rule, loads, TierTables { bodies, contacts, graph });
         loads.clear();
         let field = Field {
@@ -206,7 +206,7 @@ impl World {
             gravitational_constant: settings.gravitational_constant,
         };
         let scheme = settings.scheme(graph.sizes().chain([bodies.awake_count()]), self.last_substep);
-        let mut tables = SolveTables { bodies, contacts, graph, loads, crew };
+        let mut tables = SolveTables { bodies, contacts, graph, loads, pool };
         self.residual = solve(&mut self.solver, &scheme, &self.tiers.direct, &mut tables, &field);
         self.last_substep = settings.substep_seconds();
     }
@@ -215,14 +215,14 @@ impl World {
     fn finalize(&mut self) {
         let dt = self.settings.tick_seconds() as f32;
         let may_sleep = self.settings.sleep;
-        let Self { bodies, broad_phase, crew, leaves_box, leaving, .. } = self;
+        let Self { bodies, broad_phase, pool, leaves_box, leaving, .. } = self;
         leaves_box.resize(bodies.awake_count(), false);
         let row_count = bodies.row_count();
         let Bodies { states, awake, motions, forcings, shapes, .. } = bodies;
         let (motions, forcings) = (Chosen::new(motions, awake), Chosen::new(forcings, awake));
         let resting = AtomicUsize::new(0);
         let rows = ((motions, forcings), (&mut states[1..row_count], &mut leaves_box[..]));
-        crew.run(rows, FINALIZE_COST, |((mut motions, mut forcings), (states, leaves_box))| {
+        pool.run(rows, FINALIZE_COST, |((mut motions, mut forcings), (states, leaves_box))| {
             for (place, (state, leaves_box)) in states.iter_mut().zip(leaves_box).enumerate() {
                 forcings.get_mut(place).end_step();
                 let (slot, motion) = (motions.indices()[place], motions.get_mut(place));
@@ -322,7 +322,7 @@ impl World {
         Counters {
             awake_bodies: self.bodies.awake_count(),
             contacts: self.graph.len(),
-            pairs: self.distant.len() + self.contacts.len(),
+            pairs: self.candidates.len() + self.contacts.len(),
             bouncy_contacts: self.solver.impacts.len(),
             impacts: self.solver.impacts.count(),
             colours,

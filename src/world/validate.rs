@@ -71,7 +71,7 @@ impl World {
         if links != 2 * self.contacts.len() {
             return Err(format!("{} contacts are in {links} lists of bodies", self.contacts.len()));
         }
-        for (a, b) in self.distant.iter() {
+        for (a, b) in self.candidates.iter() {
             if !self.bodies.is_awake(a) && !self.bodies.is_awake(b) {
                 return Err(format!("neither {a} nor {b} is awake, but they are watched"));
             }

@@ -25,7 +25,7 @@ pub(crate) use tree::Tree;
 
 use std::sync::Mutex;
 
-use crate::compute::{Crew, lock, prefetch};
+use crate::compute::{ThreadPool, lock, prefetch};
 use crate::math::{Aabb, Point, Vec2};
 use crate::store::PairSet;
 
@@ -249,14 +249,14 @@ impl BroadPhase {
     /// from now on. Then no body counts as moved any more.
     pub(crate) fn find_pairs(
         &mut self,
-        crew: &Crew,
+        pool: &ThreadPool,
         accept: impl Fn(u32, u32) -> bool + Sync,
         out: &mut Vec<(u32, u32)>,
     ) {
         let first_new = out.len();
         let new = Mutex::new(&mut *out);
         let this = &*self;
-        crew.run(&this.moved[..], WALK_COST, |moved| this.find_pairs_of(moved, &accept, &new));
+        pool.run(&this.moved[..], WALK_COST, |moved| this.find_pairs_of(moved, &accept, &new));
         for body in self.moved.drain(..) {
             self.proxies[body as usize].moved_at = None;
         }

@@ -1,5 +1,5 @@
 use super::{BroadPhase, Home, MARGIN, MARGIN_OF_SIDE, STEPS_AHEAD, STEPS_AHEAD_ALONE, TOO_BIG};
-use crate::compute::Crew;
+use crate::compute::ThreadPool;
 use crate::math::{Aabb, Point, Vec2};
 use crate::testing::Random;
 
@@ -61,7 +61,7 @@ impl Boxes {
         }
         self.end_contacts(BroadPhase::overlap);
         let mut found = vec![];
-        self.broad_phase.find_pairs(&Crew::default(), |_, _| true, &mut found);
+        self.broad_phase.find_pairs(&ThreadPool::default(), |_, _| true, &mut found);
         self.contacts.extend(&found);
         found
     }
@@ -141,17 +141,17 @@ fn two_moved_bodies_report_their_pair_once_and_a_known_pair_is_not_reported_agai
     broad_phase.add(7, true, square(0.0, 0.0));
     broad_phase.add(3, true, square(0.5, 0.0));
     let mut out = vec![(1, 2)];
-    broad_phase.find_pairs(&Crew::default(), |_, _| true, &mut out);
+    broad_phase.find_pairs(&ThreadPool::default(), |_, _| true, &mut out);
     assert_eq!(out, [(1, 2), (3, 7)], "appended");
     assert_eq!(broad_phase.moved_count(), 0);
     for x in [2.0, 0.0] {
         broad_phase.update(7, square(x, 0.0), Vec2::ZERO);
     }
-    broad_phase.find_pairs(&Crew::default(), |_, _| true, &mut out);
+    broad_phase.find_pairs(&ThreadPool::default(), |_, _| true, &mut out);
     assert_eq!(out.len(), 2, "its contact has not ended");
     broad_phase.forget_pair(7, 3);
     broad_phase.mark_moved(3);
-    broad_phase.find_pairs(&Crew::default(), |_, _| true, &mut out);
+    broad_phase.find_pairs(&ThreadPool::default(), |_, _| true, &mut out);
     assert_eq!(out[2..], [(3, 7)]);
 }
 
@@ -162,11 +162,11 @@ fn two_fixed_bodies_make_no_pair_and_a_fixed_one_that_is_moved_finds_the_movable
     broad_phase.add(1, false, square(0.5, 0.0));
     broad_phase.add(2, true, square(5.0, 0.0));
     let mut out = vec![];
-    broad_phase.find_pairs(&Crew::default(), |_, _| true, &mut out);
+    broad_phase.find_pairs(&ThreadPool::default(), |_, _| true, &mut out);
     assert_eq!(out, []);
     assert!(!broad_phase.update(0, square(0.0, 0.0), Vec2::ZERO));
     assert!(broad_phase.update(0, square(4.5, 0.0), Vec2::ZERO));
-    broad_phase.find_pairs(&Crew::default(), |_, _| true, &mut out);
+    broad_phase.find_pairs(&ThreadPool::default(), |_, _| true, &mut out);
     assert_eq!(out, [(0, 2)]);
 }
 
@@ -176,10 +176,10 @@ fn a_pair_that_is_refused_is_not_known_and_is_asked_for_again_when_one_of_it_mov
     broad_phase.add(0, true, square(0.0, 0.0));
     broad_phase.add(1, true, square(0.5, 0.0));
     let mut out = vec![];
-    broad_phase.find_pairs(&Crew::default(), |a, b| (a, b) != (0, 1), &mut out);
+    broad_phase.find_pairs(&ThreadPool::default(), |a, b| (a, b) != (0, 1), &mut out);
     assert_eq!(out, []);
     broad_phase.mark_moved(1);
-    broad_phase.find_pairs(&Crew::default(), |_, _| true, &mut out);
+    broad_phase.find_pairs(&ThreadPool::default(), |_, _| true, &mut out);
     assert_eq!(out, [(0, 1)]);
 }
 
@@ -194,7 +194,7 @@ fn a_body_taken_out_is_off_the_moved_list_and_makes_no_pair() {
     assert_eq!(broad_phase.moved_count(), 3);
     broad_phase.validate().unwrap();
     let mut out = vec![];
-    broad_phase.find_pairs(&Crew::default(), |_, _| true, &mut out);
+    broad_phase.find_pairs(&ThreadPool::default(), |_, _| true, &mut out);
     assert_eq!(out, [(0, 2), (0, 3), (2, 3)]);
 }
 
@@ -202,7 +202,7 @@ fn a_body_taken_out_is_off_the_moved_list_and_makes_no_pair() {
 fn a_body_at_rest_or_within_its_margin_is_left_alone() {
     let mut broad_phase = BroadPhase::default();
     broad_phase.add(0, true, square(0.0, 0.0));
-    broad_phase.find_pairs(&Crew::default(), |_, _| true, &mut vec![]);
+    broad_phase.find_pairs(&ThreadPool::default(), |_, _| true, &mut vec![]);
     for offset in [0.0, 0.9 * MARGIN_OF_SIDE, -0.9 * MARGIN_OF_SIDE] {
         assert!(!broad_phase.update(0, square(offset, 0.0), Vec2::ZERO));
     }
@@ -352,7 +352,7 @@ fn no_motion_makes_the_broad_phase_panic() {
         let tight = Aabb::new(Vec2::new(pick(), pick()), Vec2::new(pick(), pick()));
         broad_phase.update(i % 30, tight, Vec2::new(pick(), pick()));
         out.clear();
-        broad_phase.find_pairs(&Crew::default(), |_, _| true, &mut out);
+        broad_phase.find_pairs(&ThreadPool::default(), |_, _| true, &mut out);
         for &(a, b) in &out {
             broad_phase.forget_pair(a, b);
         }
@@ -369,7 +369,7 @@ fn bodies_that_all_lie_in_one_place_make_every_pair_once() {
         broad_phase.add(body, true, point);
     }
     let mut out = vec![];
-    broad_phase.find_pairs(&Crew::default(), |_, _| true, &mut out);
+    broad_phase.find_pairs(&ThreadPool::default(), |_, _| true, &mut out);
     let expected: Vec<_> = (0..200).flat_map(|a| (a + 1..200).map(move |b| (a, b))).collect();
     assert_eq!(out, expected);
     broad_phase.validate().unwrap();

@@ -1,7 +1,7 @@
 //! Where a circle touches, found once per step.
 
 use crate::body::Motion;
-use crate::collision::refresh::{Course, Pair, Since};
+use crate::collision::refresh::{Pair, PredictedMotion, Since};
 use crate::collision::{Contact, Touch, touch};
 use crate::compute::GROUND_ROW;
 use crate::math::{Rot, Vec2};
@@ -21,14 +21,14 @@ pub(super) fn move_to(touch: Touch, contact: &mut Contact) {
 
 impl Pair<'_> {
     /// Whether the bodies move against each other so little within the step that a contact with a circle may hold still.
-    pub(super) fn is_slow(&self, Course { motion, turning }: Course) -> bool {
+    pub(super) fn is_slow(&self, PredictedMotion { motion, turning }: PredictedMotion) -> bool {
         let left = SLOW_DISTANCE.min(0.025 * self.extent()) - turning;
         left > 0.0 && motion.length_squared() < left * left
     }
 
     /// Where the circle touches halfway through the step; with the separation of now along the normal of then. `None` where
     /// the bodies do not meet within the step.
-    pub(super) fn find_halfway(&self, course: Course) -> Option<Touch> {
+    pub(super) fn find_halfway(&self, course: PredictedMotion) -> Option<Touch> {
         let half_turn = |motion: &Motion, slot: u32| {
             if motion.is_round {
                 return Rot::IDENTITY;
@@ -57,7 +57,7 @@ impl Pair<'_> {
     /// Where a circle touches a face over which it will stay within the step. Where that does not move, only the gap changes
     /// meanwhile, as the solver finds it anyway. `None` where they do not meet.
     #[inline(never)]
-    pub(super) fn find_on_face(&self, course: Course) -> Option<Touch> {
+    pub(super) fn find_on_face(&self, course: PredictedMotion) -> Option<Touch> {
         let near = self.offset.near;
         let (shape, rotation, radius, to_circle) = if self.motion_b.is_round {
             (self.shape_a, self.rotation_a, self.motion_b.extent, near)
@@ -82,7 +82,7 @@ impl Pair<'_> {
     }
 
     /// Whether bodies on this course may meet within the step, of which a circle has this gap, m.
-    fn meets(&self, course: Course, normal: Vec2, gap: f32) -> bool {
+    fn meets(&self, course: PredictedMotion, normal: Vec2, gap: f32) -> bool {
         self.may_meet(gap, course.closing(normal), course.turning)
     }
 }

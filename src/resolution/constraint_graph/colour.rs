@@ -62,8 +62,8 @@ impl BlockIndex {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Kind {
     Single,
-    SingleFollower,
-    DoubleFollower,
+    SingleMoving,
+    DoubleMoving,
     Double,
 }
 
@@ -74,8 +74,8 @@ impl Kind {
     pub(super) fn of(contact: &Contact) -> Self {
         match (contact.manifold.points().len(), contact.follows) {
             (0 | 1, false) => Self::Single,
-            (0 | 1, true) => Self::SingleFollower,
-            (_, true) => Self::DoubleFollower,
+            (0 | 1, true) => Self::SingleMoving,
+            (_, true) => Self::DoubleMoving,
             (_, false) => Self::Double,
         }
     }
@@ -104,8 +104,8 @@ impl Colour {
     }
 
     /// Numbers of the blocks with contacts that follow the surface.
-    pub(super) fn blocks_with_followers(&self) -> Range<usize> {
-        let [first, end] = [Kind::Single, Kind::DoubleFollower].map(|kind| self.ends_of_kinds[kind as usize]);
+    pub(super) fn blocks_with_moving(&self) -> Range<usize> {
+        let [first, end] = [Kind::Single, Kind::DoubleMoving].map(|kind| self.ends_of_kinds[kind as usize]);
         if first == end { 0..0 } else { first / COLUMN..end.div_ceil(COLUMN) }
     }
 

@@ -6,16 +6,16 @@ use std::sync::Mutex;
 
 use crate::collision::{ChosenContacts, Contacts};
 use crate::compute::{
-    self, BlocksOver, BodyState, ByColumn, COLUMN, Chosen, Column, Crew, Divide, Job, Lane, RowPairs, Width,
-    lock,
+    self, BlocksOver, BodyState, ByColumn, COLUMN, Chosen, Column, Divide, Job, Lane, RowPairs, ThreadPool,
+    Width, lock,
 };
 use crate::resolution::constraint::StepResidual;
 use crate::resolution::constraint_graph::colour::{Colour, DIRECT, OVERFLOW};
 use crate::resolution::constraint_graph::{ConstraintGraph, Used};
 use crate::resolution::contact_block::{Beginning, BlockEnd, BlockStart, ContactBlock, ContactEnds};
-use crate::resolution::follower::Follower;
 use crate::resolution::kernel::Kernel;
 use crate::resolution::load::{ContactLoad, LoadMeasure, Loads};
+use crate::resolution::moving_geometry::MovingGeometry;
 
 /// What it costs to make sixteen constraints, to sweep over them once, and to write them back, ns.
 const PREPARE_COST: usize = 300;
@@ -24,21 +24,21 @@ const FINISH_COST: usize = 200;
 
 impl ConstraintGraph {
     /// How many blocks may have contacts that follow the surface.
-    pub(crate) fn blocks_with_followers(&self) -> usize {
-        self.colours.iter().map(|colour| colour.blocks_with_followers().len()).sum()
+    pub(crate) fn blocks_with_moving(&self) -> usize {
+        self.colours.iter().map(|colour| colour.blocks_with_moving().len()).sum()
     }
 
     /// Makes the constraints of a step, and takes up those that follow the surface into as many columns as there are blocks
     /// with some.
     pub(crate) fn prepare(
         &mut self,
-        crew: &Crew,
+        pool: &ThreadPool,
         width: Width,
         from: Beginning<'_>,
-        mut free: &mut [Follower<Column>],
+        mut free: &mut [MovingGeometry<Column>],
     ) {
         let Self { colours, row_marks, .. } = self;
-        let mut first_name = 0;
+        let mut first_index = 0;
         for colour in colours {
             let count = colour.contacts.len().div_ceil(COLUMN);
             if count == 0 && colour.blocks.len() == 0 {
@@ -48,19 +48,17 @@ impl ConstraintGraph {
             colour.blocks.resize(count);
             colour.starts.resize_with(count, BlockStart::default);
             colour.ends.resize_with(count, BlockEnd::default);
-            let with_followers = colour.blocks_with_followers();
-            let columns = free.split_off_mut(..with_followers.len()).unwrap_or_default();
-            let followers =
-                NamedFollowers { blocks: count, start: with_followers.start, first_name, columns };
-            first_name += with_followers.len();
+            let with_moving = colour.blocks_with_moving();
+            let columns = free.split_off_mut(..with_moving.len()).unwrap_or_default();
+            let moving = MovingOfBlocks { blocks: count, start: with_moving.start, first_index, columns };
+            first_index += with_moving.len();
             let (rows, blocks) = colour.blocks.all_mut();
-            let parts =
-                ((ByColumn(&colour.contacts[..]), followers), ((rows, blocks), &mut colour.starts[..]));
-            crew.run(parts, PREPARE_COST, |((contacts, followers), ((rows, blocks), starts))| {
+            let parts = ((ByColumn(&colour.contacts[..]), moving), ((rows, blocks), &mut colour.starts[..]));
+            pool.run(parts, PREPARE_COST, |((contacts, moving), ((rows, blocks), starts))| {
                 let contacts = contacts.0;
-                compute::run(width, Prepare { contacts, rows, blocks, starts, from, followers });
+                compute::run(width, Prepare { contacts, rows, blocks, starts, from, moving });
             });
-            if !crew.is_alone() {
+            if !pool.is_alone() {
                 colour.blocks.check(row_marks);
             }
         }
@@ -69,7 +67,7 @@ impl ConstraintGraph {
     /// Writes impulses and separations back into the contacts; returns what is left wrong.
     pub(crate) fn finish(
         &mut self,
-        crew: &Crew,
+        pool: &ThreadPool,
         width: Width,
         states: &[BodyState],
         contacts: &mut Contacts,
@@ -81,7 +79,7 @@ impl ConstraintGraph {
             let contacts = ByColumn(contacts.chosen(&colour.contacts));
             let loads = ByColumn(Chosen::new(&mut loads.of_contact, &colour.contacts));
             let parts = ((contacts, loads), (colour.blocks.all(), &mut colour.ends[..]));
-            crew.run(parts, FINISH_COST, |((contacts, loads), ((rows, blocks), ends))| {
+            pool.run(parts, FINISH_COST, |((contacts, loads), ((rows, blocks), ends))| {
                 let (contacts, loads) = (contacts.0, loads.0);
                 compute::run(
                     width,
@@ -103,13 +101,13 @@ impl ConstraintGraph {
     /// for the overflow, whose contacts may share bodies.
     pub(crate) fn for_each_swept(
         &mut self,
-        crew: &Crew,
+        pool: &ThreadPool,
         width: Width,
         states: &mut [BodyState],
         kernel: &impl Kernel,
     ) {
         let (colours, used) = (&mut self.colours, self.used.swept());
-        if crew.is_alone() {
+        if pool.is_alone() {
             return pass_over((colours, used), width, states, kernel);
         }
         if used.has_overflow() {
@@ -118,7 +116,7 @@ impl ConstraintGraph {
         for colour in used.colours() {
             let Colour { contacts, blocks, .. } = &mut colours[colour];
             let parts = (ByColumn(0..contacts.len()), blocks.over(states));
-            crew.run(parts, SWEEP_COST, |(contacts, blocks)| {
+            pool.run(parts, SWEEP_COST, |(contacts, blocks)| {
                 compute::run(width, BlockPass { contacts: contacts.0.len(), blocks, kernel });
             });
         }
@@ -127,12 +125,12 @@ impl ConstraintGraph {
     /// Does something that moves no body to every constraint: what is solved directly may share bodies.
     pub(crate) fn for_each(
         &mut self,
-        crew: &Crew,
+        pool: &ThreadPool,
         width: Width,
         states: &mut [BodyState],
         kernel: &impl Kernel,
     ) {
-        self.for_each_swept(crew, width, states, kernel);
+        self.for_each_swept(pool, width, states, kernel);
         if self.solves_directly() {
             compute::run(width, BlockPass::over(&mut self.colours[DIRECT], states, kernel));
         }
@@ -218,41 +216,41 @@ struct Prepare<'a> {
     blocks: &'a mut [ContactBlock],
     starts: &'a mut [BlockStart],
     from: Beginning<'a>,
-    followers: NamedFollowers<'a>,
+    moving: MovingOfBlocks<'a>,
 }
 
-/// Those of the contacts of some blocks that follow the surface, with what their blocks call them.
-struct NamedFollowers<'a> {
+/// The moving geometry of the contacts of some blocks, with its indices.
+struct MovingOfBlocks<'a> {
     /// How many blocks there are.
     blocks: usize,
     /// The first of them that has some. So have those after it, for as long as there are columns.
     start: usize,
-    first_name: usize,
-    columns: &'a mut [Follower<Column>],
+    first_index: usize,
+    columns: &'a mut [MovingGeometry<Column>],
 }
 
-impl NamedFollowers<'_> {
-    fn of(&mut self, block: usize) -> Option<(u32, &mut Follower<Column>)> {
+impl MovingOfBlocks<'_> {
+    fn of(&mut self, block: usize) -> Option<(u32, &mut MovingGeometry<Column>)> {
         let number = block.checked_sub(self.start)?;
-        Some(((self.first_name + number) as u32, self.columns.get_mut(number)?))
+        Some(((self.first_index + number) as u32, self.columns.get_mut(number)?))
     }
 }
 
-impl Divide for NamedFollowers<'_> {
+impl Divide for MovingOfBlocks<'_> {
     fn count(&self) -> usize {
         self.blocks
     }
 
     fn divide(self, at: usize) -> (Self, Self) {
-        let Self { blocks, start, first_name, columns } = self;
+        let Self { blocks, start, first_index, columns } = self;
         let before = at.saturating_sub(start).min(columns.len());
         let (first, last) = columns.split_at_mut(before);
         (
-            Self { blocks: at, start, first_name, columns: first },
+            Self { blocks: at, start, first_index, columns: first },
             Self {
                 blocks: blocks - at,
                 start: start.saturating_sub(at),
-                first_name: first_name + before,
+                first_index: first_index + before,
                 columns: last,
             },
         )
@@ -267,8 +265,8 @@ impl Job for Prepare<'_> {
             let list = &self.contacts[number * COLUMN..];
             let indices = &list[..list.len().min(COLUMN)];
             *start = block.fill(rows, list, self.from);
-            if let Some(followers) = self.followers.of(number) {
-                start.found_anew = block.take_up_followers(followers, indices, self.from);
+            if let Some(moving) = self.moving.of(number) {
+                start.found_anew = block.take_up_moving(moving, indices, self.from);
             } else {
                 let mut contacts = indices.iter().map(|&index| &self.from.contacts[index]);
                 debug_assert!(!contacts.any(|contact| contact.follows), "sorted by kind");

@@ -5,7 +5,7 @@ use crate::collision::{Contact, Contacts, ManifoldPoint};
 use crate::compute::{COLUMN, Column, GROUND_ROW, Lane, RowPairs};
 use crate::resolution::constraint::{ConstraintPoint, ContactConstraint, THERE};
 use crate::resolution::contact_block::{ContactBlock, Fit, Marks};
-use crate::resolution::follower::Follower;
+use crate::resolution::moving_geometry::MovingGeometry;
 
 /// What constraints are made from as a step begins.
 #[derive(Clone, Copy, Debug)]
@@ -50,7 +50,7 @@ impl ContactBlock {
         self.has_circles = false;
         self.clear_pending();
         self.fit = Fit::ALL;
-        self.followers = NONE;
+        self.moving = NONE;
         let columns = &mut self.columns;
         columns.points[0].normal_k = Column::splat(THERE);
         for friction in &mut columns.frictions {
@@ -77,24 +77,24 @@ impl ContactBlock {
         start
     }
 
-    /// Takes up those of the contacts that follow the surface; `name` is what the block calls its `followers`. Returns those
+    /// Takes up the geometry of those of the contacts that move within the step; `index` is that of `moving`. Returns those
     /// that do not in closed form.
-    pub(crate) fn take_up_followers(
+    pub(crate) fn take_up_moving(
         &mut self,
-        (name, followers): (u32, &mut Follower<Column>),
+        (index, moving): (u32, &mut MovingGeometry<Column>),
         indices: &[u32],
         from: Beginning<'_>,
     ) -> Marks {
         let mut found_anew = Marks::default();
-        followers.clear();
-        for (place, &index) in indices.iter().enumerate() {
-            let contact = &from.contacts[index];
+        moving.clear();
+        for (place, &contact) in indices.iter().enumerate() {
+            let contact = &from.contacts[contact];
             if !contact.follows {
                 continue;
             }
-            if let Some(follower) = Follower::new(contact, from.bodies, from.dt) {
-                followers.set(place, &follower);
-                self.followers = name;
+            if let Some(geometry) = MovingGeometry::new(contact, from.bodies, from.dt) {
+                moving.set(place, &geometry);
+                self.moving = index;
             } else {
                 found_anew.set(place, true);
             }

@@ -31,14 +31,14 @@ pub(super) struct DirectPoint {
     normal: [[f64; 3]; 2],
     tangent: [[f64; 3]; 2],
     /// Part of vn and vt that the solve does not change: of kinematic bodies, and the bias in vn.
-    given: [f64; 2],
+    bias: [f64; 2],
     /// Velocity that a unit of impulse gives the point by itself, 1/kg.
     inverse_mass: [f64; 2],
     /// Impulse per velocity that the point yields by, kg, along the normal and along the tangent.
     stiffness: [f64; 2],
     pub(super) friction: f64,
     /// What it yields to is the change from these impulses, N s, along the normal and along the tangent.
-    pub(super) prior: [f64; 2],
+    pub(super) previous: [f64; 2],
     /// N s, along the normal and along the tangent.
     pub(super) impulse: [f64; 2],
     /// The impulses that were found last.
@@ -55,11 +55,11 @@ impl DirectPoint {
             movers,
             normal: Default::default(),
             tangent: Default::default(),
-            given: [0.0; 2],
+            bias: [0.0; 2],
             inverse_mass: [1.0; 2],
             stiffness: [1.0; 2],
             friction: 0.0,
-            prior: [0.0; 2],
+            previous: [0.0; 2],
             found: [0.0; 2],
             impulse: [0.0; 2],
             limit: 0.0,
@@ -91,13 +91,13 @@ impl DirectPoint {
         };
         self.normal = [0, 1].map(|side| row(side, normal));
         self.tangent = [0, 1].map(|side| row(side, normal.perp()));
-        self.given = [f64::from(bias), 0.0];
+        self.bias = [f64::from(bias), 0.0];
         let inverse_inertias = [constraint.inverse_inertia_a, constraint.inverse_inertia_b];
         for (side, state) in [a, b].into_iter().enumerate() {
             if self.movers[side] == NONE {
                 let velocity = [state.velocity.x, state.velocity.y, state.angular_velocity].map(f64::from);
-                self.given[0] += dot(&self.normal[side], &velocity);
-                self.given[1] += dot(&self.tangent[side], &velocity);
+                self.bias[0] += dot(&self.normal[side], &velocity);
+                self.bias[1] += dot(&self.tangent[side], &velocity);
             } else if inverse_inertias[side] == 0.0 {
                 // Nothing turns it.
                 self.normal[side][2] = 0.0;
@@ -112,7 +112,7 @@ impl DirectPoint {
     /// A pending point parts, whatever the velocities.
     pub(super) fn leave_alone(&mut self) {
         self.normal = Default::default();
-        self.given[0] = 1.0;
+        self.bias[0] = 1.0;
     }
 
     /// Begins to look for impulses, from those of now.
@@ -129,7 +129,7 @@ impl DirectPoint {
     /// Lets the point give back this share of a change of its impulses from those of now.
     pub(super) fn yield_by(&mut self, compliance: f64) {
         self.stiffness = self.inverse_mass.map(|k| 1.0 / (compliance * k));
-        self.prior = self.impulse;
+        self.previous = self.impulse;
     }
 
     /// Keeps the impulses of now, or goes back to those found before.
@@ -165,21 +165,21 @@ impl DirectPoint {
     /// vn + bias and vt, m/s: the first is negative where the point approaches.
     fn approach_and_slip(&self, velocities: &[f64]) -> [f64; 2] {
         [
-            self.along(&self.normal, velocities) + self.given[0],
-            self.along(&self.tangent, velocities) + self.given[1],
+            self.along(&self.normal, velocities) + self.bias[0],
+            self.along(&self.tangent, velocities) + self.bias[1],
         ]
     }
 
     /// The impulses that the point answers an approach and a slip with.
     fn answer(&self, approach: f64, slip: f64) -> [f64; 2] {
         [
-            (self.prior[0] - approach * self.stiffness[0]).max(0.0),
-            (self.prior[1] - slip * self.stiffness[1]).clamp(-self.limit, self.limit),
+            (self.previous[0] - approach * self.stiffness[0]).max(0.0),
+            (self.previous[1] - slip * self.stiffness[1]).clamp(-self.limit, self.limit),
         ]
     }
 
     /// Whether these velocities, which its impulses have brought about, are what the point wants, to the tolerance.
-    pub(super) fn is_content(&self, velocities: &[f64]) -> bool {
+    pub(super) fn is_complementary(&self, velocities: &[f64]) -> bool {
         let [approach, slip] = self.approach_and_slip(velocities);
         let [k, tangent_k] = self.inverse_mass;
         let [normal, tangent] = self.impulse;
@@ -197,7 +197,7 @@ impl DirectPoint {
     /// The normal impulse after a step in which the point is held.
     pub(super) fn held_impulse(&self, velocities: &[f64], step: &[f64]) -> f64 {
         let [approach, gain, ..] = self.way(velocities, step);
-        (self.prior[0] - (approach + gain) * self.stiffness[0]).max(0.0)
+        (self.previous[0] - (approach + gain) * self.stiffness[0]).max(0.0)
     }
 
     /// Approach and slip, each with what the step adds.
@@ -246,7 +246,7 @@ impl DirectPoint {
 
     /// Adds Jᵀ J/c of what responds to a change of velocity.
     pub(super) fn stiffen(&self, matrix: &mut Skyline, first: u32, holds: bool) {
-        let is_held = holds && self.given[0] < HELD;
+        let is_held = holds && self.bias[0] < HELD;
         let presses = is_held || self.impulse[0] > 0.0;
         let sticks = is_held || self.impulse[1].abs() < self.limit;
         for (responds, row, stiffness) in

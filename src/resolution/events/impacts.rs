@@ -34,7 +34,7 @@ use crate::resolution::contact_block::Marks;
 use crate::resolution::events::approach::{RESTING_SUBSTEPS, Substep, Watched, approach};
 use crate::resolution::events::queue::{Expected, ImpactQueue, Neighbours};
 use crate::resolution::events::{EventScene, MEETING_TOLERANCE};
-use crate::resolution::follow::manifold_in;
+use crate::resolution::moving::manifold_in;
 
 /// How often one contact may be met within a substep. More happens only where bodies are wedged, and the sweeps take what
 /// is left, as if there were no restitution; or where they turn away from each other for as long as they approach.

@@ -15,8 +15,8 @@ use crate::compute::{BodyState, GROUND_ROW, LaneVec2};
 use crate::resolution::constraint::ContactConstraint;
 use crate::resolution::constraint_graph::{ConstraintGraph, GraphIndex};
 use crate::resolution::events::{EventScene, MEETING_TOLERANCE};
-use crate::resolution::follow::constraint_in;
 use crate::resolution::integrate::drift_until;
+use crate::resolution::moving::constraint_in;
 
 /// How many pieces a circle may reach in a substep, looks in vain counted; the sweeps take what is left.
 const MEETINGS_PER_SUBSTEP: usize = 64;

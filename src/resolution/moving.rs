@@ -7,13 +7,13 @@
 
 use crate::body::Bodies;
 use crate::collision::{Contact, Contacts, Manifold, detect_within};
-use crate::compute::{BodyState, Column, Crew, Lane, PairStates, Width};
+use crate::compute::{BodyState, Column, Lane, PairStates, ThreadPool, Width};
 use crate::math::{Rot, Vec2};
 use crate::resolution::constraint::ContactConstraint;
 use crate::resolution::constraint_graph::{ConstraintGraph, GraphIndex};
 use crate::resolution::contact_block::ContactBlock;
-use crate::resolution::follower::Follower;
 use crate::resolution::kernel::Kernel;
+use crate::resolution::moving_geometry::MovingGeometry;
 
 /// Far enough that the nearest points of two bodies are found wherever they are, m.
 const ANY_DISTANCE: f32 = 1e9;
@@ -49,26 +49,26 @@ pub(crate) fn constraint_in(
 
 /// Contacts that follow the surface within the step.
 #[derive(Clone, Debug, Default)]
-pub(crate) struct Followers {
-    /// Those of some blocks of the constraint graph that follow in closed form, by what their block calls them. Longer where
-    /// there once were more.
-    columns: Vec<Follower<Column>>,
+pub(crate) struct MovingContacts {
+    /// Those of some blocks of the constraint graph that follow in closed form, by the index that their block has. Longer
+    /// where there once were more.
+    columns: Vec<MovingGeometry<Column>>,
     /// How many blocks may have some.
     block_count: usize,
     /// By index, and place in the graph: those whose manifold has to be found anew.
     found_anew: Vec<(u32, GraphIndex)>,
 }
 
-impl Followers {
+impl MovingContacts {
     /// Makes room for those of so many blocks.
     pub(crate) fn reset(&mut self, block_count: usize) {
         self.block_count = block_count;
-        self.columns.resize(self.columns.len().max(block_count), Follower::default());
+        self.columns.resize(self.columns.len().max(block_count), MovingGeometry::default());
         self.found_anew.clear();
     }
 
-    /// By what their block calls them: those that follow in closed form, to be taken up.
-    pub(crate) fn columns_mut(&mut self) -> &mut [Follower<Column>] {
+    /// By the index that their block gets: those that follow in closed form, to be taken up.
+    pub(crate) fn columns_mut(&mut self) -> &mut [MovingGeometry<Column>] {
         &mut self.columns[..self.block_count]
     }
 
@@ -84,7 +84,7 @@ impl Followers {
     /// Brings the constraints up to where the bodies are now.
     pub(crate) fn follow(
         &self,
-        (crew, width): (&Crew, Width),
+        (pool, width): (&ThreadPool, Width),
         (contacts, bodies, graph): (&Contacts, &mut Bodies, &mut ConstraintGraph),
     ) {
         for &(index, place) in &self.found_anew {
@@ -94,7 +94,7 @@ impl Followers {
             }
         }
         if !self.is_empty() {
-            graph.for_each(crew, width, &mut bodies.states, &Follow { columns: &self.columns });
+            graph.for_each(pool, width, &mut bodies.states, &Follow { columns: &self.columns });
         }
     }
 }
@@ -102,34 +102,34 @@ impl Followers {
 /// Brings the contacts of a block up to where their bodies are.
 #[derive(Clone, Debug)]
 struct Follow<'a> {
-    /// Those that follow, by what their block calls them.
-    columns: &'a [Follower<Column>],
+    /// Those that follow, by the index that their block has.
+    columns: &'a [MovingGeometry<Column>],
 }
 
 impl Kernel for Follow<'_> {
     #[inline(always)]
     fn run<L: Lane>(&self, block: &mut ContactBlock, states: &mut PairStates<'_>, place: usize) {
-        let Some(followers) = self.columns.get(block.followers as usize) else { return };
-        if !followers.has_any::<L>(place) {
+        let Some(moving) = self.columns.get(block.moving as usize) else { return };
+        if !moving.has_any::<L>(place) {
             return;
         }
         if block.fit().is_single {
-            follow::<L, 1>(followers, block, states, place);
+            follow::<L, 1>(moving, block, states, place);
         } else {
-            follow::<L, 2>(followers, block, states, place);
+            follow::<L, 2>(moving, block, states, place);
         }
     }
 }
 
 #[inline(always)]
 fn follow<L: Lane, const POINTS: usize>(
-    followers: &Follower<Column>,
+    moving: &MovingGeometry<Column>,
     block: &mut ContactBlock,
     states: &PairStates<'_>,
     place: usize,
 ) {
     let [a, b] = states.gather::<L>(place);
-    let (geometry, follows) = followers.load::<L>(place).geometry_in::<POINTS>(&a, &b);
+    let (geometry, follows) = moving.load::<L>(place).geometry_in::<POINTS>(&a, &b);
     let before = block.load::<L>(place);
     let mut after = before;
     after.set_geometry_in::<POINTS>(&geometry, &a, &b);

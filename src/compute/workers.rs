@@ -1,4 +1,4 @@
-//! The threads of a crew: woken once per step, then without rest until its end.
+//! The threads of a pool: woken once per step, then without rest until its end.
 //!
 //! Own threads and no library's, as the colours of a sweep are short: two threads do 3 µs of work in under 2 µs, where
 //! `rayon::join` takes 2.9 µs. Nothing is allocated, and a thread gets the same parts of each sweep, which it has in
@@ -29,7 +29,7 @@ const LOOKS_FOR_END: u32 = if cfg!(loom) { 0 } else { 1000 };
 /// What the threads do.
 const RESTING: u8 = 0;
 const AT_WORK: u8 = 1;
-const DISMISSED: u8 = 2;
+const SHUT_DOWN: u8 = 2;
 
 type Work = dyn Fn(usize) + Sync + 'static;
 
@@ -45,20 +45,20 @@ const UNCLAIMED: u8 = 1;
 const CLAIMED: u8 = 2;
 
 /// What one thread beside the caller is to do: all of it comes in the cache line that it looks at.
-struct Post {
+struct TaskSlot {
     /// `NO_PART`, `UNCLAIMED` or `CLAIMED`; `NO_PART` again when it is done.
     state: AtomicU8,
     /// What the part is of. It is there as long as the part is not done.
     task: UnsafeCell<*const Work>,
 }
 
-// SAFETY: `task` is written by `Board::run` while there is no part in this post, and read by the one who has claimed the
+// SAFETY: `task` is written by `TaskQueue::run` while there is no part in this slot, and read by the one who has claimed the
 // part and not done it yet; what it points at is `Sync`.
-unsafe impl Sync for Post {}
+unsafe impl Sync for TaskSlot {}
 // SAFETY: as above.
-unsafe impl Send for Post {}
+unsafe impl Send for TaskSlot {}
 
-impl Post {
+impl TaskSlot {
     fn new() -> Self {
         let nothing: &'static Work = &|_| ();
         Self { state: AtomicU8::new(NO_PART), task: UnsafeCell::new(nothing) }
@@ -80,69 +80,69 @@ impl Post {
 }
 
 /// What the threads share.
-struct Board {
+struct TaskQueue {
     /// By thread, those beside the caller.
-    posts: Box<[Apart<Post>]>,
-    /// Counts the stretches of work, when they begin and when they end: odd within one.
-    stretches: Apart<AtomicU64>,
-    /// `RESTING`, `AT_WORK` or `DISMISSED`.
-    duty: Apart<AtomicU8>,
+    slots: Box<[Apart<TaskSlot>]>,
+    /// Counts the tasks of work, when they begin and when they end: odd within one.
+    tasks: Apart<AtomicU64>,
+    /// `RESTING`, `AT_WORK` or `SHUT_DOWN`.
+    phase: Apart<AtomicU8>,
     /// How a part failed, the first to do so.
     panic: Apart<Mutex<Option<Box<dyn Any + Send>>>>,
 }
 
-impl Board {
+impl TaskQueue {
     /// For so many threads, the caller's among them.
     fn new(threads: usize) -> Self {
         Self {
-            posts: (1..threads).map(|_| Apart(Post::new())).collect(),
-            stretches: Apart(AtomicU64::new(0)),
-            duty: Apart(AtomicU8::new(RESTING)),
+            slots: (1..threads).map(|_| Apart(TaskSlot::new())).collect(),
+            tasks: Apart(AtomicU64::new(0)),
+            phase: Apart(AtomicU8::new(RESTING)),
             panic: Apart(Mutex::new(None)),
         }
     }
 
     /// Does work on each of some parts, at most one for each thread, once; returns when all of them are done.
     fn run(&self, parts: usize, work: &(dyn Fn(usize) + Sync)) {
-        let posts = &self.posts[..parts - 1];
-        let number = self.stretches.0.load(Ordering::Relaxed);
+        let slots = &self.slots[..parts - 1];
+        let number = self.tasks.0.load(Ordering::Relaxed);
         let begin =
-            || self.stretches.0.compare_exchange(number, number + 1, Ordering::Acquire, Ordering::Relaxed);
-        assert!(number.is_multiple_of(2) && begin().is_ok(), "one stretch of work at a time");
+            || self.tasks.0.compare_exchange(number, number + 1, Ordering::Acquire, Ordering::Relaxed);
+        assert!(number.is_multiple_of(2) && begin().is_ok(), "one task of work at a time");
         // Asked before the first of them is published: from there on nothing may unwind before all parts are done.
-        debug_assert!(posts.iter().all(|Apart(post)| post.is_done()));
+        debug_assert!(slots.iter().all(|Apart(slot)| slot.is_done()));
         // SAFETY: only the lifetime changes. The work is used by those who have claimed a part and not done it yet, and this
         // function returns when all parts are done.
         let shared = unsafe { core::mem::transmute::<&(dyn Fn(usize) + Sync), &'static Work>(work) };
-        for Apart(post) in posts {
-            // SAFETY: all parts of stretches before this one are done, and that of this one is not here yet.
-            post.task.with_mut(|task| unsafe { *task = shared });
-            post.state.store(UNCLAIMED, Ordering::Release);
+        for Apart(slot) in slots {
+            // SAFETY: all parts of tasks before this one are done, and that of this one is not here yet.
+            slot.task.with_mut(|task| unsafe { *task = shared });
+            slot.state.store(UNCLAIMED, Ordering::Release);
         }
         self.do_part(0, work);
         self.help(0);
         let mut looks = 0;
-        for Apart(post) in posts {
-            while !post.is_done() {
+        for Apart(slot) in slots {
+            while !slot.is_done() {
                 wait(&mut looks, LOOKS_FOR_END);
             }
         }
-        self.stretches.0.store(number + 2, Ordering::Release);
+        self.tasks.0.store(number + 2, Ordering::Release);
         let panic = self.panic.0.lock().unwrap_or_else(PoisonError::into_inner).take();
         if let Some(panic) = panic {
             resume_unwind(panic);
         }
     }
 
-    /// Does the parts that nobody has taken up, that of a post first.
+    /// Does the parts that nobody has taken up, that of a slot first.
     fn help(&self, first: usize) {
-        let posts = self.posts.iter().enumerate();
-        for (place, Apart(post)) in posts.clone().skip(first).chain(posts.take(first)) {
-            if post.claim() {
+        let slots = self.slots.iter().enumerate();
+        for (place, Apart(slot)) in slots.clone().skip(first).chain(slots.take(first)) {
+            if slot.claim() {
                 // SAFETY: this part has been claimed and is not done, so that the task and its work are there.
-                let work = post.task.with(|task| unsafe { &**task });
+                let work = slot.task.with(|task| unsafe { &**task });
                 self.do_part(place + 1, work);
-                post.state.store(NO_PART, Ordering::Release);
+                slot.state.store(NO_PART, Ordering::Release);
             }
         }
     }
@@ -160,12 +160,12 @@ impl Board {
     }
 
     /// The life of a thread.
-    fn work_until_dismissed(&self, place: usize) {
+    fn work_until_shut_down(&self, place: usize) {
         let (mut looks, mut rested) = (0, 0);
         loop {
-            match self.duty.0.load(Ordering::Acquire) {
-                DISMISSED => return,
-                AT_WORK if self.posts[place].0.has_part() => {
+            match self.phase.0.load(Ordering::Acquire) {
+                SHUT_DOWN => return,
+                AT_WORK if self.slots[place].0.has_part() => {
                     self.help(place);
                     (looks, rested) = (0, 0);
                 }
@@ -191,8 +191,8 @@ fn wait(looks: &mut u32, limit: u32) {
 }
 
 /// The threads beside the caller.
-pub(super) struct Team {
-    board: Arc<Board>,
+pub(super) struct Workers {
+    queue: Arc<TaskQueue>,
     threads: Vec<JoinHandle<()>>,
     /// How many threads were asked for, the caller's among them: there may be fewer.
     asked_for: usize,
@@ -200,12 +200,12 @@ pub(super) struct Team {
 
 /// Lets the threads sleep when it goes, also where that is because of a panic.
 #[must_use = "threads are at work as long as it is there"]
-pub(crate) struct AtWork(Option<Arc<Board>>);
+pub(crate) struct AtWork(Option<Arc<TaskQueue>>);
 
 impl Drop for AtWork {
     fn drop(&mut self) {
-        if let Some(board) = &self.0 {
-            board.duty.0.store(RESTING, Ordering::Release);
+        if let Some(queue) = &self.0 {
+            queue.phase.0.store(RESTING, Ordering::Release);
         }
     }
 }
@@ -215,79 +215,79 @@ impl AtWork {
     pub(super) const ALONE: Self = Self(None);
 }
 
-impl Default for Team {
+impl Default for Workers {
     fn default() -> Self {
-        Self { board: Arc::new(Board::new(1)), threads: Vec::new(), asked_for: 1 }
+        Self { queue: Arc::new(TaskQueue::new(1)), threads: Vec::new(), asked_for: 1 }
     }
 }
 
-impl Clone for Team {
-    /// A team of its own, that has no threads yet.
+impl Clone for Workers {
+    /// A workers of its own, that has no threads yet.
     fn clone(&self) -> Self {
         Self::default()
     }
 }
 
-impl core::fmt::Debug for Team {
+impl core::fmt::Debug for Workers {
     fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
-        f.debug_struct("Team").field("threads", &self.threads.len()).finish_non_exhaustive()
+        f.debug_struct("Workers").field("threads", &self.threads.len()).finish_non_exhaustive()
     }
 }
 
-impl Drop for Team {
+impl Drop for Workers {
     fn drop(&mut self) {
-        self.dismiss();
+        self.shut_down();
     }
 }
 
-impl Team {
+impl Workers {
     /// Wakes so many threads, the caller's among them; starts them where they are not there yet.
     pub(super) fn begin(&mut self, threads: usize) -> AtWork {
         if self.asked_for != threads {
-            self.dismiss();
-            self.hire(threads);
+            self.shut_down();
+            self.spawn(threads);
         }
         if self.threads.is_empty() {
             return AtWork::ALONE;
         }
-        self.set_duty(AT_WORK);
-        AtWork(Some(Arc::clone(&self.board)))
+        self.set_phase(AT_WORK);
+        AtWork(Some(Arc::clone(&self.queue)))
     }
 
     /// How many threads are at work, the caller's among them.
     #[inline(always)]
     pub(super) fn threads(&self) -> usize {
-        let are_at_work = || self.board.duty.0.load(Ordering::Relaxed) == AT_WORK;
+        let are_at_work = || self.queue.phase.0.load(Ordering::Relaxed) == AT_WORK;
         if !self.threads.is_empty() && are_at_work() { 1 + self.threads.len() } else { 1 }
     }
 
     /// Does work on each of some parts, at most one for each thread.
     pub(super) fn run(&self, parts: usize, work: &(dyn Fn(usize) + Sync)) {
-        self.board.run(parts, work);
+        self.queue.run(parts, work);
     }
 
-    fn hire(&mut self, threads: usize) {
+    fn spawn(&mut self, threads: usize) {
         self.asked_for = threads;
-        self.board = Arc::new(Board::new(threads));
+        self.queue = Arc::new(TaskQueue::new(threads));
         for place in 0..threads - 1 {
-            let board = Arc::clone(&self.board);
+            let queue = Arc::clone(&self.queue);
             let thread = thread::Builder::new().name("rustycs".into());
             // Where there are no more threads to be had, as on the web, the caller does all there is to do.
-            let Ok(hired) = thread.spawn(move || board.work_until_dismissed(place)) else { break };
-            self.threads.push(hired);
+            let Ok(spawned) = thread.spawn(move || queue.work_until_shut_down(place)) else { break };
+            self.threads.push(spawned);
         }
     }
 
-    fn dismiss(&mut self) {
-        self.set_duty(DISMISSED);
+    fn shut_down(&mut self) {
+        self.set_phase(SHUT_DOWN);
         for thread in self.threads.drain(..) {
             // Nothing of a thread's own can fail: what it works on is caught.
             _ = thread.join();
         }
     }
 
-    fn set_duty(&self, duty: u8) {
-        self.board.duty.0.store(duty, Ordering::Release);
+    fn set_phase(&self, phase: u8) {
+        self.queue.phase.0.store(phase, Ordering::Release);
         for thread in &self.threads {
             thread.thread().unpark();
         }
@@ -297,7 +297,7 @@ impl Team {
 /// Every order in which two or three threads may run, see `sync`.
 #[cfg(all(loom, test))]
 mod loom_tests {
-    use super::{Arc, AtomicU8, Board, Ordering, Team, UnsafeCell, thread};
+    use super::{Arc, AtomicU8, Ordering, TaskQueue, UnsafeCell, Workers, thread};
     use loom::model::Builder;
 
     /// Written by one part, read by the caller when all are done: loom finds out where that is not in order.
@@ -334,12 +334,12 @@ mod loom_tests {
     #[test]
     fn loom_each_part_is_done_once_before_the_work_ends() {
         check(3, || {
-            let mut team = Team::default();
-            let at_work = team.begin(2);
+            let mut workers = Workers::default();
+            let at_work = workers.begin(2);
             let visits = Visits::new(2);
-            for stretch in 1..3 {
-                team.run(2, &|part| visits.visit(part));
-                visits.assert_all(stretch);
+            for task in 1..3 {
+                workers.run(2, &|part| visits.visit(part));
+                visits.assert_all(task);
             }
             drop(at_work);
         });
@@ -349,15 +349,15 @@ mod loom_tests {
     #[test]
     fn loom_three_threads_share_three_parts_of_which_each_may_take_another_s() {
         check(2, || {
-            let board = Arc::new(Board::new(3));
+            let queue = Arc::new(TaskQueue::new(3));
             let threads = [0, 1].map(|place| {
-                let board = Arc::clone(&board);
-                thread::spawn(move || board.help(place))
+                let queue = Arc::clone(&queue);
+                thread::spawn(move || queue.help(place))
             });
             let visits = Visits::new(3);
-            for stretch in 1..3 {
-                board.run(3, &|part| visits.visit(part));
-                visits.assert_all(stretch);
+            for task in 1..3 {
+                queue.run(3, &|part| visits.visit(part));
+                visits.assert_all(task);
             }
             threads.into_iter().for_each(|thread| thread.join().unwrap());
         });
@@ -366,11 +366,11 @@ mod loom_tests {
     #[test]
     fn loom_threads_that_rest_come_back_for_the_next_step() {
         check(3, || {
-            let mut team = Team::default();
+            let mut workers = Workers::default();
             let visits = Visits::new(2);
             for step in 1..3 {
-                let at_work = team.begin(2);
-                team.run(2, &|part| visits.visit(part));
+                let at_work = workers.begin(2);
+                workers.run(2, &|part| visits.visit(part));
                 visits.assert_all(step);
                 drop(at_work);
             }
@@ -380,11 +380,11 @@ mod loom_tests {
     #[test]
     fn loom_a_part_that_panics_ends_no_other() {
         check(2, || {
-            let mut team = Team::default();
-            let at_work = team.begin(2);
+            let mut workers = Workers::default();
+            let at_work = workers.begin(2);
             let done = AtomicU8::new(0);
             let run = || {
-                team.run(2, &|part| {
+                workers.run(2, &|part| {
                     done.fetch_add(1, Ordering::Relaxed);
                     if part == 1 {
                         std::panic::resume_unwind(Box::new("part 1"));

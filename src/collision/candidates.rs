@@ -6,7 +6,7 @@
 use crate::body::Bodies;
 use crate::collision::broad_phase::BroadPhase;
 use crate::collision::{AHEAD, are_out_of_reach};
-use crate::compute::{Crew, prefetch};
+use crate::compute::{ThreadPool, prefetch};
 use crate::store::BitSet;
 
 /// What it costs to find out whether two bodies are in reach of each other, ns.
@@ -14,7 +14,7 @@ const REACH_COST: usize = 5;
 
 /// What becomes of a pair.
 #[derive(Clone, Copy, Debug, Default)]
-enum Fate {
+enum PairState {
     #[default]
     StaysApart,
     /// It gets a contact.
@@ -25,16 +25,16 @@ enum Fate {
 
 /// All such pairs of a world.
 #[derive(Clone, Debug, Default)]
-pub(crate) struct DistantPairs {
+pub(crate) struct CandidatePairs {
     pairs: Vec<(u32, u32)>,
     /// Scratch, by place.
-    fates: Vec<Fate>,
+    fates: Vec<PairState>,
     /// Slots of bodies that have been removed, whose pairs are still here.
     removed: BitSet,
     has_removed: bool,
 }
 
-impl DistantPairs {
+impl CandidatePairs {
     /// How many there are.
     pub(crate) fn len(&self) -> usize {
         self.pairs.len()
@@ -77,14 +77,14 @@ impl DistantPairs {
     /// is awake; forgets those whose boxes have parted.
     pub(crate) fn sort_out(
         &mut self,
-        (crew, bodies, broad_phase): (&Crew, &Bodies, &mut BroadPhase),
+        (pool, bodies, broad_phase): (&ThreadPool, &Bodies, &mut BroadPhase),
         dt: f32,
         meeting: &mut Vec<(u32, u32)>,
     ) {
         self.fates.clear();
-        self.fates.resize(self.pairs.len(), Fate::StaysApart);
+        self.fates.resize(self.pairs.len(), PairState::StaysApart);
         let boxes = &*broad_phase;
-        crew.run((&self.pairs[..], &mut self.fates[..]), REACH_COST, |(pairs, fates)| {
+        pool.run((&self.pairs[..], &mut self.fates[..]), REACH_COST, |(pairs, fates)| {
             for (place, (&(a, b), fate)) in pairs.iter().zip(fates).enumerate() {
                 if let Some(&(a, b)) = pairs.get(place + AHEAD) {
                     prefetch(&bodies.motions, a as usize);
@@ -92,21 +92,21 @@ impl DistantPairs {
                 }
                 *fate = if !boxes.overlap(a, b) {
                     boxes.prefetch_pair([a, b]);
-                    Fate::Parts
+                    PairState::Parts
                 } else if (bodies.is_awake(a) || bodies.is_awake(b)) && are_out_of_reach(bodies, [a, b], dt) {
-                    Fate::StaysApart
+                    PairState::StaysApart
                 } else {
-                    Fate::Meets
+                    PairState::Meets
                 };
             }
         });
         let mut fates = self.fates.iter();
         self.pairs.retain(|&(a, b)| match fates.next() {
-            Some(Fate::Meets) => {
+            Some(PairState::Meets) => {
                 meeting.push((a, b));
                 false
             }
-            Some(Fate::Parts) => {
+            Some(PairState::Parts) => {
                 broad_phase.forget_pair(a, b);
                 false
             }

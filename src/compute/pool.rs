@@ -1,6 +1,6 @@
 //! Several threads for one step.
 //!
-//! A step has hundreds of stretches of work that can be divided, each a few microseconds long: every colour of every
+//! A step has hundreds of tasks of work that can be divided, each a few microseconds long: every colour of every
 //! sweep is one. Starting or waking a thread takes longer than that, so threads are woken once per step, and look for
 //! parts without rest until it ends. A part that no thread has taken up is done by the caller: it never waits for a
 //! thread to come.
@@ -12,7 +12,7 @@ use core::cell::UnsafeCell;
 use core::ops::Range;
 
 use crate::compute::COLUMN;
-use crate::compute::team::{AtWork, Team};
+use crate::compute::workers::{AtWork, Workers};
 
 /// A part is worth a thread if it takes so long, ns: twice as long as another thread takes to begin it.
 const LEAST_PART: usize = 1000;
@@ -33,8 +33,8 @@ pub(crate) const MOST_THREADS: usize = 16;
 
 /// The threads that work on the steps of one world. A clone starts its own.
 #[derive(Clone, Debug, Default)]
-pub(crate) struct Crew {
-    team: Team,
+pub(crate) struct ThreadPool {
+    workers: Workers,
     /// Whether work is divided however little it is: for tests.
     divides_all: bool,
 }
@@ -47,12 +47,12 @@ pub(crate) trait Divide: Sized + Send {
     fn divide(self, at: usize) -> (Self, Self);
 }
 
-impl Crew {
+impl ThreadPool {
     /// Begins a step with up to so many threads, the caller's among them, on so many bodies and contacts. They work until
     /// what is returned goes, and rest until the next step.
     pub(crate) fn begin_step(&mut self, threads: usize, size: usize) -> AtWork {
         let is_worth_it = self.divides_all || size * STEP_COST >= LEAST_STEP;
-        if threads > 1 && is_worth_it { self.team.begin(threads.min(MOST_THREADS)) } else { AtWork::ALONE }
+        if threads > 1 && is_worth_it { self.workers.begin(threads.min(MOST_THREADS)) } else { AtWork::ALONE }
     }
 
     /// Divides work from now on however little it is.
@@ -63,7 +63,7 @@ impl Crew {
     /// Whether nothing is divided in this step.
     #[inline(always)]
     pub(crate) fn is_alone(&self) -> bool {
-        self.team.threads() == 1
+        self.workers.threads() == 1
     }
 
     /// Does work on all of it, in parts of consecutive items if that is worth it. An item costs about so many ns.
@@ -74,7 +74,7 @@ impl Crew {
         }
         let count = whole.count();
         let worth = if self.divides_all { count } else { count * item_cost / LEAST_PART };
-        let parts = worth.min(self.team.threads());
+        let parts = worth.min(self.workers.threads());
         if parts > 1 {
             let head_start = if self.divides_all { 0 } else { HEAD_START / item_cost };
             self.run_parts(whole, Parts { count: parts, items: count, head_start }, &work);
@@ -94,8 +94,8 @@ impl Crew {
         }
         *places[0].0.get_mut() = Some(rest);
         let places = &places;
-        self.team.run(parts.count, &|part| {
-            // SAFETY: the team does each part once, so that this is the only one who looks at its place.
+        self.workers.run(parts.count, &|part| {
+            // SAFETY: the workers does each part once, so that this is the only one who looks at its place.
             if let Some(part) = unsafe { (*places[part].0.get()).take() } {
                 work(part);
             }
@@ -107,7 +107,7 @@ impl Crew {
 #[repr(align(128))]
 struct Place<D>(UnsafeCell<Option<D>>);
 
-// SAFETY: what is in it is taken out by one thread, see `Crew::run_parts`.
+// SAFETY: what is in it is taken out by one thread, see `ThreadPool::run_parts`.
 unsafe impl<D: Send> Sync for Place<D> {}
 
 /// How work is divided: into a part for each thread.

@@ -41,7 +41,7 @@ struct TouchingPair<C> {
 /// A contact that follows the surface, or as many as a lane holds.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default)]
-pub(crate) struct Follower<C> {
+pub(crate) struct MovingGeometry<C> {
     normal: LaneVec2<C>,
     /// 1 where the normal turns with b, 0 where it turns with a.
     turns_with_b: C,
@@ -61,7 +61,7 @@ pub(crate) struct Follower<C> {
     pairs: [TouchingPair<C>; 2],
 }
 
-impl Follower<f32> {
+impl MovingGeometry<f32> {
     /// The contact, whose manifold is that of now, if it is one of two circles, of a circle on a face or the corners at its
     /// ends, or of a corner under load on a face. A circle must not get over the next face within a step of `dt` seconds.
     pub(crate) fn new(contact: &Contact, bodies: &Bodies, dt: f32) -> Option<Self> {
@@ -184,7 +184,7 @@ impl Follower<f32> {
     }
 }
 
-impl<L: Lane> Follower<L> {
+impl<L: Lane> MovingGeometry<L> {
     /// Where the contacts are with their bodies in the states `a` and `b` within the step, up to so many `POINTS`, and
     /// which of them follow: not those whose tip must have left its face.
     #[inline(always)]
@@ -233,24 +233,24 @@ impl<L: Lane> Follower<L> {
     }
 }
 
-impl Follower<Column> {
+impl MovingGeometry<Column> {
     /// Forgets all contacts: what is left over from them follows nothing.
     pub(crate) fn clear(&mut self) {
         self.reach_squared = Column::default();
     }
 
     /// Writes the contact at `place`.
-    pub(crate) fn set(&mut self, place: usize, follower: &Follower<f32>) {
-        self.normal.store(place, follower.normal);
-        self.turns_with_b.set(place, follower.turns_with_b);
-        self.is_of_circles.set(place, follower.is_of_circles);
-        for (to, &end) in self.ends.iter_mut().zip(&follower.ends) {
+    pub(crate) fn set(&mut self, place: usize, moving: &MovingGeometry<f32>) {
+        self.normal.store(place, moving.normal);
+        self.turns_with_b.set(place, moving.turns_with_b);
+        self.is_of_circles.set(place, moving.is_of_circles);
+        for (to, &end) in self.ends.iter_mut().zip(&moving.ends) {
             to.set(place, end);
         }
-        self.radii.set(place, follower.radii);
-        self.gap_part.set(place, follower.gap_part);
-        self.reach_squared.set(place, follower.reach_squared);
-        for (to, pair) in self.pairs.iter_mut().zip(&follower.pairs) {
+        self.radii.set(place, moving.radii);
+        self.gap_part.set(place, moving.gap_part);
+        self.reach_squared.set(place, moving.reach_squared);
+        for (to, pair) in self.pairs.iter_mut().zip(&moving.pairs) {
             for (to, &part) in to.parts.iter_mut().zip(&pair.parts) {
                 to.store(place, part);
             }
@@ -268,14 +268,14 @@ impl Follower<Column> {
 
     /// The contacts from `place` on, a multiple of the lane's width.
     #[inline(always)]
-    pub(crate) fn load<L: Lane>(&self, place: usize) -> Follower<L> {
+    pub(crate) fn load<L: Lane>(&self, place: usize) -> MovingGeometry<L> {
         let pair = |pair: &TouchingPair<Column>| TouchingPair {
             parts: [pair.parts[0].load(place), pair.parts[1].load(place)],
             apart: pair.apart.load(place),
             stays_with_b: L::load(&pair.stays_with_b, place),
             radius: L::load(&pair.radius, place),
         };
-        Follower {
+        MovingGeometry {
             normal: self.normal.load(place),
             turns_with_b: L::load(&self.turns_with_b, place),
             is_of_circles: L::load(&self.is_of_circles, place),
@@ -344,8 +344,8 @@ mod tests {
     /// times.
     fn check((bodies, contact): &(Bodies, Contact), states: [BodyState; 2]) {
         let [a, b] = &states;
-        let follower = Follower::new(contact, bodies, 0.01).expect("it can be followed");
-        let (geometry, follows) = follower.geometry_in::<2>(a, b);
+        let moving = MovingGeometry::new(contact, bodies, 0.01).expect("it can be followed");
+        let (geometry, follows) = moving.geometry_in::<2>(a, b);
         assert!(follows);
         let now = detected(bodies, contact, [a, b]);
         let loaded = contact.manifold.points().iter().position(|point| point.normal_impulse > 0.0).unwrap();
@@ -432,7 +432,7 @@ mod tests {
             let row = bodies.motions[contact.slots[1] as usize].row as usize;
             bodies.states[row].velocity = Vec2::new(speed, 0.0).into();
             assert_eq!(
-                Follower::new(&contact, &bodies, 0.01).is_some(),
+                MovingGeometry::new(&contact, &bodies, 0.01).is_some(),
                 is_followed,
                 "{place:?}, {speed} m/s"
             );
@@ -444,14 +444,14 @@ mod tests {
     fn what_cannot_be_followed_stays_where_it_was() {
         let shapes = [&Shape::obb(1.0, 0.5), &Shape::obb(1.0, 1.0)];
         let (bodies, contact) = touching(shapes, [0.0, 0.6], Vec2::new(0.3, 0.93));
-        let follower = Follower::new(&contact, &bodies, 0.01).unwrap();
+        let moving = MovingGeometry::new(&contact, &bodies, 0.01).unwrap();
         let gone = state([2.0, 0.0], 0.0);
-        let (_, follows) = follower.geometry_in::<2>(&BodyState::REST, &gone);
+        let (_, follows) = moving.geometry_in::<2>(&BodyState::REST, &gone);
         assert!(!follows);
 
         let (bodies, contact) = touching([&Shape::circle(0.5); 2], [0.0; 2], Vec2::new(0.25, 0.0));
-        let follower = Follower::new(&contact, &bodies, 0.01).unwrap();
-        let (geometry, _) = follower.geometry_in::<1>(&BodyState::REST, &state([-0.25, 0.0], 0.0));
+        let moving = MovingGeometry::new(&contact, &bodies, 0.01).unwrap();
+        let (geometry, _) = moving.geometry_in::<1>(&BodyState::REST, &state([-0.25, 0.0], 0.0));
         assert!((geometry.normal.dot(geometry.normal) - 1.0).abs() < 1e-6, "{geometry:?}");
         assert!(geometry.points[0].separation.is_finite(), "{geometry:?}");
     }
