@@ -1,4 +1,4 @@
-//! 2D rigid-body physics that reports its error, stays steady on hard cases, and leaves out what a scene does
+//! 2D rigid-body physics that reports its error, stays stable on hard cases, and leaves out what a scene does
 //! not need.
 //!
 //! A [`World`] holds [bodies](Body) of [shapes](Shape) and [materials](Material), [forces](Force) and
@@ -23,11 +23,11 @@
 //! | stage | runs on | does |
 //! |---|---|---|
 //! | pairs | boxes that moved | finds new pairs of overlapping boxes |
-//! | contacts | awake pairs | brings manifolds up to date, ends pairs whose boxes parted |
+//! | contacts | awake pairs | updates manifolds, ends pairs whose boxes have parted |
 //! | solve | awake bodies | substeps: forces, impacts, contacts, motion |
-//! | finalize | awake bodies | adds the motion to the poses; boxes follow |
+//! | finalize | awake bodies | adds the motion to the poses, updates boxes that bodies have left |
 //! | events | awake contacts | what began, ended, hit |
-//! | sleep | bodies long at rest | islands at rest leave the step |
+//! | sleep | bodies long at rest | puts islands at rest to sleep |
 //!
 //! A stage without input does not run, and [`World::profile`] shows it.
 //!
@@ -36,9 +36,9 @@
 //! Metres, kilograms, seconds, radians; y points up and angles turn counter-clockwise. Mass comes from the
 //! density per area. The centre of a body is kept in `f64`, all that is relative in `f32`.
 //!
-//! # The house
+//! # Layers
 //!
-//! Modules by floor; each uses only what is below it.
+//! Modules by layer (floor); each uses only those below it.
 //!
 //! | floor | module | what is in it |
 //! |---|---|---|
@@ -48,7 +48,7 @@
 //! | 1 | [`shape`] | circle, boxes, convex polygon; mass, rays, points |
 //! | 2 | [`body`] | description, material, and how many bodies are kept |
 //! | 3 | [`collision`] | broad phase, detection, manifolds, contacts |
-//! | 4 | `resolution` | the solver: integration, constraint graph, contact kernel, impacts, islands |
+//! | 4 | `resolution` | the solver: substeps, constraint graph, contact kernel, direct solve, impacts, islands |
 //! | 5 | [`world`] | the world, its step, and everything that can be asked of it |
 //! | 6 | `report` | error against run time, for any scene; with the feature of that name |
 //!

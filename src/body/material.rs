@@ -12,7 +12,7 @@ pub struct Material {
 }
 
 impl Material {
-    /// Light and lively; what a body is made of when nothing is said.
+    /// The default material: light and bouncy.
     pub const DEFAULT: Self = Self { density: 0.1, friction: 0.6, restitution: 0.5 };
     /// Grips and bounces.
     pub const RUBBER: Self = Self { density: 0.9, friction: 0.8, restitution: 0.6 };

@@ -28,7 +28,7 @@ enum PairState {
 pub(crate) struct CandidatePairs {
     pairs: Vec<(u32, u32)>,
     /// Scratch, by place.
-    fates: Vec<PairState>,
+    states: Vec<PairState>,
     /// Slots of bodies that have been removed, whose pairs are still here.
     removed: BitSet,
     has_removed: bool,
@@ -77,20 +77,22 @@ impl CandidatePairs {
     /// is awake; forgets those whose boxes have parted.
     pub(crate) fn sort_out(
         &mut self,
-        (pool, bodies, broad_phase): (&ThreadPool, &Bodies, &mut BroadPhase),
+        pool: &ThreadPool,
+        bodies: &Bodies,
+        broad_phase: &mut BroadPhase,
         dt: f32,
         meeting: &mut Vec<(u32, u32)>,
     ) {
-        self.fates.clear();
-        self.fates.resize(self.pairs.len(), PairState::StaysApart);
+        self.states.clear();
+        self.states.resize(self.pairs.len(), PairState::StaysApart);
         let boxes = &*broad_phase;
-        pool.run((&self.pairs[..], &mut self.fates[..]), REACH_COST, |(pairs, fates)| {
-            for (place, (&(a, b), fate)) in pairs.iter().zip(fates).enumerate() {
+        pool.run((&self.pairs[..], &mut self.states[..]), REACH_COST, |(pairs, states)| {
+            for (place, (&(a, b), state)) in pairs.iter().zip(states).enumerate() {
                 if let Some(&(a, b)) = pairs.get(place + AHEAD) {
                     prefetch(&bodies.motions, a as usize);
                     prefetch(&bodies.motions, b as usize);
                 }
-                *fate = if !boxes.overlap(a, b) {
+                *state = if !boxes.overlap(a, b) {
                     boxes.prefetch_pair([a, b]);
                     PairState::Parts
                 } else if (bodies.is_awake(a) || bodies.is_awake(b)) && are_out_of_reach(bodies, [a, b], dt) {
@@ -100,8 +102,8 @@ impl CandidatePairs {
                 };
             }
         });
-        let mut fates = self.fates.iter();
-        self.pairs.retain(|&(a, b)| match fates.next() {
+        let mut states = self.states.iter();
+        self.pairs.retain(|&(a, b)| match states.next() {
             Some(PairState::Meets) => {
                 meeting.push((a, b));
                 false

@@ -9,8 +9,8 @@ use crate::compute::four::F32x4;
 
 /// How many contacts are computed with at a time.
 ///
-/// It changes how long a step takes, and no bit of what comes out. What the processor cannot do is done with the
-/// next smaller number.
+/// It affects how long a step takes, not its results. A number that the processor does not support falls back to the next
+/// smaller one.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Lanes {
     /// As many as the processor can, but fewer where a small world would leave most lanes half empty.

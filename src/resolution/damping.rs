@@ -4,7 +4,7 @@ use core::ops::Range;
 
 use crate::body::Forcing;
 use crate::compute::{BodyState, ThreadPool, Width};
-use crate::resolution::integrate::{Advance, Kicks, SpeedLimits, integrate};
+use crate::resolution::integrate::{Advance, Kicks, integrate};
 
 /// Damping of the body of a row, for one kick.
 #[derive(Clone, Copy, Debug)]
@@ -53,13 +53,14 @@ impl Damped {
     /// Moves the bodies in `rows` on as [`integrate`] does; with each kick, those with damping lose their part.
     pub(crate) fn integrate(
         &self,
-        means: (&ThreadPool, Width),
+        pool: &ThreadPool,
+        width: Width,
         rows: Range<usize>,
-        (states, kicks): (&mut [BodyState], &mut Kicks),
+        states: &mut [BodyState],
+        kicks: &mut Kicks,
         advance: Advance,
-        limits: SpeedLimits,
     ) {
-        integrate(means, rows, (states, kicks), advance, limits);
+        integrate(pool, width, rows, states, kicks, advance);
         if advance.kick.is_none() {
             return;
         }

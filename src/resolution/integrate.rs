@@ -121,6 +121,7 @@ pub(crate) struct Advance {
     pub(crate) drift: Option<f32>,
     /// How long the forces act, s.
     pub(crate) kick: Option<f32>,
+    pub(crate) limits: SpeedLimits,
 }
 
 /// What it costs to move sixteen bodies on, to find what acts on them, and to find how a place accelerates them, ns.
@@ -130,11 +131,12 @@ const ACCELERATE_COST: usize = 200;
 
 /// Moves the bodies in `rows` on, without damping: their states and what acts on them, by row; states in whole columns.
 pub(crate) fn integrate(
-    (pool, width): (&ThreadPool, Width),
+    pool: &ThreadPool,
+    width: Width,
     rows: Range<usize>,
-    (states, kicks): (&mut [BodyState], &mut Kicks),
+    states: &mut [BodyState],
+    kicks: &mut Kicks,
     advance: Advance,
-    limits: SpeedLimits,
 ) {
     debug_assert!(states.len().is_multiple_of(COLUMN), "{} rows", states.len());
     if advance.drift.is_none() && advance.kick.is_none() {
@@ -143,7 +145,7 @@ pub(crate) fn integrate(
     let first = rows.start / COLUMN;
     let (states, columns) = (&mut states[first * COLUMN..], &mut kicks.columns[first..]);
     let rows = rows.start - first * COLUMN..rows.end - first * COLUMN;
-    let pass = Integrate { rows, states, columns, advance, limits };
+    let pass = Integrate { rows, states, columns, advance };
     pool.run(pass, COST, |part| compute::run(width, part));
 }
 
@@ -156,7 +158,6 @@ struct Integrate<'a> {
     states: &'a mut [BodyState],
     columns: &'a mut [Kick<Column>],
     advance: Advance,
-    limits: SpeedLimits,
 }
 
 impl Divide for Integrate<'_> {
@@ -165,13 +166,13 @@ impl Divide for Integrate<'_> {
     }
 
     fn divide(self, at: usize) -> (Self, Self) {
-        let Self { rows, states, columns, advance, limits } = self;
+        let Self { rows, states, columns, advance } = self;
         let row = at * COLUMN;
         let (first_states, last_states) = states.split_at_mut(row.min(states.len()));
         let (first_columns, last_columns) = columns.split_at_mut(at);
         let first_rows = rows.start.min(row)..rows.end.min(row);
         let last_rows = rows.start.max(row) - row..rows.end.max(row) - row;
-        let part = |rows, states, columns| Self { rows, states, columns, advance, limits };
+        let part = |rows, states, columns| Self { rows, states, columns, advance };
         (part(first_rows, first_states, first_columns), part(last_rows, last_states, last_columns))
     }
 }
@@ -199,7 +200,7 @@ impl Integrate<'_> {
         let mut this = column.load::<L>(place);
         let compensation_before = this.compensation;
         if let Some(t) = self.advance.kick {
-            kick(&mut state, &mut this, t, self.limits);
+            kick(&mut state, &mut this, t, self.advance.limits);
         }
         if rows.len() < L::WIDTH {
             // Halfway between a row's place and that before it.
@@ -333,9 +334,8 @@ mod tests {
                 let acceleration = Vec2::new(0.0, -9.81).into();
                 kicks.fill(&pool, rows.clone(), |_| Kick { acceleration, ..Kick::default() });
                 let limits = SpeedLimits { speed: 1e6, spin: 1e6 };
-                let advance = Advance { drift, kick: Some(0.005) };
-                let means = (&pool, lanes.width());
-                integrate(means, rows.clone(), (&mut states, &mut kicks), advance, limits);
+                let advance = Advance { drift, kick: Some(0.005), limits };
+                integrate(&pool, lanes.width(), rows.clone(), &mut states, &mut kicks, advance);
                 let compensations: Vec<_> = (0..count).map(|row| kicks.compensation(row)).collect();
                 for row in (0..states.len()).filter(|row| !rows.contains(row)) {
                     let stays = |states: &[BodyState]| format!("{:?}", states[row]);

@@ -84,8 +84,11 @@ impl MovingContacts {
     /// Brings the constraints up to where the bodies are now.
     pub(crate) fn follow(
         &self,
-        (pool, width): (&ThreadPool, Width),
-        (contacts, bodies, graph): (&Contacts, &mut Bodies, &mut ConstraintGraph),
+        pool: &ThreadPool,
+        width: Width,
+        contacts: &Contacts,
+        bodies: &mut Bodies,
+        graph: &mut ConstraintGraph,
     ) {
         for &(index, place) in &self.found_anew {
             let states = graph.rows(place).map(|row| bodies.states[row as usize]);

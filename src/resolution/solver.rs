@@ -89,7 +89,7 @@ pub(crate) fn solve(
         solver.push(scheme, tables, has_moved);
         solver.direct.solve(tables.graph, &mut tables.bodies.states, Aim::Push, h);
         solver.drift_and_kick(scheme, tables, acceleration);
-        solver.moving.follow((tables.pool, scheme.width), (tables.contacts, tables.bodies, tables.graph));
+        solver.refresh(scheme, tables);
         relax(scheme, tables);
         solver.direct.solve(tables.graph, &mut tables.bodies.states, Aim::Relax, h);
     }
@@ -102,7 +102,7 @@ pub(crate) fn solve(
 impl Solver {
     /// v += t a, and damping.
     fn kick(&mut self, scheme: &Scheme, tables: &mut SolveTables<'_>) {
-        self.integrate(scheme, tables, Advance { drift: None, kick: Some(scheme.kick_time()) });
+        self.integrate(scheme, tables, None, Some(scheme.kick_time()));
     }
 
     /// x += h v, and the second kick: in one pass, unless something is to be found in between.
@@ -115,14 +115,14 @@ impl Solver {
         let drift = Some(scheme.substep_time());
         let kick = scheme.split_kick.then_some(scheme.kick_time());
         if !acceleration.varies() && self.direct.is_empty() {
-            return self.integrate(scheme, tables, Advance { drift, kick });
+            return self.integrate(scheme, tables, drift, kick);
         }
-        self.integrate(scheme, tables, Advance { drift, kick: None });
+        self.integrate(scheme, tables, drift, None);
         if acceleration.varies() {
             self.accelerate(tables, acceleration);
         }
         self.direct.restore_free(&mut tables.bodies.states);
-        self.integrate(scheme, tables, Advance { drift: None, kick });
+        self.integrate(scheme, tables, None, kick);
     }
 
     /// Impacts of contacts that approach fast enough to bounce; whether there were some, which move bodies.
@@ -147,6 +147,12 @@ impl Solver {
             graph.for_each_swept(pool, scheme.width, &mut bodies.states, &sweep);
         }
         self.seams.run(&mut EventScene { bodies, contacts, kicks: &self.kicks, graph, scheme });
+    }
+
+    /// Contact geometry that moves within the step, where the bodies are now.
+    fn refresh(&self, scheme: &Scheme, tables: &mut SolveTables<'_>) {
+        let SolveTables { bodies, contacts, graph, pool, .. } = tables;
+        self.moving.follow(pool, scheme.width, contacts, bodies, graph);
     }
 
     /// Fills the rows of kicks, the constraints, and the contacts that may bounce.
@@ -240,13 +246,18 @@ impl Solver {
         });
     }
 
-    /// Moves all bodies on.
-    fn integrate(&mut self, scheme: &Scheme, tables: &mut SolveTables<'_>, advance: Advance) {
-        let rows = 1..tables.bodies.row_count();
-        let SolveTables { bodies: Bodies { states, .. }, pool, .. } = tables;
-        let means = (*pool, scheme.width);
-        let tables = (&mut states[..], &mut self.kicks);
-        self.damped.integrate(means, rows, tables, advance, scheme.limits);
+    /// Moves all bodies on: x += t v over a drift, then v += t a and damping over a kick.
+    fn integrate(
+        &mut self,
+        scheme: &Scheme,
+        tables: &mut SolveTables<'_>,
+        drift: Option<f32>,
+        kick: Option<f32>,
+    ) {
+        let (rows, Scheme { width, limits, .. }) = (1..tables.bodies.row_count(), *scheme);
+        let states = &mut tables.bodies.states;
+        let advance = Advance { drift, kick, limits };
+        self.damped.integrate(tables.pool, width, rows, states, &mut self.kicks, advance);
     }
 
     /// Writes impulses back into the contacts and compensations back into the bodies.
@@ -255,7 +266,7 @@ impl Solver {
         let SolveTables { bodies, contacts, graph, loads, pool } = tables;
         let measure = LoadMeasure::new(scheme.adapts, 1.0 / scheme.substep_time());
         loads.unsolved.extend(self.direct.unsolved_rows().map(|row| bodies.slot_of_row(row as usize)));
-        let residual = graph.finish(pool, scheme.width, &bodies.states, contacts, (measure, loads));
+        let residual = graph.finish(pool, scheme.width, &bodies.states, contacts, measure, loads);
         let motions = Chosen::new(&mut bodies.motions, &bodies.awake);
         pool.run((rows, motions), COMPENSATION_COST, |(rows, mut motions)| {
             for (place, row) in rows.enumerate() {

@@ -1,4 +1,4 @@
-//! A body of a world: seen, and changed.
+//! Views of a body of a world: to read it, and to change it.
 
 use crate::body::description::{
     check_damping, check_friction, check_gravity_scale, check_place, check_restitution, check_strength,
@@ -10,7 +10,7 @@ use crate::math::{Aabb, Point, Pose, Rot, Vec2};
 use crate::shape::Shape;
 use crate::world::{Tier, World};
 
-/// A body of a world, seen.
+/// A read-only view of a body.
 #[derive(Clone, Copy, Debug)]
 pub struct BodyRef<'a> {
     id: BodyId,
@@ -152,7 +152,7 @@ impl<'a> BodyRef<'a> {
     }
 }
 
-/// A body of a world, for changing it. Every change wakes the body, and is refused whole if a number is NaN,
+/// A view of a body to change it. Every change wakes the body. It is rejected, leaving the body unchanged, if a number is NaN,
 /// infinite or out of range.
 #[derive(Debug)]
 pub struct BodyMut<'a> {
@@ -166,7 +166,7 @@ impl<'a> BodyMut<'a> {
         Some(Self { world, id })
     }
 
-    /// The body, seen.
+    /// The read-only view of the body.
     pub fn view(&self) -> BodyRef<'_> {
         let slot = self.slot();
         let bodies = &self.world.bodies;

@@ -22,8 +22,8 @@ pub struct HitEvent {
     pub speed: f32,
 }
 
-/// What happened in the last step: slices, valid until the next step. The order is that of the bodies' ages,
-/// and the same in every run.
+/// What happened in the last step: slices, valid until the next step. Each is sorted by the ids of the bodies, and so the
+/// same in every run.
 #[derive(Clone, Debug, Default)]
 pub struct Events {
     pub(crate) began: Vec<ContactEvent>,

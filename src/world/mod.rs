@@ -228,7 +228,7 @@ impl World {
         self.ticks
     }
 
-    /// Simulated time since the world began, s, at the tick rate of now.
+    /// Simulated time since the world began, s: ticks times the current length of a tick.
     pub fn time(&self) -> f64 {
         self.ticks as f64 * self.settings.tick_seconds()
     }
@@ -238,8 +238,8 @@ impl World {
         self.bodies.awake_count()
     }
 
-    /// The islands: dynamic bodies that are connected by contacts with points, by ascending place, the island of
-    /// the first place first. Found anew at each call.
+    /// The islands: groups of dynamic bodies that are connected by contacts with points. Bodies are ordered by their slot,
+    /// islands by their lowest slot. Recomputed on each call.
     pub fn islands(&self) -> Vec<Vec<BodyId>> {
         let mut seen = BitSet::default();
         let mut islands = Vec::new();

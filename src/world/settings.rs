@@ -56,8 +56,8 @@ pub struct Settings {
     pub position_correction: PositionCorrection,
     /// Whether bodies at rest are put to sleep, which costs nothing until something wakes them. Default true.
     pub sleep: bool,
-    /// Slowest approach that bounces, m/s, 0 or more; 0: everything bounces. An approach slower than what
-    /// forces add in two substeps never does. Default 0.1.
+    /// Slowest approach that bounces, m/s, 0 or more; 0: everything bounces. Approaches slower than the speed gained
+    /// from forces in two substeps never bounce. Default 0.1.
     pub restitution_threshold: f32,
     /// Slowest approach that is reported as a hit, m/s, 0 or more. Default 1.
     pub hit_threshold: f32,

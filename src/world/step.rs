@@ -93,7 +93,7 @@ impl World {
         self.candidates.forget_removed(&mut self.broad_phase);
         let mut pairs = std::mem::take(&mut self.new_pairs);
         let dt = self.settings.tick_seconds() as f32;
-        self.candidates.sort_out((&self.pool, &self.bodies, &mut self.broad_phase), dt, &mut pairs);
+        self.candidates.sort_out(&self.pool, &self.bodies, &mut self.broad_phase, dt, &mut pairs);
         for place in 0..pairs.len() {
             self.contacts.prefetch_beginning(&self.bodies, &pairs, place);
             let (a, b) = pairs[place];

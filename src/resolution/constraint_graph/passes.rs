@@ -71,7 +71,8 @@ impl ConstraintGraph {
         width: Width,
         states: &[BodyState],
         contacts: &mut Contacts,
-        (measure, loads): (LoadMeasure, &mut Loads),
+        measure: LoadMeasure,
+        loads: &mut Loads,
     ) -> StepResidual {
         let residual = Mutex::new(StepResidual::default());
         for colour in self.colours.iter_mut().filter(|colour| !colour.is_empty()) {
@@ -108,7 +109,7 @@ impl ConstraintGraph {
     ) {
         let (colours, used) = (&mut self.colours, self.used.swept());
         if pool.is_alone() {
-            return pass_over((colours, used), width, states, kernel);
+            return pass_over(colours, used, width, states, kernel);
         }
         if used.has_overflow() {
             BlockPass::over(&mut colours[OVERFLOW], states, kernel).run::<f32>();
@@ -139,8 +140,9 @@ impl ConstraintGraph {
 
 /// Does something to every constraint of some colours and their overflow. Compiled once for each kernel, which is large.
 #[inline(never)]
-pub(super) fn pass_over(
-    (colours, used): (&mut [Colour], Used),
+fn pass_over(
+    colours: &mut [Colour],
+    used: Used,
     width: Width,
     states: &mut [BodyState],
     kernel: &impl Kernel,
@@ -265,8 +267,8 @@ impl Job for Prepare<'_> {
             let list = &self.contacts[number * COLUMN..];
             let indices = &list[..list.len().min(COLUMN)];
             *start = block.fill(rows, list, self.from);
-            if let Some(moving) = self.moving.of(number) {
-                start.found_anew = block.take_up_moving(moving, indices, self.from);
+            if let Some((index, moving)) = self.moving.of(number) {
+                start.found_anew = block.take_up_moving(index, moving, indices, self.from);
             } else {
                 let mut contacts = indices.iter().map(|&index| &self.from.contacts[index]);
                 debug_assert!(!contacts.any(|contact| contact.follows), "sorted by kind");

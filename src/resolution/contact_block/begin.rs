@@ -67,7 +67,7 @@ impl ContactBlock {
         let mut start = BlockStart::default();
         for (place, &index) in indices.iter().enumerate() {
             from.contacts.prefetch_solved(from.bodies, list, place);
-            self.put(place, &mut rows_of_bodies, &from.contacts[index], (from, &mut start));
+            self.put(place, &mut rows_of_bodies, &from.contacts[index], from, &mut start);
         }
         for place in indices.len()..COLUMN {
             self.leave_empty(place);
@@ -81,7 +81,8 @@ impl ContactBlock {
     /// that do not in closed form.
     pub(crate) fn take_up_moving(
         &mut self,
-        (index, moving): (u32, &mut MovingGeometry<Column>),
+        index: u32,
+        moving: &mut MovingGeometry<Column>,
         indices: &[u32],
         from: Beginning<'_>,
     ) -> Marks {
@@ -122,7 +123,8 @@ impl ContactBlock {
         place: usize,
         [rows_a, rows_b]: &mut [[u32; COLUMN]; 2],
         contact: &Contact,
-        (from, start): (Beginning<'_>, &mut BlockStart),
+        from: Beginning<'_>,
+        start: &mut BlockStart,
     ) {
         let Beginning { bodies, impulse_scale: scale, .. } = from;
         let [a, b] = contact.slots.map(|slot| &bodies.motions[slot as usize]);
