@@ -55,7 +55,8 @@ pub(crate) struct MovingContacts {
     columns: Vec<MovingGeometry<Column>>,
     /// How many blocks may have some.
     block_count: usize,
-    /// By index, and place in the graph: those whose manifold has to be found anew.
+    /// By index, and place in the graph: those whose manifold has to be found anew. Where they are left as the step began, card
+    /// houses fall and piles do not come to rest.
     found_anew: Vec<(u32, GraphIndex)>,
 }
 
