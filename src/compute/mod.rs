@@ -19,6 +19,7 @@ mod avx2;
 #[cfg(target_arch = "x86_64")]
 mod avx512;
 mod column;
+mod columns;
 #[cfg(feature = "report")]
 mod counted;
 mod dispatch;
@@ -53,6 +54,7 @@ use sse2 as four;
 #[cfg_attr(not(any(target_arch = "x86_64", target_arch = "aarch64")), allow(unused_imports))]
 use column::RowPlace;
 pub(crate) use column::{COLUMN, Column, RowPairs};
+pub(crate) use columns::{Columns, columns};
 #[cfg(feature = "report")]
 pub(crate) use counted::{Count, Counted, count};
 pub use dispatch::Lanes;

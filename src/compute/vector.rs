@@ -2,7 +2,7 @@
 
 use core::ops::{Add, Mul, Sub};
 
-use crate::compute::{Column, Lane};
+use crate::compute::Lane;
 
 /// `WIDTH` vectors of the plane.
 #[repr(C)]
@@ -33,21 +33,6 @@ impl<L: Lane> LaneVec2<L> {
     #[inline(always)]
     pub(crate) fn select(mask: L::Mask, yes: Self, no: Self) -> Self {
         Self { x: L::select(mask, yes.x, no.x), y: L::select(mask, yes.y, no.y) }
-    }
-}
-
-impl LaneVec2<Column> {
-    /// The vectors from `place` on, a multiple of the lane's width.
-    #[inline(always)]
-    pub(crate) fn load<L: Lane>(&self, place: usize) -> LaneVec2<L> {
-        LaneVec2 { x: L::load(&self.x, place), y: L::load(&self.y, place) }
-    }
-
-    /// Writes vectors from `place` on, a multiple of the lane's width.
-    #[inline(always)]
-    pub(crate) fn store<L: Lane>(&mut self, place: usize, vectors: LaneVec2<L>) {
-        vectors.x.store(&mut self.x, place);
-        vectors.y.store(&mut self.y, place);
     }
 }
 

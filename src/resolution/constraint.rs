@@ -18,7 +18,7 @@
 //! movable body, one of `f32` is a single contact. In between they are stored in a [`ContactBlock`](crate::resolution::contact_block::ContactBlock).
 
 use crate::collision::Manifold;
-use crate::compute::{BodyState, Lane, LaneVec2};
+use crate::compute::{BodyState, Lane, LaneVec2, columns};
 
 /// One of the (at most two) points of a contact.
 #[repr(C)]
@@ -38,6 +38,8 @@ pub(crate) struct ConstraintPoint<C> {
     pub(crate) normal_impulse: C,
 }
 
+columns!(ConstraintPoint { anchor_a, anchor_b, separation, separation_now, normal_k, normal_impulse });
+
 /// What the sweep before the bodies move does not look at of a point, kept apart from what it does.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default)]
@@ -49,6 +51,8 @@ pub(crate) struct PointFriction<C> {
     /// What each of the two warm starts of this substep applies along the normal, N s.
     pub(crate) warm_start: C,
 }
+
+columns!(PointFriction { mass, impulse, warm_start });
 
 /// Normal and points of a contact, with its bodies where they are now.
 #[derive(Clone, Copy, Debug)]
@@ -108,6 +112,8 @@ pub(crate) struct Turns<C> {
     pub(crate) a: C,
     pub(crate) b: C,
 }
+
+columns!(Turns { a, b });
 
 /// |k12| may be at most this share of √(k11 k22). Two points that all but coincide would otherwise ask for
 /// huge impulses of opposite sign; this bounds the condition number at about 4000.

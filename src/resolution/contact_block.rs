@@ -5,7 +5,7 @@ mod begin;
 mod end;
 mod marks;
 
-use crate::compute::{Column, Lane};
+use crate::compute::{Column, Columns, Lane};
 use crate::resolution::constraint::{ConstraintPoint, ContactConstraint, PointFriction, Turns};
 pub(crate) use crate::resolution::contact_block::begin::{Beginning, BlockStart};
 pub(crate) use crate::resolution::contact_block::end::{BlockEnd, ContactEnds};
@@ -222,15 +222,15 @@ impl ContactConstraint<Column> {
     #[inline(always)]
     fn load<L: Lane>(&self, place: usize, turns: Turns<L>) -> ContactConstraint<L> {
         ContactConstraint {
-            inverse_mass_a: L::load(&self.inverse_mass_a, place),
-            inverse_mass_b: L::load(&self.inverse_mass_b, place),
-            inverse_inertia_a: L::load(&self.inverse_inertia_a, place),
-            inverse_inertia_b: L::load(&self.inverse_inertia_b, place),
+            inverse_mass_a: self.inverse_mass_a.load(place),
+            inverse_mass_b: self.inverse_mass_b.load(place),
+            inverse_inertia_a: self.inverse_inertia_a.load(place),
+            inverse_inertia_b: self.inverse_inertia_b.load(place),
             normal: self.normal.load(place),
-            friction: L::load(&self.friction, place),
-            coupling: L::load(&self.coupling, place),
-            points: [self.points[0].load(place), self.points[1].load(place)],
-            frictions: [self.frictions[0].load(place), self.frictions[1].load(place)],
+            friction: self.friction.load(place),
+            coupling: self.coupling.load(place),
+            points: self.points.load(place),
+            frictions: self.frictions.load(place),
             turns,
             is_still: false,
         }
@@ -254,38 +254,6 @@ impl ContactConstraint<Column> {
         }
         for (to, friction) in self.frictions.iter_mut().zip(&constraint.frictions).take(POINTS) {
             friction.mass.store(&mut to.mass, place);
-        }
-    }
-}
-
-impl PointFriction<Column> {
-    #[inline(always)]
-    fn load<L: Lane>(&self, place: usize) -> PointFriction<L> {
-        PointFriction {
-            mass: L::load(&self.mass, place),
-            impulse: L::load(&self.impulse, place),
-            warm_start: L::load(&self.warm_start, place),
-        }
-    }
-}
-
-impl Turns<Column> {
-    #[inline(always)]
-    fn load<L: Lane>(&self, place: usize) -> Turns<L> {
-        Turns { a: L::load(&self.a, place), b: L::load(&self.b, place) }
-    }
-}
-
-impl ConstraintPoint<Column> {
-    #[inline(always)]
-    fn load<L: Lane>(&self, place: usize) -> ConstraintPoint<L> {
-        ConstraintPoint {
-            anchor_a: self.anchor_a.load(place),
-            anchor_b: self.anchor_b.load(place),
-            separation: L::load(&self.separation, place),
-            separation_now: L::load(&self.separation_now, place),
-            normal_k: L::load(&self.normal_k, place),
-            normal_impulse: L::load(&self.normal_impulse, place),
         }
     }
 }

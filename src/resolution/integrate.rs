@@ -6,7 +6,9 @@
 
 use core::ops::Range;
 
-use crate::compute::{self, BodyState, COLUMN, Column, Divide, Job, Lane, LaneVec2, ThreadPool, Width};
+use crate::compute::{
+    self, BodyState, COLUMN, Column, Columns, Divide, Job, Lane, LaneVec2, ThreadPool, Width, columns,
+};
 use crate::math::Vec2;
 
 /// What acts on a body, or on as many as a lane holds.
@@ -22,16 +24,7 @@ pub(crate) struct Kick<C> {
     pub(crate) angular_acceleration: C,
 }
 
-impl Kick<Column> {
-    #[inline(always)]
-    fn load<L: Lane>(&self, place: usize) -> Kick<L> {
-        Kick {
-            acceleration: self.acceleration.load(place),
-            compensation: self.compensation.load(place),
-            angular_acceleration: L::load(&self.angular_acceleration, place),
-        }
-    }
-}
+columns!(Kick { acceleration, compensation, angular_acceleration });
 
 /// What acts on the bodies, by row.
 #[derive(Clone, Debug, Default)]

@@ -16,7 +16,7 @@
 
 use crate::body::{Bodies, Motion};
 use crate::collision::{Contact, Corner, ManifoldPoint};
-use crate::compute::{BodyState, Column, Lane, LaneVec2};
+use crate::compute::{BodyState, Column, Columns, Lane, LaneVec2};
 use crate::math::Vec2;
 use crate::resolution::constraint::Geometry;
 

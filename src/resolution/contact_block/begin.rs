@@ -2,7 +2,7 @@
 
 use crate::body::{Bodies, Motion, NONE};
 use crate::collision::{Contact, Contacts, ManifoldPoint};
-use crate::compute::{COLUMN, Column, GROUND_ROW, Lane, RowPairs};
+use crate::compute::{COLUMN, Column, Columns, GROUND_ROW, Lane, RowPairs};
 use crate::resolution::constraint::{ConstraintPoint, ContactConstraint, THERE};
 use crate::resolution::contact_block::{ContactBlock, Fit, Marks};
 use crate::resolution::moving_geometry::MovingGeometry;

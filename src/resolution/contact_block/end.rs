@@ -1,7 +1,7 @@
 //! The end of the step: what it did to the contacts of a block, written back into them.
 
 use crate::collision::Contact;
-use crate::compute::{BodyState, Column, Lane, LaneVec2};
+use crate::compute::{BodyState, Column, Columns, Lane, LaneVec2};
 use crate::resolution::constraint::StepResidual;
 use crate::resolution::contact_block::{ContactBlock, Marks};
 

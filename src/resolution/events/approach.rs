@@ -1,7 +1,7 @@
 //! Which contacts approach fast enough to bounce, and which of these may meet: one look at all of them per substep, in
 //! lanes. What rests, or is still far apart, costs no more.
 
-use crate::compute::{self, BodyState, COLUMN, Column, Job, Lane, LaneVec2, RowPairs, Width};
+use crate::compute::{self, BodyState, COLUMN, Column, Columns, Job, Lane, LaneVec2, RowPairs, Width};
 use crate::resolution::constraint::ContactConstraint;
 use crate::resolution::constraint_graph::{BlockIndex, ConstraintGraph, GraphIndex};
 use crate::resolution::contact_block::{ContactBlock, Marks};
