@@ -14,7 +14,7 @@ use crate::compute::{BodyState, COLUMN, Divide, Lane, RowPairs};
 pub(crate) struct PairBlocks<B> {
     /// By block.
     rows: Vec<RowPairs>,
-    /// As many.
+    /// As many or more: what a block owns is kept for when there are as many again.
     blocks: Vec<B>,
     /// Whether no row that a pair moves is anywhere else in the blocks. Rows cannot be written without losing this.
     are_disjoint: bool,
@@ -29,7 +29,7 @@ impl<B> Default for PairBlocks<B> {
 impl<B> PairBlocks<B> {
     /// How many blocks there are.
     pub(crate) fn len(&self) -> usize {
-        self.blocks.len()
+        self.rows.len()
     }
 
     /// A block and its rows.
@@ -52,13 +52,14 @@ impl<B> PairBlocks<B> {
 
     /// All rows and blocks.
     pub(crate) fn all(&self) -> (&[RowPairs], &[B]) {
-        (&self.rows, &self.blocks)
+        (&self.rows, &self.blocks[..self.rows.len()])
     }
 
     /// All rows and blocks, to change them.
     pub(crate) fn all_mut(&mut self) -> (&mut [RowPairs], &mut [B]) {
         self.are_disjoint = false;
-        (&mut self.rows, &mut self.blocks)
+        let blocks = &mut self.blocks[..self.rows.len()];
+        (&mut self.rows, blocks)
     }
 
     /// Looks whether the blocks may be divided: whether no row that a pair moves is anywhere else in them.
@@ -71,7 +72,7 @@ impl<B> PairBlocks<B> {
     pub(crate) fn over<'a>(&'a mut self, states: &'a mut [BodyState]) -> BlocksOver<'a, B> {
         BlocksOver {
             rows: &self.rows,
-            blocks: &mut self.blocks,
+            blocks: &mut self.blocks[..self.rows.len()],
             are_disjoint: self.are_disjoint,
             count: states.len(),
             states: NonNull::from(states).cast(),
@@ -85,7 +86,7 @@ impl<B: Default> PairBlocks<B> {
     pub(crate) fn resize(&mut self, count: usize) {
         self.are_disjoint = false;
         self.rows.resize(count, RowPairs::default());
-        self.blocks.resize_with(count, B::default);
+        self.blocks.resize_with(count.max(self.blocks.len()), B::default);
     }
 }
 

@@ -10,6 +10,7 @@ use crate::resolution::constraint::{ConstraintPoint, ContactConstraint, PointFri
 pub(crate) use crate::resolution::contact_block::begin::{Beginning, BlockStart};
 pub(crate) use crate::resolution::contact_block::end::{BlockEnd, ContactEnds};
 pub(crate) use crate::resolution::contact_block::marks::Marks;
+use crate::resolution::moving_geometry::MovingGeometry;
 
 /// Sixteen contacts, beside the rows of their bodies. Those of one colour share no movable body; a block that is not full
 /// ends with contacts of the ground with itself, without points.
@@ -17,7 +18,7 @@ pub(crate) use crate::resolution::contact_block::marks::Marks;
 /// What every pass reads comes first, in whole cache lines; then what the sweep before the bodies move does not read;
 /// then what only blocks with circles are read for.
 #[repr(C, align(64))]
-#[derive(Clone, Copy, Debug, Default)]
+#[derive(Clone, Debug, Default)]
 pub(crate) struct ContactBlock {
     /// Whether any of the bodies is a circle.
     has_circles: bool,
@@ -27,9 +28,10 @@ pub(crate) struct ContactBlock {
     /// By point: the contacts of which it approaches fast enough to bounce, and has not met what it is to bounce from. The
     /// sweeps leave it alone, and it bears nothing.
     pending: [Marks; 2],
-    /// Index of the moving geometry of those of them that have one, in [`MovingContacts`](crate::resolution::moving::MovingContacts);
-    /// `NONE` where none has.
-    pub(crate) moving: u32,
+    /// Contacts whose geometry moves within the step, in closed form.
+    moving: Marks,
+    /// Their geometry. Made for the first of them, and kept.
+    geometry: Option<Box<MovingGeometry<Column>>>,
     columns: ContactConstraint<Column>,
 }
 
@@ -112,6 +114,14 @@ impl ContactBlock {
             constraint.coupling = 0.0;
         }
         constraint
+    }
+
+    /// How the geometry of the contacts from `place` on moves, and of which of them it does; `None` if of none.
+    #[inline(always)]
+    pub(crate) fn moving<L: Lane>(&self, place: usize) -> Option<(MovingGeometry<L>, L::Mask)> {
+        let geometry = self.geometry.as_ref().filter(|_| self.moving.any())?;
+        let moving = self.moving.mask::<L>(place);
+        (L::bits(moving) != 0).then(|| (geometry.load(place), moving))
     }
 
     /// Writes normal and points back.

@@ -7,11 +7,11 @@
 
 use crate::body::Bodies;
 use crate::collision::{Contact, Contacts, Manifold, detect_within};
-use crate::compute::{BodyState, Column, Lane, PairStates, ThreadPool, Width};
+use crate::compute::{BodyState, Lane, PairStates, ThreadPool, Width};
 use crate::math::{Rot, Vec2};
 use crate::resolution::constraint::ContactConstraint;
-use crate::resolution::constraint_graph::{ConstraintGraph, GraphIndex};
-use crate::resolution::contact_block::ContactBlock;
+use crate::resolution::constraint_graph::{BlockIndex, ConstraintGraph, GraphIndex};
+use crate::resolution::contact_block::{BlockStart, ContactBlock};
 use crate::resolution::kernel::Kernel;
 use crate::resolution::moving_geometry::MovingGeometry;
 
@@ -47,39 +47,29 @@ pub(crate) fn constraint_in(
     Some((constraint, manifold.points()[0].separation))
 }
 
-/// Contacts that follow the surface within the step.
+/// Contacts whose geometry moves within the step.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct MovingContacts {
-    /// Those of some blocks of the constraint graph that follow in closed form, by the index that their block has. Longer
-    /// where there once were more.
-    columns: Vec<MovingGeometry<Column>>,
-    /// How many blocks may have some.
-    block_count: usize,
+    /// Whether some blocks have contacts whose geometry moves in closed form.
+    has_closed_forms: bool,
     /// By index, and place in the graph: those whose manifold has to be found anew. Where they are left as the step began, card
     /// houses fall and piles do not come to rest.
     found_anew: Vec<(u32, GraphIndex)>,
 }
 
 impl MovingContacts {
-    /// Makes room for those of so many blocks.
-    pub(crate) fn reset(&mut self, block_count: usize) {
-        self.block_count = block_count;
-        self.columns.resize(self.columns.len().max(block_count), MovingGeometry::default());
+    pub(crate) fn clear(&mut self) {
+        self.has_closed_forms = false;
         self.found_anew.clear();
     }
 
-    /// By the index that their block gets: those that follow in closed form, to be taken up.
-    pub(crate) fn columns_mut(&mut self) -> &mut [MovingGeometry<Column>] {
-        &mut self.columns[..self.block_count]
-    }
-
-    /// Takes up the contact at a place of the graph, which follows the surface, but not in closed form.
-    pub(crate) fn find_anew(&mut self, home: GraphIndex, graph: &ConstraintGraph) {
-        self.found_anew.push((graph.contact_at(home), home));
-    }
-
-    pub(crate) fn is_empty(&self) -> bool {
-        self.block_count == 0
+    /// Takes up those of a block.
+    pub(crate) fn take_up_block(&mut self, block: BlockIndex, start: BlockStart, graph: &ConstraintGraph) {
+        self.has_closed_forms |= start.moving.any();
+        start.found_anew.for_each(|place| {
+            let home = block.contact(place);
+            self.found_anew.push((graph.contact_at(home), home));
+        });
     }
 
     /// Brings the constraints up to where the bodies are now.
@@ -97,45 +87,40 @@ impl MovingContacts {
                 graph.set_geometry(place, &constraint);
             }
         }
-        if !self.is_empty() {
-            graph.for_each(pool, width, &mut bodies.states, &Follow { columns: &self.columns });
+        if self.has_closed_forms {
+            graph.for_each(pool, width, &mut bodies.states, &Follow);
         }
     }
 }
 
 /// Brings the contacts of a block up to where their bodies are.
 #[derive(Clone, Debug)]
-struct Follow<'a> {
-    /// Those that follow, by the index that their block has.
-    columns: &'a [MovingGeometry<Column>],
-}
+struct Follow;
 
-impl Kernel for Follow<'_> {
+impl Kernel for Follow {
     #[inline(always)]
     fn run<L: Lane>(&self, block: &mut ContactBlock, states: &mut PairStates<'_>, place: usize) {
-        let Some(moving) = self.columns.get(block.moving as usize) else { return };
-        if !moving.has_any::<L>(place) {
-            return;
-        }
+        let Some((geometry, moving)) = block.moving::<L>(place) else { return };
         if block.fit().is_single {
-            follow::<L, 1>(moving, block, states, place);
+            follow::<L, 1>(&geometry, moving, block, states, place);
         } else {
-            follow::<L, 2>(moving, block, states, place);
+            follow::<L, 2>(&geometry, moving, block, states, place);
         }
     }
 }
 
 #[inline(always)]
 fn follow<L: Lane, const POINTS: usize>(
-    moving: &MovingGeometry<Column>,
+    geometry: &MovingGeometry<L>,
+    moving: L::Mask,
     block: &mut ContactBlock,
     states: &PairStates<'_>,
     place: usize,
 ) {
     let [a, b] = states.gather::<L>(place);
-    let (geometry, follows) = moving.load::<L>(place).geometry_in::<POINTS>(&a, &b);
+    let (geometry, stays) = geometry.geometry_in::<POINTS>(&a, &b);
     let before = block.load::<L>(place);
     let mut after = before;
     after.set_geometry_in::<POINTS>(&geometry, &a, &b);
-    block.store_geometry(place, &before.with_geometry_where(follows, &after));
+    block.store_geometry(place, &before.with_geometry_where(L::both(moving, stays), &after));
 }

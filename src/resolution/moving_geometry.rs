@@ -16,7 +16,7 @@
 
 use crate::body::{Bodies, Motion};
 use crate::collision::{Contact, Corner, ManifoldPoint};
-use crate::compute::{BodyState, Column, Columns, Lane, LaneVec2};
+use crate::compute::{BodyState, Lane, LaneVec2, columns};
 use crate::math::Vec2;
 use crate::resolution::constraint::Geometry;
 
@@ -38,6 +38,8 @@ struct TouchingPair<C> {
     radius: C,
 }
 
+columns!(TouchingPair { parts, apart, stays_with_b, radius });
+
 /// A contact that follows the surface, or as many as a lane holds.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default)]
@@ -55,11 +57,12 @@ pub(crate) struct MovingGeometry<C> {
     /// Which part of the gap the contact point is away from what it stays with: half, or none on a circle that touches
     /// a face, so that the arm of friction is its radius.
     gap_part: C,
-    /// Square of the distance from the centre of the body with the face at which the point must have left it, m²; 0
-    /// where no contact follows.
+    /// Square of the distance from the centre of the body with the face at which the point must have left it, m².
     reach_squared: C,
     pairs: [TouchingPair<C>; 2],
 }
+
+columns!(MovingGeometry { normal, turns_with_b, is_of_circles, ends, radii, gap_part, reach_squared, pairs });
 
 impl MovingGeometry<f32> {
     /// The contact, whose manifold is that of now, if it is one of two circles, of a circle on a face or the corners at its
@@ -230,61 +233,6 @@ impl<L: Lane> MovingGeometry<L> {
             (to.anchor_a, to.anchor_b, to.separation) = (anchor_a, anchor_b, separation);
         }
         (geometry, follows)
-    }
-}
-
-impl MovingGeometry<Column> {
-    /// Forgets all contacts: what is left over from them follows nothing.
-    pub(crate) fn clear(&mut self) {
-        self.reach_squared = Column::default();
-    }
-
-    /// Writes the contact at `place`.
-    pub(crate) fn set(&mut self, place: usize, moving: &MovingGeometry<f32>) {
-        self.normal.store(place, moving.normal);
-        self.turns_with_b.set(place, moving.turns_with_b);
-        self.is_of_circles.set(place, moving.is_of_circles);
-        for (to, &end) in self.ends.iter_mut().zip(&moving.ends) {
-            to.set(place, end);
-        }
-        self.radii.set(place, moving.radii);
-        self.gap_part.set(place, moving.gap_part);
-        self.reach_squared.set(place, moving.reach_squared);
-        for (to, pair) in self.pairs.iter_mut().zip(&moving.pairs) {
-            for (to, &part) in to.parts.iter_mut().zip(&pair.parts) {
-                to.store(place, part);
-            }
-            to.apart.store(place, pair.apart);
-            to.stays_with_b.set(place, pair.stays_with_b);
-            to.radius.set(place, pair.radius);
-        }
-    }
-
-    /// Whether any contact follows among those from `place` on, a multiple of the lane's width.
-    #[inline(always)]
-    pub(crate) fn has_any<L: Lane>(&self, place: usize) -> bool {
-        L::bits(L::load(&self.reach_squared, place).greater(L::splat(0.0))) != 0
-    }
-
-    /// The contacts from `place` on, a multiple of the lane's width.
-    #[inline(always)]
-    pub(crate) fn load<L: Lane>(&self, place: usize) -> MovingGeometry<L> {
-        let pair = |pair: &TouchingPair<Column>| TouchingPair {
-            parts: [pair.parts[0].load(place), pair.parts[1].load(place)],
-            apart: pair.apart.load(place),
-            stays_with_b: L::load(&pair.stays_with_b, place),
-            radius: L::load(&pair.radius, place),
-        };
-        MovingGeometry {
-            normal: self.normal.load(place),
-            turns_with_b: L::load(&self.turns_with_b, place),
-            is_of_circles: L::load(&self.is_of_circles, place),
-            ends: [L::load(&self.ends[0], place), L::load(&self.ends[1], place)],
-            radii: L::load(&self.radii, place),
-            gap_part: L::load(&self.gap_part, place),
-            reach_squared: L::load(&self.reach_squared, place),
-            pairs: [pair(&self.pairs[0]), pair(&self.pairs[1])],
-        }
     }
 }
 

@@ -166,8 +166,7 @@ impl Solver {
         self.prepare_kicks(scheme, tables, acceleration);
         let SolveTables { bodies, contacts, graph, pool, .. } = &mut *tables;
         let from = Beginning { contacts, bodies, impulse_scale: scheme.impulse_scale, dt: scheme.dt };
-        self.moving.reset(graph.blocks_with_moving());
-        graph.prepare(pool, scheme.width, from, self.moving.columns_mut());
+        graph.prepare(pool, scheme.width, from);
         self.gather_special(graph);
         self.direct.clear();
         for island in islands.iter() {
@@ -221,6 +220,7 @@ impl Solver {
     /// Takes up the contacts of which something special is to be expected within the step.
     fn gather_special(&mut self, graph: &ConstraintGraph) {
         self.impacts.clear();
+        self.moving.clear();
         self.seams.clear();
         let Self { impacts, moving, seams, .. } = self;
         for (block, start) in graph.starts() {
@@ -228,7 +228,7 @@ impl Solver {
             if start.bouncy.any() {
                 impacts.take_up_block(block, start.bouncy);
             }
-            start.found_anew.for_each(|place| moving.find_anew(block.contact(place), graph));
+            moving.take_up_block(block, start, graph);
             if is_swept {
                 start.on_ground.for_each(|place| seams.take_up(block.contact(place), graph));
             }

@@ -1,7 +1,5 @@
 //! The contacts of one colour, and where each of them is.
 
-use core::ops::Range;
-
 use crate::collision::Contact;
 use crate::compute::{COLUMN, DistinctIndices, PairBlocks};
 use crate::resolution::contact_block::{BlockEnd, BlockStart, ContactBlock};
@@ -101,12 +99,6 @@ pub(super) struct Colour {
 impl Colour {
     pub(super) fn is_empty(&self) -> bool {
         self.contacts.is_empty()
-    }
-
-    /// Numbers of the blocks with contacts that follow the surface.
-    pub(super) fn blocks_with_moving(&self) -> Range<usize> {
-        let [first, end] = [Kind::Single, Kind::DoubleMoving].map(|kind| self.ends_of_kinds[kind as usize]);
-        if first == end { 0..0 } else { first / COLUMN..end.div_ceil(COLUMN) }
     }
 
     /// Which kind of contacts stands at a place, as a number.

@@ -6,8 +6,7 @@ use std::sync::Mutex;
 
 use crate::collision::{ChosenContacts, Contacts};
 use crate::compute::{
-    self, BlocksOver, BodyState, ByColumn, COLUMN, Chosen, Column, Divide, Job, Lane, RowPairs, ThreadPool,
-    Width, lock,
+    self, BlocksOver, BodyState, ByColumn, COLUMN, Chosen, Job, Lane, RowPairs, ThreadPool, Width, lock,
 };
 use crate::resolution::constraint::StepResidual;
 use crate::resolution::constraint_graph::colour::{Colour, DIRECT, OVERFLOW};
@@ -15,7 +14,6 @@ use crate::resolution::constraint_graph::{ConstraintGraph, Used};
 use crate::resolution::contact_block::{Beginning, BlockEnd, BlockStart, ContactBlock, ContactEnds};
 use crate::resolution::kernel::Kernel;
 use crate::resolution::load::{ContactLoad, LoadMeasure, Loads};
-use crate::resolution::moving_geometry::MovingGeometry;
 
 /// What it costs to make sixteen constraints, to sweep over them once, and to write them back, ns.
 const PREPARE_COST: usize = 300;
@@ -23,22 +21,9 @@ const SWEEP_COST: usize = 60;
 const FINISH_COST: usize = 200;
 
 impl ConstraintGraph {
-    /// How many blocks may have contacts that follow the surface.
-    pub(crate) fn blocks_with_moving(&self) -> usize {
-        self.colours.iter().map(|colour| colour.blocks_with_moving().len()).sum()
-    }
-
-    /// Makes the constraints of a step, and takes up those that follow the surface into as many columns as there are blocks
-    /// with some.
-    pub(crate) fn prepare(
-        &mut self,
-        pool: &ThreadPool,
-        width: Width,
-        from: Beginning<'_>,
-        mut free: &mut [MovingGeometry<Column>],
-    ) {
+    /// Makes the constraints of a step.
+    pub(crate) fn prepare(&mut self, pool: &ThreadPool, width: Width, from: Beginning<'_>) {
         let Self { colours, row_marks, .. } = self;
-        let mut first_index = 0;
         for colour in colours {
             let count = colour.contacts.len().div_ceil(COLUMN);
             if count == 0 && colour.blocks.len() == 0 {
@@ -48,15 +33,10 @@ impl ConstraintGraph {
             colour.blocks.resize(count);
             colour.starts.resize_with(count, BlockStart::default);
             colour.ends.resize_with(count, BlockEnd::default);
-            let with_moving = colour.blocks_with_moving();
-            let columns = free.split_off_mut(..with_moving.len()).unwrap_or_default();
-            let moving = MovingOfBlocks { blocks: count, start: with_moving.start, first_index, columns };
-            first_index += with_moving.len();
             let (rows, blocks) = colour.blocks.all_mut();
-            let parts = ((ByColumn(&colour.contacts[..]), moving), ((rows, blocks), &mut colour.starts[..]));
-            pool.run(parts, PREPARE_COST, |((contacts, moving), ((rows, blocks), starts))| {
-                let contacts = contacts.0;
-                compute::run(width, Prepare { contacts, rows, blocks, starts, from, moving });
+            let parts = (ByColumn(&colour.contacts[..]), ((rows, blocks), &mut colour.starts[..]));
+            pool.run(parts, PREPARE_COST, |(contacts, ((rows, blocks), starts))| {
+                compute::run(width, Prepare { contacts: contacts.0, rows, blocks, starts, from });
             });
             if !pool.is_alone() {
                 colour.blocks.check(row_marks);
@@ -218,62 +198,16 @@ struct Prepare<'a> {
     blocks: &'a mut [ContactBlock],
     starts: &'a mut [BlockStart],
     from: Beginning<'a>,
-    moving: MovingOfBlocks<'a>,
-}
-
-/// The moving geometry of the contacts of some blocks, with its indices.
-struct MovingOfBlocks<'a> {
-    /// How many blocks there are.
-    blocks: usize,
-    /// The first of them that has some. So have those after it, for as long as there are columns.
-    start: usize,
-    first_index: usize,
-    columns: &'a mut [MovingGeometry<Column>],
-}
-
-impl MovingOfBlocks<'_> {
-    fn of(&mut self, block: usize) -> Option<(u32, &mut MovingGeometry<Column>)> {
-        let number = block.checked_sub(self.start)?;
-        Some(((self.first_index + number) as u32, self.columns.get_mut(number)?))
-    }
-}
-
-impl Divide for MovingOfBlocks<'_> {
-    fn count(&self) -> usize {
-        self.blocks
-    }
-
-    fn divide(self, at: usize) -> (Self, Self) {
-        let Self { blocks, start, first_index, columns } = self;
-        let before = at.saturating_sub(start).min(columns.len());
-        let (first, last) = columns.split_at_mut(before);
-        (
-            Self { blocks: at, start, first_index, columns: first },
-            Self {
-                blocks: blocks - at,
-                start: start.saturating_sub(at),
-                first_index: first_index + before,
-                columns: last,
-            },
-        )
-    }
 }
 
 impl Job for Prepare<'_> {
     #[inline(always)]
-    fn run<L: Lane>(mut self) {
+    fn run<L: Lane>(self) {
         let blocks = self.rows.iter_mut().zip(self.blocks).zip(self.starts);
         for (number, ((rows, block), start)) in blocks.enumerate() {
             let list = &self.contacts[number * COLUMN..];
-            let indices = &list[..list.len().min(COLUMN)];
             *start = block.fill(rows, list, self.from);
-            if let Some((index, moving)) = self.moving.of(number) {
-                start.found_anew = block.take_up_moving(index, moving, indices, self.from);
-            } else {
-                let mut contacts = indices.iter().map(|&index| &self.from.contacts[index]);
-                debug_assert!(!contacts.any(|contact| contact.follows), "sorted by kind");
-            }
-            for place in (0..indices.len()).step_by(L::WIDTH) {
+            for place in (0..list.len().min(COLUMN)).step_by(L::WIDTH) {
                 block.find_masses::<L>(rows, place);
             }
         }

@@ -1,6 +1,6 @@
 //! The begin of the step: contacts made into the constraints of a block.
 
-use crate::body::{Bodies, Motion, NONE};
+use crate::body::{Bodies, Motion};
 use crate::collision::{Contact, Contacts, ManifoldPoint};
 use crate::compute::{COLUMN, Column, Columns, GROUND_ROW, Lane, RowPairs};
 use crate::resolution::constraint::{ConstraintPoint, ContactConstraint, THERE};
@@ -25,7 +25,9 @@ pub(crate) struct BlockStart {
     pub(crate) bouncy: Marks,
     /// Those of a circle with what does not move.
     pub(crate) on_ground: Marks,
-    /// Those that follow the surface, and not in closed form.
+    /// Those whose geometry moves within the step in closed form.
+    pub(crate) moving: Marks,
+    /// Those whose geometry moves within the step, and not in closed form.
     pub(crate) found_anew: Marks,
     /// Those of two points and with friction that bear no load yet.
     pub(crate) cold_contacts: Marks,
@@ -43,14 +45,13 @@ fn is_circle_on_ground([a, b]: [&Motion; 2]) -> bool {
 
 impl ContactBlock {
     /// Takes over the first contacts of a `list` sorted by kind, as many as there are places. Effective masses are still to
-    /// be found, which bodies are moved, and who follows.
+    /// be found, and which bodies are moved.
     pub(crate) fn fill(&mut self, rows: &mut RowPairs, list: &[u32], from: Beginning<'_>) -> BlockStart {
         let indices = &list[..list.len().min(COLUMN)];
         let mut rows_of_bodies = [[GROUND_ROW; COLUMN]; 2];
         self.has_circles = false;
         self.clear_pending();
         self.fit = Fit::ALL;
-        self.moving = NONE;
         let columns = &mut self.columns;
         columns.points[0].normal_k = Column::splat(THERE);
         for friction in &mut columns.frictions {
@@ -73,34 +74,18 @@ impl ContactBlock {
             self.leave_empty(place);
         }
         *rows = RowPairs::new(rows_of_bodies);
-        self.cold_contacts = start.cold_contacts;
+        (self.cold_contacts, self.moving) = (start.cold_contacts, start.moving);
         start
     }
 
-    /// Takes up the geometry of those of the contacts that move within the step; `index` is that of `moving`. Returns those
-    /// that do not in closed form.
-    pub(crate) fn take_up_moving(
-        &mut self,
-        index: u32,
-        moving: &mut MovingGeometry<Column>,
-        indices: &[u32],
-        from: Beginning<'_>,
-    ) -> Marks {
-        let mut found_anew = Marks::default();
-        moving.clear();
-        for (place, &contact) in indices.iter().enumerate() {
-            let contact = &from.contacts[contact];
-            if !contact.follows {
-                continue;
-            }
-            if let Some(geometry) = MovingGeometry::new(contact, from.bodies, from.dt) {
-                moving.set(place, &geometry);
-                self.moving = index;
-            } else {
-                found_anew.set(place, true);
-            }
+    /// Takes up the geometry of a contact that moves within the step.
+    fn put_moving(&mut self, place: usize, contact: &Contact, from: Beginning<'_>, start: &mut BlockStart) {
+        if let Some(geometry) = MovingGeometry::new(contact, from.bodies, from.dt) {
+            self.geometry.get_or_insert_default().store::<f32>(place, geometry);
+            start.moving.set(place, true);
+        } else {
+            start.found_anew.set(place, true);
         }
-        found_anew
     }
 
     /// What is left over from another contact bears nothing and moves nothing.
@@ -163,6 +148,9 @@ impl ContactBlock {
         self.fit.is_smooth &= is_smooth;
         start.bouncy.set(place, contact.restitution > 0.0);
         start.on_ground.set(place, is_circle_on_ground([a, b]));
+        if contact.follows {
+            self.put_moving(place, contact, from, start);
+        }
     }
 
     /// Takes over a point.
