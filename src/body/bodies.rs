@@ -235,6 +235,12 @@ impl Bodies {
         &self.states[self.motions[slot as usize].row as usize]
     }
 
+    /// The slot of the dynamic body in a row; `None` where that of something else is, or the ground's.
+    pub(crate) fn dynamic_in(&self, row: usize) -> Option<u32> {
+        let slot = *self.awake.get(row.checked_sub(1)?)?;
+        (self.motions[slot as usize].inverse_mass > 0.0).then_some(slot)
+    }
+
     /// How many bodies the solver moves.
     pub(crate) fn awake_count(&self) -> usize {
         self.awake.len()

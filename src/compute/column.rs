@@ -16,10 +16,6 @@ pub(crate) struct Column([f32; COLUMN]);
 const _: () = assert!(size_of::<Column>() == 64);
 
 impl Column {
-    /// In every place its number.
-    pub(crate) const PLACES: Self =
-        Self([0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0, 10.0, 11.0, 12.0, 13.0, 14.0, 15.0]);
-
     /// The same number in every place.
     pub(crate) const fn splat(value: f32) -> Self {
         Self([value; COLUMN])

@@ -42,11 +42,6 @@ enum Kind {
     Sixteen,
 }
 
-impl Width {
-    /// One number at a time.
-    pub(crate) const ONE: Self = Self(Kind::One);
-}
-
 impl Lanes {
     /// How many contacts it is on this processor: 1, 4, 8 or 16; at most, with [`Lanes::Auto`].
     ///

@@ -63,7 +63,7 @@ pub(crate) use distinct::{Chosen, DistinctIndices};
 pub(crate) use lane::Lane;
 use lane::each_alone;
 pub(crate) use pair_blocks::{BlocksOver, PairBlocks, PairStates, RowMarks};
-pub(crate) use pool::{ByColumn, Divide, MOST_THREADS, ThreadPool, lock};
+pub(crate) use pool::{ByColumn, Divide, Executor, MOST_THREADS, ThreadPool, lock};
 #[cfg(test)]
 pub(crate) use portable::F32x4;
 pub(crate) use prefetch::{FIRST_LINE, LINE, prefetch, prefetch_lines};

@@ -1,7 +1,7 @@
 //! Blocks of pairs of bodies, of which several threads may each have some: those of one colour of the constraint graph.
 //!
 //! What a part may read and write of the bodies is what the rows of its blocks say. Blocks are divided only after
-//! [`PairBlocks::check`] has seen that no row which a pair moves is anywhere else in them: then nobody reads or writes
+//! [`PairBlocks::seal`] has seen that no row which a pair moves is anywhere else in them: then nobody reads or writes
 //! what somebody else writes.
 
 use core::marker::PhantomData;
@@ -16,13 +16,30 @@ pub(crate) struct PairBlocks<B> {
     rows: Vec<RowPairs>,
     /// As many or more: what a block owns is kept for when there are as many again.
     blocks: Vec<B>,
-    /// Whether no row that a pair moves is anywhere else in the blocks. Rows cannot be written without losing this.
+    /// What is known of the rows, which cannot be written without losing it.
+    known: Option<KnownRows>,
+}
+
+/// What is known of the rows of all blocks.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+struct KnownRows {
+    /// No row is greater.
+    greatest: u32,
+    /// Whether no row that a pair moves is anywhere else.
     are_disjoint: bool,
+}
+
+impl KnownRows {
+    /// What there is to know but whether they are disjoint.
+    fn of(rows: &[RowPairs]) -> Self {
+        let greatest = rows.iter().map(RowPairs::greatest_row).max().unwrap_or(0);
+        Self { greatest, are_disjoint: false }
+    }
 }
 
 impl<B> Default for PairBlocks<B> {
     fn default() -> Self {
-        Self { rows: Vec::new(), blocks: Vec::new(), are_disjoint: false }
+        Self { rows: Vec::new(), blocks: Vec::new(), known: None }
     }
 }
 
@@ -57,24 +74,30 @@ impl<B> PairBlocks<B> {
 
     /// All rows and blocks, to change them.
     pub(crate) fn all_mut(&mut self) -> (&mut [RowPairs], &mut [B]) {
-        self.are_disjoint = false;
+        self.known = None;
         let blocks = &mut self.blocks[..self.rows.len()];
         (&mut self.rows, blocks)
     }
 
-    /// Looks whether the blocks may be divided: whether no row that a pair moves is anywhere else in them.
-    pub(crate) fn check(&mut self, marks: &mut RowMarks) {
-        self.are_disjoint = marks.are_disjoint(&self.rows);
+    /// Takes note of all rows once they are written. With `marks` it looks whether the blocks may be divided: whether no row
+    /// that a pair moves is anywhere else in them.
+    pub(crate) fn seal(&mut self, marks: Option<&mut RowMarks>) {
+        let are_disjoint = marks.is_some_and(|marks| marks.are_disjoint(&self.rows));
+        self.known = Some(KnownRows { are_disjoint, ..KnownRows::of(&self.rows) });
     }
 
     /// The blocks with the states of their bodies, to be divided if they were found to be disjoint.
+    ///
+    /// # Panics
+    /// If there is no state in one of the rows.
     #[inline(always)]
     pub(crate) fn over<'a>(&'a mut self, states: &'a mut [BodyState]) -> BlocksOver<'a, B> {
+        let known = self.known.unwrap_or_else(|| KnownRows::of(&self.rows));
+        assert!((known.greatest as usize) < states.len(), "a row beyond the {} there are", states.len());
         BlocksOver {
             rows: &self.rows,
             blocks: &mut self.blocks[..self.rows.len()],
-            are_disjoint: self.are_disjoint,
-            count: states.len(),
+            are_disjoint: known.are_disjoint,
             states: NonNull::from(states).cast(),
             slice: PhantomData,
         }
@@ -84,7 +107,7 @@ impl<B> PairBlocks<B> {
 impl<B: Default> PairBlocks<B> {
     /// Makes so many of them. Those that are there stay as they are.
     pub(crate) fn resize(&mut self, count: usize) {
-        self.are_disjoint = false;
+        self.known = None;
         self.rows.resize(count, RowPairs::default());
         self.blocks.resize_with(count.max(self.blocks.len()), B::default);
     }
@@ -96,9 +119,8 @@ pub(crate) struct BlocksOver<'a, B> {
     rows: &'a [RowPairs],
     blocks: &'a mut [B],
     are_disjoint: bool,
-    /// The first of the states, and how many there are.
+    /// The first of the states. In every one of the rows there is one.
     states: NonNull<BodyState>,
-    count: usize,
     slice: PhantomData<&'a mut [BodyState]>,
 }
 
@@ -110,12 +132,10 @@ impl<B> BlocksOver<'_, B> {
     /// A block, and the states of its bodies.
     ///
     /// # Panics
-    /// If there is no such block, or no state in one of its rows.
+    /// If there is no such block.
     #[inline(always)]
     pub(crate) fn get_mut(&mut self, number: usize) -> (&mut B, PairStates<'_>) {
-        let rows = &self.rows[number];
-        rows.check_among(self.count);
-        (&mut self.blocks[number], PairStates { rows, states: self.states })
+        (&mut self.blocks[number], PairStates { rows: &self.rows[number], states: self.states })
     }
 }
 
@@ -266,9 +286,9 @@ mod tests {
         let mut pairs: Vec<_> = (1..40).map(|number| both(3 * number)).collect();
         let mut check = |pairs: &[_]| {
             let mut blocks = blocks(pairs);
-            assert!(!blocks.are_disjoint);
-            blocks.check(&mut marks);
-            blocks.are_disjoint
+            assert_eq!(blocks.known, None);
+            blocks.seal(Some(&mut marks));
+            blocks.known.is_some_and(|known| known.are_disjoint)
         };
         assert!(check(&pairs) && check(&pairs[..7]) && check(&[]));
         // Many may touch what none of them moves.
@@ -297,10 +317,10 @@ mod tests {
         let mut blocks = blocks(&[([1, 2], [true; 2]); 1]);
         let forget: [fn(&mut PairBlocks<()>); 2] = [|blocks| _ = blocks.all_mut(), |blocks| blocks.resize(2)];
         for forget in forget {
-            blocks.check(&mut RowMarks::default());
-            assert!(blocks.are_disjoint);
+            blocks.seal(Some(&mut RowMarks::default()));
+            assert_eq!(blocks.known, Some(KnownRows { greatest: 2, are_disjoint: true }));
             forget(&mut blocks);
-            assert!(!blocks.are_disjoint);
+            assert_eq!(blocks.known, None);
         }
     }
 
@@ -310,7 +330,7 @@ mod tests {
         let mut pairs = vec![([0, 0], [false; 2]); 20];
         (pairs[0], pairs[19]) = (([1, 2], [true; 2]), ([3, 2], [true; 2]));
         let mut blocks = blocks(&pairs);
-        blocks.check(&mut RowMarks::default());
+        blocks.seal(Some(&mut RowMarks::default()));
         _ = blocks.over(&mut [BodyState::REST; 4]).divide(1);
     }
 

@@ -11,8 +11,8 @@
 use core::cell::UnsafeCell;
 use core::ops::Range;
 
-use crate::compute::COLUMN;
 use crate::compute::workers::{AtWork, Workers};
+use crate::compute::{COLUMN, Job, Width, run};
 
 /// A part is worth a thread if it takes so long, ns: twice as long as another thread takes to begin it.
 const LEAST_PART: usize = 1000;
@@ -37,6 +37,22 @@ pub(crate) struct ThreadPool {
     workers: Workers,
     /// Whether work is divided however little it is: for tests.
     divides_all: bool,
+}
+
+/// Who does the work of a step, and how many numbers at a time.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Executor<'a> {
+    pub(crate) pool: &'a ThreadPool,
+    pub(crate) width: Width,
+}
+
+impl Executor<'_> {
+    /// Does the job that `job_of` makes of the whole, or of parts of consecutive items if that is worth it. An item costs
+    /// about so many ns.
+    #[inline(always)]
+    pub(crate) fn run<D: Divide, J: Job>(self, whole: D, item_cost: usize, job_of: impl Fn(D) -> J + Sync) {
+        self.pool.run(whole, item_cost, |part| run(self.width, job_of(part)));
+    }
 }
 
 /// Something that can be divided among threads: so many items, of which each belongs to one part.

@@ -401,7 +401,7 @@ fn a_width_is_never_more_than_was_asked_for() {
         run(width, Measure(&found));
         found.get()
     };
-    assert_eq!(width_of(Width::ONE), 1);
+    assert_eq!(width_of(Lanes::One.width()), 1);
     assert_eq!(width_of(Lanes::One.width()), 1);
     assert_eq!(width_of(Lanes::Four.width()), 4);
     assert!([4, 8].contains(&width_of(Lanes::Eight.width())));

@@ -1,10 +1,7 @@
 //! Damping: the part of its velocity that a body loses with each kick.
 
-use core::ops::Range;
-
 use crate::body::Forcing;
-use crate::compute::{BodyState, ThreadPool, Width};
-use crate::resolution::integrate::{Advance, Kicks, integrate};
+use crate::compute::BodyState;
 
 /// Damping of the body of a row, for one kick.
 #[derive(Clone, Copy, Debug)]
@@ -50,20 +47,8 @@ impl Damped {
         }));
     }
 
-    /// Moves the bodies in `rows` on as [`integrate`] does; with each kick, those with damping lose their part.
-    pub(crate) fn integrate(
-        &self,
-        pool: &ThreadPool,
-        width: Width,
-        rows: Range<usize>,
-        states: &mut [BodyState],
-        kicks: &mut Kicks,
-        advance: Advance,
-    ) {
-        integrate(pool, width, rows, states, kicks, advance);
-        if advance.kick.is_none() {
-            return;
-        }
+    /// Takes from the bodies with damping what they lose with each kick.
+    pub(crate) fn slow_down(&self, states: &mut [BodyState]) {
         for &Damping { row, linear, angular } in &self.rows {
             let state = &mut states[row as usize];
             state.velocity = state.velocity - state.velocity * linear;

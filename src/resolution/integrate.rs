@@ -4,10 +4,8 @@
 //! one kick costs, as the accelerations of the second half serve the first half of the next substep, and is
 //! of second order: bodies under constant forces fall exactly.
 
-use core::ops::Range;
-
 use crate::compute::{
-    self, BodyState, COLUMN, Column, Columns, Divide, Job, Lane, LaneVec2, ThreadPool, Width, columns,
+    BodyState, ByColumn, COLUMN, Column, Columns, Executor, Job, Lane, LaneVec2, ThreadPool, columns,
 };
 use crate::math::Vec2;
 
@@ -26,63 +24,52 @@ pub(crate) struct Kick<C> {
 
 columns!(Kick { acceleration, compensation, angular_acceleration });
 
-/// What acts on the bodies, by row.
+/// What acts on the bodies, by row. The ground's row and those that are no body's have nothing, and so stay at rest.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Kicks {
+    /// How many rows there are.
+    count: usize,
     columns: Vec<Kick<Column>>,
 }
 
 impl Kicks {
-    /// Makes room for so many rows; nothing acts on them.
-    pub(crate) fn reset(&mut self, rows: usize) {
-        self.columns.clear();
-        self.columns.resize(rows.div_ceil(COLUMN), Kick::default());
-    }
-
-    /// Writes what acts on the bodies in some rows.
+    /// Writes what acts on the bodies in the first `count` rows, and nothing for the other rows of their columns.
     pub(crate) fn fill(
         &mut self,
         pool: &ThreadPool,
-        rows: Range<usize>,
+        count: usize,
         kick_of: impl Fn(usize) -> Kick<f32> + Sync,
     ) {
-        self.for_each(pool, rows, FILL_COST, |row, column, place| {
-            let kick = kick_of(row);
-            column.acceleration.store(place, kick.acceleration);
-            column.compensation.store(place, kick.compensation);
-            column.angular_acceleration.set(place, kick.angular_acceleration);
-        });
+        self.count = count;
+        self.columns.clear();
+        self.columns.resize(count.div_ceil(COLUMN), Kick::default());
+        self.for_each(pool, FILL_COST, |row, column, place| column.store::<f32>(place, kick_of(row)));
     }
 
-    /// Writes the accelerations, m/s², of those of the bodies in some rows that have one.
+    /// Writes the accelerations, m/s², of those bodies that have one.
     pub(crate) fn accelerate(
         &mut self,
         pool: &ThreadPool,
-        rows: Range<usize>,
         acceleration_of: impl Fn(usize) -> Option<Vec2> + Sync,
     ) {
-        self.for_each(pool, rows, ACCELERATE_COST, |row, column, place| {
+        self.for_each(pool, ACCELERATE_COST, |row, column, place| {
             if let Some(acceleration) = acceleration_of(row) {
-                column.acceleration.store(place, acceleration.into());
+                column.acceleration.store::<f32>(place, acceleration.into());
             }
         });
     }
 
-    /// Calls `change` with each of some rows, its column and its place there.
+    /// Calls `change` with each row, its column and its place there.
     fn for_each(
         &mut self,
         pool: &ThreadPool,
-        rows: Range<usize>,
         cost: usize,
         change: impl Fn(usize, &mut Kick<Column>, usize) + Sync,
     ) {
-        let numbers = rows.start / COLUMN..rows.end.div_ceil(COLUMN);
-        pool.run((numbers.clone(), &mut self.columns[numbers]), cost, |(numbers, columns)| {
-            for (number, column) in numbers.zip(columns) {
-                let first = number * COLUMN;
-                for row in rows.start.max(first)..rows.end.min(first + COLUMN) {
-                    change(row, column, row - first);
-                }
+        pool.run((ByColumn(0..self.count), &mut self.columns[..]), cost, |(rows, columns)| {
+            let rows = rows.0;
+            for row in rows.clone() {
+                change(row, &mut columns[(row - rows.start) / COLUMN], row % COLUMN);
             }
         });
     }
@@ -122,115 +109,54 @@ const COST: usize = 30;
 const FILL_COST: usize = 120;
 const ACCELERATE_COST: usize = 200;
 
-/// Moves the bodies in `rows` on, without damping: their states and what acts on them, by row; states in whole columns.
+/// Moves all bodies on, without damping.
 pub(crate) fn integrate(
-    pool: &ThreadPool,
-    width: Width,
-    rows: Range<usize>,
+    executor: Executor<'_>,
     states: &mut [BodyState],
     kicks: &mut Kicks,
     advance: Advance,
 ) {
-    debug_assert!(states.len().is_multiple_of(COLUMN), "{} rows", states.len());
     if advance.drift.is_none() && advance.kick.is_none() {
         return;
     }
-    let first = rows.start / COLUMN;
-    let (states, columns) = (&mut states[first * COLUMN..], &mut kicks.columns[first..]);
-    let rows = rows.start - first * COLUMN..rows.end - first * COLUMN;
-    let pass = Integrate { rows, states, columns, advance };
-    pool.run(pass, COST, |part| compute::run(width, part));
+    let states = &mut states[..kicks.columns.len() * COLUMN];
+    let parts = (ByColumn(0..kicks.count), (ByColumn(states), &mut kicks.columns[..]));
+    executor.run(parts, COST, |(rows, (states, columns))| Integrate {
+        count: rows.0.len(),
+        states: states.0,
+        columns,
+        advance,
+    });
 }
 
-/// So many rows are moved on one by one rather than with a lane of which the others stay.
-const FEW: usize = 2;
-
-/// A pass over some rows; the first of all stands in the first place of its column.
+/// Moves some bodies on.
 struct Integrate<'a> {
-    rows: Range<usize>,
+    count: usize,
+    /// As many, and to whole columns those that are no body's.
     states: &'a mut [BodyState],
     columns: &'a mut [Kick<Column>],
     advance: Advance,
 }
 
-impl Divide for Integrate<'_> {
-    fn count(&self) -> usize {
-        self.rows.end.div_ceil(COLUMN)
-    }
-
-    fn divide(self, at: usize) -> (Self, Self) {
-        let Self { rows, states, columns, advance } = self;
-        let row = at * COLUMN;
-        let (first_states, last_states) = states.split_at_mut(row.min(states.len()));
-        let (first_columns, last_columns) = columns.split_at_mut(at);
-        let first_rows = rows.start.min(row)..rows.end.min(row);
-        let last_rows = rows.start.max(row) - row..rows.end.max(row) - row;
-        let part = |rows, states, columns| Self { rows, states, columns, advance };
-        (part(first_rows, first_states, first_columns), part(last_rows, last_states, last_columns))
-    }
-}
-
-impl Integrate<'_> {
-    /// Moves some rows of a lane on; the others stay as they are.
-    #[inline(always)]
-    fn together<L: Lane>(&mut self, rows: Range<usize>) {
-        // Asked for once, so that nothing is read and written but velocities where bodies do not drift.
-        match self.advance.drift {
-            Some(h) => self.advance_rows::<L>(rows, Some(h)),
-            None => self.advance_rows::<L>(rows, None),
-        }
-    }
-
-    #[inline(always)]
-    fn advance_rows<L: Lane>(&mut self, rows: Range<usize>, drift_time: Option<f32>) {
-        let first = rows.start / L::WIDTH * L::WIDTH;
-        let (column, place) = (&mut self.columns[first / COLUMN], first % COLUMN);
-        let before = L::load_rows(self.states, first);
-        let mut state = before;
-        if let Some(h) = drift_time {
-            drift(&mut state, h);
-        }
-        let mut this = column.load::<L>(place);
-        let compensation_before = this.compensation;
-        if let Some(t) = self.advance.kick {
-            kick(&mut state, &mut this, t, self.advance.limits);
-        }
-        if rows.len() < L::WIDTH {
-            // Halfway between a row's place and that before it.
-            let edge = |row: usize| L::splat((place + row - first) as f32 - 0.5);
-            let places = L::load(&Column::PLACES, place);
-            let moves = L::both(places.greater(edge(rows.start)), edge(rows.end).greater(places));
-            state = BodyState::select(moves, &state, &before);
-            this.compensation = LaneVec2::select(moves, this.compensation, compensation_before);
-        }
-        if self.advance.kick.is_some() {
-            column.compensation.store(place, this.compensation);
-        }
-        if drift_time.is_some() {
-            L::store_rows(self.states, first, &state);
-        } else {
-            L::store_velocities(self.states, first, &state);
-        }
-    }
-
-    /// Compiled once, and not within every width.
-    #[inline(never)]
-    fn one_by_one(&mut self, rows: Range<usize>) {
-        rows.for_each(|row| self.together::<f32>(row..row + 1));
-    }
-}
-
 impl Job for Integrate<'_> {
     #[inline(always)]
-    fn run<L: Lane>(mut self) {
-        let Range { mut start, end } = self.rows;
-        while start < end {
-            let rows = start..end.min((start / L::WIDTH + 1) * L::WIDTH);
-            start = rows.end;
-            if rows.len() < L::WIDTH && rows.len() <= FEW {
-                self.one_by_one(rows);
+    fn run<L: Lane>(self) {
+        let Self { count, states, columns, advance: Advance { drift, kick, limits } } = self;
+        for first in (0..count).step_by(L::WIDTH) {
+            let (column, place) = (&mut columns[first / COLUMN], first % COLUMN);
+            let mut state = L::load_rows(states, first);
+            if let Some(h) = drift {
+                self::drift(&mut state, h);
+            }
+            if let Some(t) = kick {
+                let mut kick = column.load::<L>(place);
+                self::kick(&mut state, &mut kick, t, limits);
+                column.compensation.store::<L>(place, kick.compensation);
+            }
+            if drift.is_some() {
+                L::store_rows(states, first, &state);
             } else {
-                self.together::<L>(rows);
+                L::store_velocities(states, first, &state);
             }
         }
     }
@@ -306,44 +232,37 @@ mod tests {
     use crate::compute::{LaneRot, Lanes};
 
     #[test]
-    fn rows_in_lanes_move_as_one_by_one_and_others_stay() {
-        // One by one, parts of lanes and whole ones, up to the last body's row and not so far.
-        let parts = [(1..2, 2), (1..9, 9), (1..16, 16), (1..50, 50), (2..50, 50), (1..41, 50)];
-        let all = parts.into_iter().flat_map(|part| [Some(0.01), None].map(|drift| (part.clone(), drift)));
-        for ((rows, count), drift) in all {
+    fn rows_in_lanes_move_as_one_by_one_and_what_is_no_body_stays() {
+        // Parts of lanes and whole ones, up to the last body's row and not so far.
+        let parts = [2, 9, 16, 41, 50].into_iter();
+        for (count, drift) in parts.flat_map(|count| [Some(0.01), None].map(|drift| (count, drift))) {
+            let is_body = |row: usize| (1..count).contains(&row);
             let moved = [Lanes::One, Lanes::Four, Lanes::Eight, Lanes::Sixteen].map(|lanes| {
-                let of_row = |row: usize| match row {
-                    row if row == 0 || row >= count => BodyState::REST,
-                    _ => BodyState {
-                        velocity: Vec2::new(row as f32, -3.0).into(),
-                        angular_velocity: 0.1 * row as f32,
-                        ..BodyState::REST
-                    },
+                let of_row = |row: usize| {
+                    let velocity = Vec2::new(row as f32, -3.0).into();
+                    let moving =
+                        BodyState { velocity, angular_velocity: 0.1 * row as f32, ..BodyState::REST };
+                    if is_body(row) { moving } else { BodyState::REST }
                 };
-                let mut states: Vec<_> = (0..count.next_multiple_of(COLUMN)).map(of_row).collect();
-                let before = states.clone();
+                let mut states: Vec<_> = (0..64).map(of_row).collect();
                 let (pool, mut kicks) = (ThreadPool::default(), Kicks::default());
-                kicks.reset(count);
                 let acceleration = Vec2::new(0.0, -9.81).into();
-                kicks.fill(&pool, rows.clone(), |_| Kick { acceleration, ..Kick::default() });
+                let falling = Kick { acceleration, ..Kick::default() };
+                kicks.fill(&pool, count, |row| if is_body(row) { falling } else { Kick::default() });
                 let limits = SpeedLimits { speed: 1e6, spin: 1e6 };
-                let advance = Advance { drift, kick: Some(0.005), limits };
-                integrate(&pool, lanes.width(), rows.clone(), &mut states, &mut kicks, advance);
-                let compensations: Vec<_> = (0..count).map(|row| kicks.compensation(row)).collect();
-                for row in (0..states.len()).filter(|row| !rows.contains(row)) {
-                    let stays = |states: &[BodyState]| format!("{:?}", states[row]);
-                    assert_eq!(stays(&states), stays(&before), "row {row}");
-                    assert!(
-                        compensations.get(row).is_none_or(|&compensation| compensation == Vec2::ZERO),
-                        "row {row}"
-                    );
+                let executor = Executor { pool: &pool, width: lanes.width() };
+                integrate(executor, &mut states, &mut kicks, Advance { drift, kick: Some(0.005), limits });
+                let stays = format!("{:?}", BodyState::REST);
+                for row in (0..states.len()).filter(|&row| !is_body(row)) {
+                    assert_eq!(format!("{:?}", states[row]), stays, "row {row} of {count}");
                 }
-                let BodyState { velocity, delta_rotation: LaneRot { s, .. }, .. } = states[rows.end - 1];
+                let BodyState { velocity, delta_rotation: LaneRot { s, .. }, .. } = states[count - 1];
                 assert!(velocity.y < -3.0, "the last row has got its kick");
                 assert_eq!(s > 0.0, drift.is_some(), "the last row has turned");
+                let compensations: Vec<_> = (0..count).map(|row| kicks.compensation(row)).collect();
                 format!("{states:?} {compensations:?}")
             });
-            assert!(moved.iter().all(|other| *other == moved[0]), "rows {rows:?}");
+            assert!(moved.iter().all(|other| *other == moved[0]), "{count} rows");
         }
     }
 }

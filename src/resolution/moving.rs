@@ -7,7 +7,7 @@
 
 use crate::body::Bodies;
 use crate::collision::{Contact, Contacts, Manifold, detect_within};
-use crate::compute::{BodyState, Lane, PairStates, ThreadPool, Width};
+use crate::compute::{BodyState, Executor, Lane, PairStates};
 use crate::math::{Rot, Vec2};
 use crate::resolution::constraint::ContactConstraint;
 use crate::resolution::constraint_graph::{BlockIndex, ConstraintGraph, GraphIndex};
@@ -75,8 +75,7 @@ impl MovingContacts {
     /// Brings the constraints up to where the bodies are now.
     pub(crate) fn follow(
         &self,
-        pool: &ThreadPool,
-        width: Width,
+        executor: Executor<'_>,
         contacts: &Contacts,
         bodies: &mut Bodies,
         graph: &mut ConstraintGraph,
@@ -88,7 +87,7 @@ impl MovingContacts {
             }
         }
         if self.has_closed_forms {
-            graph.for_each(pool, width, &mut bodies.states, &Follow);
+            graph.for_each(executor, &mut bodies.states, &Follow);
         }
     }
 }

@@ -2,9 +2,9 @@
 
 use std::sync::atomic::{AtomicBool, Ordering};
 
-use crate::body::{Bodies, Forcing, Motion};
+use crate::body::Bodies;
 use crate::collision::Contacts;
-use crate::compute::{Chosen, ThreadPool, Width};
+use crate::compute::{Chosen, Executor};
 use crate::math::Vec2;
 use crate::resolution::constraint::StepResidual;
 use crate::resolution::constraint_graph::ConstraintGraph;
@@ -12,7 +12,7 @@ use crate::resolution::contact_block::Beginning;
 use crate::resolution::damping::{Damped, is_damped};
 use crate::resolution::direct::{Aim, DirectSolver};
 use crate::resolution::events::{EventScene, Impacts, Seams};
-use crate::resolution::integrate::{Advance, Kick, Kicks};
+use crate::resolution::integrate::{Advance, Kick, Kicks, integrate};
 use crate::resolution::islands::Islands;
 use crate::resolution::kernel::{ForgetImpulses, WarmStart, WarmStartTime};
 use crate::resolution::load::{LoadMeasure, Loads};
@@ -38,8 +38,6 @@ const COMPENSATION_COST: usize = 3;
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Solver {
     kicks: Kicks,
-    /// By row: the part of its acceleration that stays the same during the step, m/s²; empty where all of it does.
-    steady: Vec<Vec2>,
     damped: Damped,
     pub(crate) impacts: Impacts,
     moving: MovingContacts,
@@ -55,7 +53,7 @@ pub(crate) struct SolveTables<'a> {
     pub(crate) graph: &'a mut ConstraintGraph,
     pub(crate) loads: &'a mut Loads,
     /// Who does the work.
-    pub(crate) pool: &'a ThreadPool,
+    pub(crate) executor: Executor<'a>,
 }
 
 /// One step: moves the velocities and deltas of all rows, and the impulses of contacts.
@@ -89,12 +87,12 @@ pub(crate) fn solve(
         solver.push(scheme, tables, has_moved);
         solver.direct.solve(tables.graph, &mut tables.bodies.states, Aim::Push, h);
         solver.drift_and_kick(scheme, tables, acceleration);
-        solver.refresh(scheme, tables);
+        solver.refresh(tables);
         relax(scheme, tables);
         solver.direct.solve(tables.graph, &mut tables.bodies.states, Aim::Relax, h);
     }
     for _ in 0..scheme.projections.unwrap_or(0) {
-        tables.graph.for_each_swept(tables.pool, Width::ONE, &mut tables.bodies.states, &Project);
+        tables.graph.for_each_swept(tables.executor, &mut tables.bodies.states, &Project);
     }
     solver.finish(scheme, tables)
 }
@@ -141,18 +139,18 @@ impl Solver {
         let h = scheme.substep_time();
         self.seams.hold_back(tables.graph, &tables.bodies.states, h);
         warm_start(WarmStartTime::BeforeMove, scheme, tables);
-        let SolveTables { bodies, contacts, graph, pool, .. } = tables;
+        let SolveTables { bodies, contacts, graph, executor, .. } = tables;
         let sweep = scheme.sweep_over(scheme.main_sweep(), has_moved);
         for _ in 0..scheme.iterations {
-            graph.for_each_swept(pool, scheme.width, &mut bodies.states, &sweep);
+            graph.for_each_swept(*executor, &mut bodies.states, &sweep);
         }
         self.seams.run(&mut EventScene { bodies, contacts, kicks: &self.kicks, graph, scheme });
     }
 
     /// Contact geometry that moves within the step, where the bodies are now.
-    fn refresh(&self, scheme: &Scheme, tables: &mut SolveTables<'_>) {
-        let SolveTables { bodies, contacts, graph, pool, .. } = tables;
-        self.moving.follow(pool, scheme.width, contacts, bodies, graph);
+    fn refresh(&self, tables: &mut SolveTables<'_>) {
+        let SolveTables { bodies, contacts, graph, executor, .. } = tables;
+        self.moving.follow(*executor, contacts, bodies, graph);
     }
 
     /// Fills the rows of kicks, the constraints, and the contacts that may bounce.
@@ -164,9 +162,9 @@ impl Solver {
         acceleration: &impl Acceleration,
     ) {
         self.prepare_kicks(scheme, tables, acceleration);
-        let SolveTables { bodies, contacts, graph, pool, .. } = &mut *tables;
+        let SolveTables { bodies, contacts, graph, executor, .. } = &mut *tables;
         let from = Beginning { contacts, bodies, impulse_scale: scheme.impulse_scale, dt: scheme.dt };
-        graph.prepare(pool, scheme.width, from);
+        graph.prepare(*executor, from);
         self.gather_special(graph);
         self.direct.clear();
         for island in islands.iter() {
@@ -175,44 +173,27 @@ impl Solver {
     }
 
     fn prepare_kicks(&mut self, scheme: &Scheme, tables: &SolveTables<'_>, acceleration: &impl Acceleration) {
-        let (bodies, varies) = (&*tables.bodies, acceleration.varies());
-        let rows = 1..bodies.row_count();
-        let forcing_of = |row: usize| &bodies.forcings[bodies.slot_of_row(row) as usize];
-        let steady_of = |forcing: &Forcing, motion: &Motion| {
-            acceleration.uniform() * forcing.gravity_scale + forcing.force * motion.inverse_mass
-        };
+        let bodies = &*tables.bodies;
         let has_damping = AtomicBool::new(false);
-        self.kicks.reset(bodies.row_count());
-        self.kicks.fill(tables.pool, rows.clone(), |row| {
-            let motion = &bodies.motions[bodies.slot_of_row(row) as usize];
-            if motion.inverse_mass == 0.0 {
-                return Kick::default();
-            }
-            let forcing = forcing_of(row);
+        self.kicks.fill(tables.executor.pool, bodies.row_count(), |row| {
+            let Some(slot) = bodies.dynamic_in(row) else { return Kick::default() };
+            let (motion, forcing) = (&bodies.motions[slot as usize], &bodies.forcings[slot as usize]);
             if is_damped(forcing) {
                 has_damping.store(true, Ordering::Relaxed);
             }
             Kick {
-                acceleration: steady_of(forcing, motion).into(),
+                acceleration: steady(bodies, slot, acceleration).into(),
                 compensation: motion.velocity_compensation.into(),
                 angular_acceleration: forcing.torque * motion.inverse_inertia,
             }
         });
         self.damped.clear();
         if has_damping.into_inner() {
-            let is_moved = |row: usize| bodies.is_dynamic(bodies.slot_of_row(row));
-            let damped = rows
-                .clone()
-                .map(|row| (row, forcing_of(row)))
-                .filter(|&(row, forcing)| is_damped(forcing) && is_moved(row));
-            self.damped.add(damped, scheme.kick_time());
+            let dynamic = (1..bodies.row_count()).filter_map(|row| Some((row, bodies.dynamic_in(row)?)));
+            let forcings = dynamic.map(|(row, slot)| (row, &bodies.forcings[slot as usize]));
+            self.damped.add(forcings.filter(|&(_, forcing)| is_damped(forcing)), scheme.kick_time());
         }
-        self.steady.clear();
-        if varies {
-            // Of those that nothing moves it is not asked.
-            let of_row = |row| steady_of(forcing_of(row), &bodies.motions[bodies.slot_of_row(row) as usize]);
-            self.steady.push(Vec2::ZERO);
-            self.steady.extend(rows.map(of_row));
+        if acceleration.varies() {
             self.accelerate(tables, acceleration);
         }
     }
@@ -239,10 +220,10 @@ impl Solver {
     /// Finds the accelerations that depend on the place anew.
     fn accelerate(&mut self, tables: &SolveTables<'_>, acceleration: &impl Acceleration) {
         let bodies = &*tables.bodies;
-        self.kicks.accelerate(tables.pool, 1..bodies.row_count(), |row| {
-            let (slot, state) = (bodies.slot_of_row(row), &bodies.states[row]);
-            let varying = || acceleration.at(bodies, slot, state.delta_position.into());
-            bodies.is_dynamic(slot).then(|| self.steady[row] + varying())
+        self.kicks.accelerate(tables.executor.pool, |row| {
+            let slot = bodies.dynamic_in(row)?;
+            let varying = acceleration.at(bodies, slot, bodies.states[row].delta_position.into());
+            Some(steady(bodies, slot, acceleration) + varying)
         });
     }
 
@@ -254,27 +235,34 @@ impl Solver {
         drift: Option<f32>,
         kick: Option<f32>,
     ) {
-        let (rows, Scheme { width, limits, .. }) = (1..tables.bodies.row_count(), *scheme);
-        let states = &mut tables.bodies.states;
-        let advance = Advance { drift, kick, limits };
-        self.damped.integrate(tables.pool, width, rows, states, &mut self.kicks, advance);
+        let advance = Advance { drift, kick, limits: scheme.limits };
+        integrate(tables.executor, &mut tables.bodies.states, &mut self.kicks, advance);
+        if kick.is_some() {
+            self.damped.slow_down(&mut tables.bodies.states);
+        }
     }
 
     /// Writes impulses back into the contacts and compensations back into the bodies.
     fn finish(&self, scheme: &Scheme, tables: &mut SolveTables<'_>) -> StepResidual {
         let rows = 1..tables.bodies.row_count();
-        let SolveTables { bodies, contacts, graph, loads, pool } = tables;
+        let SolveTables { bodies, contacts, graph, loads, executor } = tables;
         let measure = LoadMeasure::new(scheme.adapts, 1.0 / scheme.substep_time());
         loads.unsolved.extend(self.direct.unsolved_rows().map(|row| bodies.slot_of_row(row as usize)));
-        let residual = graph.finish(pool, scheme.width, &bodies.states, contacts, measure, loads);
+        let residual = graph.finish(*executor, &bodies.states, contacts, measure, loads);
         let motions = Chosen::new(&mut bodies.motions, &bodies.awake);
-        pool.run((rows, motions), COMPENSATION_COST, |(rows, mut motions)| {
+        executor.pool.run((rows, motions), COMPENSATION_COST, |(rows, mut motions)| {
             for (place, row) in rows.enumerate() {
                 motions.get_mut(place).velocity_compensation = self.kicks.compensation(row);
             }
         });
         residual
     }
+}
+
+/// The part of the acceleration of the body in `slot` that stays the same during the step, m/s².
+fn steady(bodies: &Bodies, slot: u32, acceleration: &impl Acceleration) -> Vec2 {
+    let (motion, forcing) = (&bodies.motions[slot as usize], &bodies.forcings[slot as usize]);
+    acceleration.uniform() * forcing.gravity_scale + forcing.force * motion.inverse_mass
 }
 
 /// Contacts by sweeps, after the bodies have moved.
@@ -285,17 +273,17 @@ fn relax(scheme: &Scheme, tables: &mut SolveTables<'_>) {
     let (graph, states) = (&mut *tables.graph, &mut tables.bodies.states);
     for iteration in 0..scheme.relax_iterations {
         let sweep = scheme.sweep_over(scheme.relax_sweep(), iteration == 0);
-        graph.for_each_swept(tables.pool, scheme.width, states, &sweep);
+        graph.for_each_swept(tables.executor, states, &sweep);
     }
 }
 
 /// One of the warm starts of a substep; without warm starting, impulses are forgotten.
 fn warm_start(time: WarmStartTime, scheme: &Scheme, tables: &mut SolveTables<'_>) {
-    let SolveTables { bodies, graph, pool, .. } = tables;
+    let SolveTables { bodies, graph, executor, .. } = tables;
     if scheme.warm_starting {
         let start = WarmStart { part: scheme.warm_part(), time, is_fitted: scheme.fitted_kernels };
-        graph.for_each_swept(pool, scheme.width, &mut bodies.states, &start);
+        graph.for_each_swept(*executor, &mut bodies.states, &start);
     } else if time == WarmStartTime::BeforeMove {
-        graph.for_each_swept(pool, scheme.width, &mut bodies.states, &ForgetImpulses);
+        graph.for_each_swept(*executor, &mut bodies.states, &ForgetImpulses);
     }
 }

@@ -4,7 +4,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 
 use crate::body::{Bodies, BodyId, BodyType, Motion, NONE};
 use crate::collision::{AHEAD, Refresh, refresh};
-use crate::compute::{BodyState, Chosen};
+use crate::compute::{BodyState, Chosen, Executor};
 use crate::math::{Rot, Vec2};
 use crate::resolution::{SolveTables, StepResidual, TierTables, begins_at_rest, solve};
 use crate::world::World;
@@ -206,7 +206,8 @@ impl World {
             gravitational_constant: settings.gravitational_constant,
         };
         let scheme = settings.scheme(graph.sizes().chain([bodies.awake_count()]), self.last_substep);
-        let mut tables = SolveTables { bodies, contacts, graph, loads, pool };
+        let executor = Executor { pool, width: scheme.width };
+        let mut tables = SolveTables { bodies, contacts, graph, loads, executor };
         self.residual = solve(&mut self.solver, &scheme, &self.tiers.direct, &mut tables, &field);
         self.last_substep = settings.substep_seconds();
     }

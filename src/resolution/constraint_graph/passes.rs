@@ -6,11 +6,11 @@ use std::sync::Mutex;
 
 use crate::collision::{ChosenContacts, Contacts};
 use crate::compute::{
-    self, BlocksOver, BodyState, ByColumn, COLUMN, Chosen, Job, Lane, RowPairs, ThreadPool, Width, lock,
+    self, BlocksOver, BodyState, ByColumn, COLUMN, Chosen, Executor, Job, Lane, RowPairs, lock,
 };
 use crate::resolution::constraint::StepResidual;
+use crate::resolution::constraint_graph::ConstraintGraph;
 use crate::resolution::constraint_graph::colour::{Colour, DIRECT, OVERFLOW};
-use crate::resolution::constraint_graph::{ConstraintGraph, Used};
 use crate::resolution::contact_block::{Beginning, BlockEnd, BlockStart, ContactBlock, ContactEnds};
 use crate::resolution::kernel::Kernel;
 use crate::resolution::load::{ContactLoad, LoadMeasure, Loads};
@@ -22,7 +22,7 @@ const FINISH_COST: usize = 200;
 
 impl ConstraintGraph {
     /// Makes the constraints of a step.
-    pub(crate) fn prepare(&mut self, pool: &ThreadPool, width: Width, from: Beginning<'_>) {
+    pub(crate) fn prepare(&mut self, executor: Executor<'_>, from: Beginning<'_>) {
         let Self { colours, row_marks, .. } = self;
         for colour in colours {
             let count = colour.contacts.len().div_ceil(COLUMN);
@@ -35,20 +35,21 @@ impl ConstraintGraph {
             colour.ends.resize_with(count, BlockEnd::default);
             let (rows, blocks) = colour.blocks.all_mut();
             let parts = (ByColumn(&colour.contacts[..]), ((rows, blocks), &mut colour.starts[..]));
-            pool.run(parts, PREPARE_COST, |(contacts, ((rows, blocks), starts))| {
-                compute::run(width, Prepare { contacts: contacts.0, rows, blocks, starts, from });
+            executor.run(parts, PREPARE_COST, |(contacts, ((rows, blocks), starts))| Prepare {
+                contacts: contacts.0,
+                rows,
+                blocks,
+                starts,
+                from,
             });
-            if !pool.is_alone() {
-                colour.blocks.check(row_marks);
-            }
+            colour.blocks.seal((!executor.pool.is_alone()).then_some(&mut *row_marks));
         }
     }
 
     /// Writes impulses and separations back into the contacts; returns what is left wrong.
     pub(crate) fn finish(
         &mut self,
-        pool: &ThreadPool,
-        width: Width,
+        executor: Executor<'_>,
         states: &[BodyState],
         contacts: &mut Contacts,
         measure: LoadMeasure,
@@ -60,12 +61,9 @@ impl ConstraintGraph {
             let contacts = ByColumn(contacts.chosen(&colour.contacts));
             let loads = ByColumn(Chosen::new(&mut loads.of_contact, &colour.contacts));
             let parts = ((contacts, loads), (colour.blocks.all(), &mut colour.ends[..]));
-            pool.run(parts, FINISH_COST, |((contacts, loads), ((rows, blocks), ends))| {
+            executor.run(parts, FINISH_COST, |((contacts, loads), ((rows, blocks), ends))| {
                 let (contacts, loads) = (contacts.0, loads.0);
-                compute::run(
-                    width,
-                    Finish { contacts, loads, rows, blocks, ends, states, measure, residual },
-                );
+                Finish { contacts, loads, rows, blocks, ends, states, measure, residual }
             });
         }
         for colour in self.colours.iter().filter(|colour| !colour.is_empty()) {
@@ -78,27 +76,24 @@ impl ConstraintGraph {
         *lock(&residual)
     }
 
-    /// Does something to every constraint that is swept over, colour by colour: as many at a time as the width says, but
-    /// for the overflow, whose contacts may share bodies.
+    /// Does something to every constraint that is swept over: first to the overflow, whose contacts may share bodies, one
+    /// at a time; then colour by colour.
     pub(crate) fn for_each_swept(
         &mut self,
-        pool: &ThreadPool,
-        width: Width,
+        executor: Executor<'_>,
         states: &mut [BodyState],
         kernel: &impl Kernel,
     ) {
-        let (colours, used) = (&mut self.colours, self.used.swept());
-        if pool.is_alone() {
-            return pass_over(colours, used, width, states, kernel);
+        if self.used.has_overflow() {
+            one_by_one(BlockPass::over(&mut self.colours[OVERFLOW], states, kernel));
         }
-        if used.has_overflow() {
-            BlockPass::over(&mut colours[OVERFLOW], states, kernel).run::<f32>();
-        }
-        for colour in used.colours() {
-            let Colour { contacts, blocks, .. } = &mut colours[colour];
+        for colour in self.used.swept().colours() {
+            let Colour { contacts, blocks, .. } = &mut self.colours[colour];
             let parts = (ByColumn(0..contacts.len()), blocks.over(states));
-            pool.run(parts, SWEEP_COST, |(contacts, blocks)| {
-                compute::run(width, BlockPass { contacts: contacts.0.len(), blocks, kernel });
+            executor.run(parts, SWEEP_COST, |(contacts, blocks)| BlockPass {
+                contacts: contacts.0.len(),
+                blocks,
+                kernel,
             });
         }
     }
@@ -106,36 +101,15 @@ impl ConstraintGraph {
     /// Does something that moves no body to every constraint: what is solved directly may share bodies.
     pub(crate) fn for_each(
         &mut self,
-        pool: &ThreadPool,
-        width: Width,
+        executor: Executor<'_>,
         states: &mut [BodyState],
         kernel: &impl Kernel,
     ) {
-        self.for_each_swept(pool, width, states, kernel);
+        self.for_each_swept(executor, states, kernel);
         if self.solves_directly() {
-            compute::run(width, BlockPass::over(&mut self.colours[DIRECT], states, kernel));
+            compute::run(executor.width, BlockPass::over(&mut self.colours[DIRECT], states, kernel));
         }
     }
-}
-
-/// Does something to every constraint of some colours and their overflow. Compiled once for each kernel, which is large.
-#[inline(never)]
-fn pass_over(
-    colours: &mut [Colour],
-    used: Used,
-    width: Width,
-    states: &mut [BodyState],
-    kernel: &impl Kernel,
-) {
-    compute::run(width, Pass { colours, used, states, kernel });
-}
-
-/// A pass over the contacts of some colours.
-struct Pass<'a, K> {
-    colours: &'a mut [Colour],
-    used: Used,
-    states: &'a mut [BodyState],
-    kernel: &'a K,
 }
 
 /// A pass over some blocks of a colour, that have so many contacts.
@@ -143,21 +117,6 @@ struct BlockPass<'a, K> {
     contacts: usize,
     blocks: BlocksOver<'a, ContactBlock>,
     kernel: &'a K,
-}
-
-impl<K: Kernel> Job for Pass<'_, K> {
-    #[inline(always)]
-    fn run<L: Lane>(self) {
-        let Self { colours, used, states, kernel } = self;
-        if used.has_overflow() {
-            BlockPass::over(&mut colours[OVERFLOW], states, kernel).run::<f32>();
-        }
-        // One of its own stays in registers, whatever is written through it.
-        let kernel = &kernel.clone();
-        for colour in used.colours() {
-            BlockPass::over(&mut colours[colour], states, kernel).run::<L>();
-        }
-    }
 }
 
 impl<K: Kernel> Job for BlockPass<'_, K> {
@@ -175,6 +134,7 @@ impl<'a, K: Kernel> BlockPass<'a, K> {
 
     #[inline(always)]
     fn in_lanes<L: Lane>(mut self) {
+        // One of its own stays in registers, whatever is written through it.
         let kernel = self.kernel.clone();
         // One loop: it is compiled into a faster program than one over blocks, and one within each.
         for place in (0..self.contacts).step_by(L::WIDTH) {
