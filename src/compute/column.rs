@@ -16,11 +16,6 @@ pub(crate) struct Column([f32; COLUMN]);
 const _: () = assert!(size_of::<Column>() == 64);
 
 impl Column {
-    /// The same number in every place.
-    pub(crate) const fn splat(value: f32) -> Self {
-        Self([value; COLUMN])
-    }
-
     /// What stands at `place`, below [`COLUMN`].
     #[inline(always)]
     pub(crate) fn get(&self, place: usize) -> f32 {

@@ -12,13 +12,14 @@ use crate::compute::{BodyState, Lane, LaneVec2};
 use crate::resolution::constraint::ContactConstraint;
 
 /// A direction along which impulses act at the first `POINTS` points of a contact, with their lever arms about the centres
-/// of the two bodies.
-pub(crate) struct Axis<L, const POINTS: usize> {
+/// of the two bodies. `STILL` says that the bodies do not turn and cannot be turned: the terms of turning, all of them 0,
+/// are left out.
+pub(crate) struct Axis<L, const POINTS: usize, const STILL: bool> {
     direction: LaneVec2<L>,
     arms: [[L; 2]; POINTS],
 }
 
-impl<L: Lane, const POINTS: usize> Axis<L, POINTS> {
+impl<L: Lane, const POINTS: usize, const STILL: bool> Axis<L, POINTS, STILL> {
     #[inline(always)]
     pub(crate) fn new(constraint: &ContactConstraint<L>, direction: LaneVec2<L>) -> Self {
         let mut arms = [[L::splat(0.0); 2]; POINTS];
@@ -30,14 +31,9 @@ impl<L: Lane, const POINTS: usize> Axis<L, POINTS> {
 
     /// Velocity of b against a at each point, along the direction, m/s.
     #[inline(always)]
-    pub(crate) fn speeds(
-        &self,
-        constraint: &ContactConstraint<L>,
-        a: &BodyState<L>,
-        b: &BodyState<L>,
-    ) -> [L; POINTS] {
+    pub(crate) fn speeds(&self, a: &BodyState<L>, b: &BodyState<L>) -> [L; POINTS] {
         let mut speeds = [self.direction.dot(b.velocity - a.velocity); POINTS];
-        if !constraint.is_still {
+        if !STILL {
             for (speed, &[arm_a, arm_b]) in speeds.iter_mut().zip(&self.arms) {
                 *speed = *speed + (arm_b * b.angular_velocity - arm_a * a.angular_velocity);
             }
@@ -70,6 +66,9 @@ impl<L: Lane, const POINTS: usize> Axis<L, POINTS> {
         a: &mut BodyState<L>,
         b: &mut BodyState<L>,
     ) {
+        if STILL {
+            return;
+        }
         let [arm_a, arm_b] = self.arms[0];
         let mut moments = [arm_a * impulses[0], arm_b * impulses[0]];
         // Not by `skip`: where much else is compiled with it that is a call, around which all lanes are saved.
@@ -128,8 +127,8 @@ mod tests {
     #[test]
     fn speeds_are_those_of_the_points() {
         let (contact, [a, b]) = (contact(), states());
-        let axis = Axis::<_, 2>::new(&contact, contact.normal);
-        for (speed, point) in axis.speeds(&contact, &a, &b).into_iter().zip(&contact.points) {
+        let axis = Axis::<_, 2, false>::new(&contact, contact.normal);
+        for (speed, point) in axis.speeds(&a, &b).into_iter().zip(&contact.points) {
             assert_near(speed, contact.normal.dot(point.relative_velocity(&a, &b)));
         }
     }
@@ -137,7 +136,7 @@ mod tests {
     #[test]
     fn impulses_together_do_what_they_do_one_after_the_other() {
         let (contact, before, impulses) = (contact(), states(), [0.7, 0.4]);
-        let axis = Axis::<_, 2>::new(&contact, contact.normal);
+        let axis = Axis::<_, 2, false>::new(&contact, contact.normal);
         let [mut a, mut b] = before;
         axis.turn(&contact, impulses, &mut a, &mut b);
         contact.push(axis.sum(impulses), &mut a, &mut b);
@@ -156,12 +155,12 @@ mod tests {
     #[test]
     fn the_second_point_feels_the_impulse_of_the_first() {
         let (contact, [a, b], impulses) = (contact(), states(), [0.7, 0.0]);
-        let axis = Axis::<_, 2>::new(&contact, contact.normal);
-        let speeds = axis.speeds(&contact, &a, &b);
+        let axis = Axis::<_, 2, false>::new(&contact, contact.normal);
+        let speeds = axis.speeds(&a, &b);
         let [mut after_a, mut after_b] = [a, b];
         axis.turn(&contact, impulses, &mut after_a, &mut after_b);
         contact.push(axis.sum(impulses), &mut after_a, &mut after_b);
-        let after = axis.speeds(&contact, &after_a, &after_b);
+        let after = axis.speeds(&after_a, &after_b);
         assert_near(axis.speed_after(1, speeds, &contact, impulses), after[1]);
         assert_near(axis.speed_after(0, speeds, &contact, impulses), speeds[0]);
     }

@@ -101,9 +101,20 @@ pub(crate) struct ContactConstraint<C> {
     /// By point.
     pub(crate) frictions: [PointFriction<C>; 2],
     pub(crate) turns: Turns<C>,
-    /// Whether none of the bodies turns, or can be turned: then the terms of turning, all of them 0, are left out.
-    pub(crate) is_still: bool,
 }
+
+columns!(ContactConstraint {
+    inverse_mass_a,
+    inverse_mass_b,
+    inverse_inertia_a,
+    inverse_inertia_b,
+    normal,
+    coupling,
+    points,
+    friction,
+    frictions,
+    turns,
+});
 
 /// By body: 1 where its outline turns with it, 0 where it is a circle.
 #[repr(C)]
@@ -172,16 +183,13 @@ impl<L: Lane> ContactConstraint<L> {
     /// Separation of a point now, m.
     #[inline(always)]
     pub(crate) fn separation(&self, point: &ConstraintPoint<L>, a: &BodyState<L>, b: &BodyState<L>) -> L {
-        let mut moved = self.normal.dot(b.delta_position - a.delta_position);
-        if !self.is_still {
-            let carried_a = a.delta_rotation.displacement_along(point.anchor_a, self.normal);
-            let carried_b = b.delta_rotation.displacement_along(point.anchor_b, self.normal);
-            moved = moved + (carried_b * self.turns.b - carried_a * self.turns.a);
-        }
-        point.separation + moved
+        let moved = self.normal.dot(b.delta_position - a.delta_position);
+        let carried_a = a.delta_rotation.displacement_along(point.anchor_a, self.normal);
+        let carried_b = b.delta_rotation.displacement_along(point.anchor_b, self.normal);
+        point.separation + (moved + (carried_b * self.turns.b - carried_a * self.turns.a))
     }
 
-    /// How far the anchors of a point have been carried, m: with the outlines that turn, and with a circle that touches
+    /// The anchors of a point where they have been carried to: with the outlines that turn, and with a circle that touches
     /// something else, on which the point stays.
     #[inline(always)]
     pub(crate) fn carried(
@@ -193,10 +201,9 @@ impl<L: Lane> ContactConstraint<L> {
         let Turns { a: turns_a, b: turns_b } = self.turns;
         let (moved, turn) = (b.delta_position - a.delta_position, turns_a * turns_b);
         let [stays_on_a, stays_on_b] = [turns_b - turn, turns_a - turn];
-        [
-            a.delta_rotation.displacement(point.anchor_a) * turn + moved * stays_on_b,
-            b.delta_rotation.displacement(point.anchor_b) * turn - moved * stays_on_a,
-        ]
+        let carried_a = a.delta_rotation.displacement(point.anchor_a) * turn + moved * stays_on_b;
+        let carried_b = b.delta_rotation.displacement(point.anchor_b) * turn - moved * stays_on_a;
+        [point.anchor_a + carried_a, point.anchor_b + carried_b]
     }
 
     /// Gives b what acts on it, and a the opposite.
@@ -221,10 +228,8 @@ impl<L: Lane> ContactConstraint<L> {
     /// Turns the bodies as moments about the centres of a and b do, N m s, that on a being the opposite.
     #[inline(always)]
     pub(crate) fn turn(&self, [moment_a, moment_b]: [L; 2], a: &mut BodyState<L>, b: &mut BodyState<L>) {
-        if !self.is_still {
-            a.angular_velocity = a.angular_velocity - self.inverse_inertia_a * moment_a;
-            b.angular_velocity = b.angular_velocity + self.inverse_inertia_b * moment_b;
-        }
+        a.angular_velocity = a.angular_velocity - self.inverse_inertia_a * moment_a;
+        b.angular_velocity = b.angular_velocity + self.inverse_inertia_b * moment_b;
     }
 }
 
@@ -302,6 +307,14 @@ impl<L: Lane> ContactConstraint<L> {
         for (point, friction) in self.points.iter_mut().zip(&mut self.frictions).take(POINTS) {
             point.normal_impulse = point.normal_impulse * part;
             friction.warm_start = point.normal_impulse;
+        }
+    }
+
+    /// Lets the substep begin without impulses along the tangent.
+    #[inline(always)]
+    pub(crate) fn forget_friction(&mut self) {
+        for friction in &mut self.frictions {
+            friction.impulse = L::splat(0.0);
         }
     }
 

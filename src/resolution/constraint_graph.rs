@@ -17,7 +17,7 @@ pub(crate) use crate::resolution::constraint_graph::colour::{BlockIndex, GraphIn
 use crate::resolution::constraint_graph::colour::{
     COLOURS, Colour, DIRECT, FIRST_GROUND_COLOUR, Kind, OVERFLOW,
 };
-use crate::resolution::contact_block::{BlockStart, ContactBlock};
+use crate::resolution::contact_block::ContactBlock;
 use crate::resolution::tier::Tier;
 use crate::store::{BitSet, places_of};
 
@@ -102,11 +102,11 @@ impl ConstraintGraph {
         order.map(|number| (number as u32, &self.colours[number]))
     }
 
-    /// The blocks with what is special about their contacts as the step begins, in the order in which they are solved.
-    pub(crate) fn starts(&self) -> impl Iterator<Item = (BlockIndex, BlockStart)> {
+    /// The blocks, in the order in which they are solved.
+    pub(crate) fn blocks(&self) -> impl Iterator<Item = (BlockIndex, &ContactBlock)> {
         self.in_order().flat_map(|(number, colour)| {
-            let blocks = (0..).zip(&colour.starts);
-            blocks.map(move |(block, &start)| (BlockIndex { colour: number, block }, start))
+            let blocks = (0..).zip(colour.blocks.all().1);
+            blocks.map(move |(block, of_colour)| (BlockIndex { colour: number, block }, of_colour))
         })
     }
 
@@ -284,7 +284,7 @@ impl ConstraintGraph {
     #[inline(always)]
     pub(crate) fn constraint(&self, at: GraphIndex) -> ContactConstraint<f32> {
         let (_, block, place) = self.block(at);
-        block.load_one(place)
+        block.load(place)
     }
 
     /// The rows of the bodies of the contact at a place of the graph.

@@ -6,9 +6,9 @@ mod end;
 mod marks;
 
 use crate::compute::{Column, Columns, Lane};
-use crate::resolution::constraint::{ConstraintPoint, ContactConstraint, PointFriction, Turns};
-pub(crate) use crate::resolution::contact_block::begin::{Beginning, BlockStart};
-pub(crate) use crate::resolution::contact_block::end::{BlockEnd, ContactEnds};
+use crate::resolution::constraint::{ContactConstraint, Turns};
+pub(crate) use crate::resolution::contact_block::begin::Beginning;
+pub(crate) use crate::resolution::contact_block::end::Residuals;
 pub(crate) use crate::resolution::contact_block::marks::Marks;
 use crate::resolution::moving_geometry::MovingGeometry;
 
@@ -23,16 +23,32 @@ pub(crate) struct ContactBlock {
     /// Whether any of the bodies is a circle.
     has_circles: bool,
     fit: Fit,
-    /// Contacts of two points and with friction that bear no load as the step begins.
-    cold_contacts: Marks,
-    /// By point: the contacts of which it approaches fast enough to bounce, and has not met what it is to bounce from. The
-    /// sweeps leave it alone, and it bears nothing.
-    pending: [Marks; 2],
-    /// Contacts whose geometry moves within the step, in closed form.
-    moving: Marks,
-    /// Their geometry. Made for the first of them, and kept.
+    pub(crate) marks: BlockMarks,
+    /// The geometry of those that move. Made for the first of them, and kept.
     geometry: Option<Box<MovingGeometry<Column>>>,
     columns: ContactConstraint<Column>,
+}
+
+/// Which contacts of a block something is true of.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct BlockMarks {
+    /// Those that may bounce.
+    pub(crate) bouncy: Marks,
+    /// Those of a circle with what does not move.
+    pub(crate) on_ground: Marks,
+    /// Those of two points and with friction that bear no load as the step begins.
+    pub(crate) cold: Marks,
+    /// By point: those where it approaches fast enough to bounce, and has not met what it is to bounce from. The sweeps
+    /// leave it alone, and it bears nothing.
+    pending: [Marks; 2],
+    /// Those whose geometry moves within the step in closed form.
+    pub(crate) moving: Marks,
+    /// Those whose geometry moves within the step, and not in closed form.
+    pub(crate) found_anew: Marks,
+    /// At the end of the step: those under lasting load.
+    pub(crate) lasting: Marks,
+    /// At the end of the step: those that may have begun or ceased to touch.
+    pub(crate) changing: Marks,
 }
 
 const _: () = {
@@ -41,6 +57,14 @@ const _: () = {
     assert!(columns + core::mem::offset_of!(ContactConstraint<Column>, friction) == 24 * 64);
     assert!(columns + core::mem::offset_of!(ContactConstraint<Column>, turns) <= 32 * 64);
 };
+
+impl BlockMarks {
+    /// Those whose geometry moves within the step.
+    #[inline(always)]
+    fn moving_within_step(self) -> Marks {
+        self.moving.or(self.found_anew)
+    }
+}
 
 /// What none of the contacts of a block needs, so that kernels may leave it out without a bit of difference.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -66,8 +90,9 @@ impl ContactBlock {
     }
 
     /// Whether there are contacts that may begin to bear load.
+    #[inline(always)]
     pub(crate) fn has_cold_contacts(&self) -> bool {
-        self.cold_contacts.any()
+        self.marks.cold.any()
     }
 
     /// Those of them, from `place` on, that bear load now and had no impulses to start this substep from.
@@ -78,15 +103,16 @@ impl ContactBlock {
         let load = greatest(constraint.points.map(|point| point.normal_impulse));
         let start = greatest(constraint.frictions.map(|friction| friction.warm_start));
         let is_loaded = L::select(start.greater(zero), zero, load).greater(zero);
-        L::both(is_loaded, self.cold_contacts.mask::<L>(place))
+        L::both(is_loaded, self.marks.cold.mask::<L>(place))
     }
 
     /// The contacts from `place` on, a multiple of the lane's width.
     #[inline(always)]
     pub(crate) fn load<L: Lane>(&self, place: usize) -> ContactConstraint<L> {
+        let constraint = self.columns.load::<L>(place);
         let one = L::splat(1.0);
-        let turns = if self.has_circles { self.columns.turns.load(place) } else { Turns { a: one, b: one } };
-        self.columns.load(place, turns)
+        let turns = if self.has_circles { constraint.turns } else { Turns { a: one, b: one } };
+        ContactConstraint { turns, ..constraint }
     }
 
     /// The same, without the points that are pending.
@@ -95,7 +121,7 @@ impl ContactBlock {
         let mut constraint = self.load::<L>(place);
         if self.has_pending() {
             let zero = L::splat(0.0);
-            for (point, pending) in constraint.points.iter_mut().zip(self.pending) {
+            for (point, pending) in constraint.points.iter_mut().zip(self.marks.pending) {
                 let is_pending = pending.mask::<L>(place);
                 point.normal_k = L::select(is_pending, zero, point.normal_k);
                 constraint.coupling = L::select(is_pending, zero, constraint.coupling);
@@ -104,33 +130,33 @@ impl ContactBlock {
         constraint
     }
 
-    /// One contact alone, without reading a point that no contact of the block has.
-    #[inline(always)]
-    pub(crate) fn load_one(&self, place: usize) -> ContactConstraint<f32> {
-        let mut constraint = self.load(place);
-        if self.fit.is_single {
-            constraint.points[1] = ConstraintPoint::default();
-            constraint.frictions[1] = PointFriction::default();
-            constraint.coupling = 0.0;
-        }
-        constraint
-    }
-
     /// How the geometry of the contacts from `place` on moves, and of which of them it does; `None` if of none.
     #[inline(always)]
     pub(crate) fn moving<L: Lane>(&self, place: usize) -> Option<(MovingGeometry<L>, L::Mask)> {
-        let geometry = self.geometry.as_ref().filter(|_| self.moving.any())?;
-        let moving = self.moving.mask::<L>(place);
+        let geometry = self.geometry.as_ref().filter(|_| self.marks.moving.any())?;
+        let moving = self.marks.moving.mask::<L>(place);
         (L::bits(moving) != 0).then(|| (geometry.load(place), moving))
     }
 
     /// Writes normal and points back.
     #[inline(always)]
     pub(crate) fn store_geometry<L: Lane>(&mut self, place: usize, constraint: &ContactConstraint<L>) {
-        if self.fit.is_single {
-            self.columns.store_geometry::<L, 1>(place, constraint);
-        } else {
-            self.columns.store_geometry::<L, 2>(place, constraint);
+        self.columns.normal.store::<L>(place, constraint.normal);
+        for (to, point) in self.columns.points.iter_mut().zip(&constraint.points) {
+            to.anchor_a.store::<L>(place, point.anchor_a);
+            to.anchor_b.store::<L>(place, point.anchor_b);
+            to.separation.store::<L>(place, point.separation);
+        }
+        self.store_masses(place, constraint);
+    }
+
+    /// Writes effective masses and the coupling back.
+    #[inline(always)]
+    fn store_masses<L: Lane>(&mut self, place: usize, constraint: &ContactConstraint<L>) {
+        self.columns.coupling.store::<L>(place, constraint.coupling);
+        for (index, to) in self.columns.points.iter_mut().enumerate() {
+            to.normal_k.store::<L>(place, constraint.points[index].normal_k);
+            self.columns.frictions[index].mass.store::<L>(place, constraint.frictions[index].mass);
         }
     }
 
@@ -142,7 +168,7 @@ impl ContactBlock {
         constraint: &ContactConstraint<L>,
     ) {
         for (to, point) in self.columns.points.iter_mut().zip(&constraint.points).take(POINTS) {
-            point.separation_now.store(&mut to.separation_now, place);
+            to.separation_now.store::<L>(place, point.separation_now);
         }
     }
 
@@ -154,7 +180,7 @@ impl ContactBlock {
         constraint: &ContactConstraint<L>,
     ) {
         for (to, point) in self.columns.points.iter_mut().zip(&constraint.points).take(POINTS) {
-            point.normal_impulse.store(&mut to.normal_impulse, place);
+            to.normal_impulse.store::<L>(place, point.normal_impulse);
         }
     }
 
@@ -166,7 +192,7 @@ impl ContactBlock {
         constraint: &ContactConstraint<L>,
     ) {
         for (to, friction) in self.columns.frictions.iter_mut().zip(&constraint.frictions).take(POINTS) {
-            friction.impulse.store(&mut to.impulse, place);
+            to.impulse.store::<L>(place, friction.impulse);
         }
     }
 
@@ -178,7 +204,7 @@ impl ContactBlock {
         constraint: &ContactConstraint<L>,
     ) {
         for (to, friction) in self.columns.frictions.iter_mut().zip(&constraint.frictions).take(POINTS) {
-            friction.warm_start.store(&mut to.warm_start, place);
+            to.warm_start.store::<L>(place, friction.warm_start);
         }
     }
 
@@ -201,69 +227,29 @@ impl ContactBlock {
     /// Whether any point is pending.
     #[inline(always)]
     pub(crate) fn has_pending(&self) -> bool {
-        self.pending[0].any() || self.pending[1].any()
+        self.marks.pending[0].any() || self.marks.pending[1].any()
     }
 
     /// Which points of one contact are pending.
     #[inline(always)]
     pub(crate) fn is_pending(&self, place: usize) -> [bool; 2] {
-        self.pending.map(|pending| pending.get(place))
+        self.marks.pending.map(|pending| pending.get(place))
     }
 
     /// No point is pending any more.
     pub(crate) fn clear_pending(&mut self) {
-        self.pending = Default::default();
+        self.marks.pending = Default::default();
     }
 
     /// Says which points of one contact are pending. Those that are bear nothing from now on.
     #[inline(always)]
     pub(crate) fn set_pending(&mut self, place: usize, is_pending: [bool; 2]) {
         for (index, is_pending) in is_pending.into_iter().enumerate() {
-            self.pending[index].put(place, is_pending);
+            self.marks.pending[index].put(place, is_pending);
             if is_pending {
                 self.columns.points[index].normal_impulse.set(place, 0.0);
                 self.columns.frictions[index].impulse.set(place, 0.0);
             }
-        }
-    }
-}
-
-impl ContactConstraint<Column> {
-    #[inline(always)]
-    fn load<L: Lane>(&self, place: usize, turns: Turns<L>) -> ContactConstraint<L> {
-        ContactConstraint {
-            inverse_mass_a: self.inverse_mass_a.load(place),
-            inverse_mass_b: self.inverse_mass_b.load(place),
-            inverse_inertia_a: self.inverse_inertia_a.load(place),
-            inverse_inertia_b: self.inverse_inertia_b.load(place),
-            normal: self.normal.load(place),
-            friction: self.friction.load(place),
-            coupling: self.coupling.load(place),
-            points: self.points.load(place),
-            frictions: self.frictions.load(place),
-            turns,
-            is_still: false,
-        }
-    }
-
-    #[inline(always)]
-    fn store_geometry<L: Lane, const POINTS: usize>(
-        &mut self,
-        place: usize,
-        constraint: &ContactConstraint<L>,
-    ) {
-        self.normal.store(place, constraint.normal);
-        if POINTS == 2 {
-            constraint.coupling.store(&mut self.coupling, place);
-        }
-        for (to, point) in self.points.iter_mut().zip(&constraint.points).take(POINTS) {
-            to.anchor_a.store(place, point.anchor_a);
-            to.anchor_b.store(place, point.anchor_b);
-            point.separation.store(&mut to.separation, place);
-            point.normal_k.store(&mut to.normal_k, place);
-        }
-        for (to, friction) in self.frictions.iter_mut().zip(&constraint.frictions).take(POINTS) {
-            friction.mass.store(&mut to.mass, place);
         }
     }
 }

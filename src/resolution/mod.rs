@@ -20,6 +20,7 @@ mod moving_geometry;
 mod projection;
 mod scheme;
 mod softness;
+mod solve_contact;
 mod solver;
 mod tier;
 mod tiers;

@@ -11,7 +11,7 @@ use crate::compute::{BodyState, Executor, Lane, PairStates};
 use crate::math::{Rot, Vec2};
 use crate::resolution::constraint::ContactConstraint;
 use crate::resolution::constraint_graph::{BlockIndex, ConstraintGraph, GraphIndex};
-use crate::resolution::contact_block::{BlockStart, ContactBlock};
+use crate::resolution::contact_block::{BlockMarks, ContactBlock};
 use crate::resolution::kernel::Kernel;
 use crate::resolution::moving_geometry::MovingGeometry;
 
@@ -64,9 +64,9 @@ impl MovingContacts {
     }
 
     /// Takes up those of a block.
-    pub(crate) fn take_up_block(&mut self, block: BlockIndex, start: BlockStart, graph: &ConstraintGraph) {
-        self.has_closed_forms |= start.moving.any();
-        start.found_anew.for_each(|place| {
+    pub(crate) fn take_up_block(&mut self, block: BlockIndex, marks: BlockMarks, graph: &ConstraintGraph) {
+        self.has_closed_forms |= marks.moving.any();
+        marks.found_anew.for_each(|place| {
             let home = block.contact(place);
             self.found_anew.push((graph.contact_at(home), home));
         });

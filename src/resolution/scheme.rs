@@ -2,7 +2,8 @@
 
 use crate::compute::Width;
 use crate::resolution::integrate::SpeedLimits;
-use crate::resolution::kernel::{Sweep, SweepOver};
+use crate::resolution::kernel::SweepOver;
+use crate::resolution::solve_contact::Sweep;
 
 /// How a step is solved. One text covers the default and the classic scheme: the classic one has a single
 /// kick, one substep, many sweeps with friction, none to relax, and projects positions afterwards.
@@ -60,14 +61,18 @@ impl Scheme {
     }
 
     /// A sweep of this kind; `have_moved` says whether bodies have since the last.
-    pub(crate) fn sweep_over(&self, kind: Sweep, have_moved: bool) -> SweepOver {
+    pub(crate) fn sweep_over(&self, sweep: Sweep, have_moved: bool) -> SweepOver {
         let per_substep = 1.0 / self.substep_time();
         let starts_again = self.split_kick && self.warm_starting;
-        SweepOver { kind, have_moved, per_substep, is_fitted: self.fitted_kernels, starts_again }
+        SweepOver { sweep, have_moved, per_substep, is_fitted: self.fitted_kernels, starts_again }
     }
 
     /// What of the last impulses is applied before the move, and again after it where the kick is split.
     pub(crate) fn warm_part(&self) -> f32 {
-        if self.split_kick { 0.5 } else { 1.0 }
+        match (self.warm_starting, self.split_kick) {
+            (false, _) => 0.0,
+            (true, true) => 0.5,
+            (true, false) => 1.0,
+        }
     }
 }

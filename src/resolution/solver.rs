@@ -14,7 +14,7 @@ use crate::resolution::direct::{Aim, DirectSolver};
 use crate::resolution::events::{EventScene, Impacts, Seams};
 use crate::resolution::integrate::{Advance, Kick, Kicks, integrate};
 use crate::resolution::islands::Islands;
-use crate::resolution::kernel::{ForgetImpulses, WarmStart, WarmStartTime};
+use crate::resolution::kernel::{WarmStart, WarmStartTime};
 use crate::resolution::load::{LoadMeasure, Loads};
 use crate::resolution::moving::MovingContacts;
 use crate::resolution::projection::Project;
@@ -204,14 +204,14 @@ impl Solver {
         self.moving.clear();
         self.seams.clear();
         let Self { impacts, moving, seams, .. } = self;
-        for (block, start) in graph.starts() {
-            let is_swept = !block.is_solved_directly();
-            if start.bouncy.any() {
-                impacts.take_up_block(block, start.bouncy);
+        for (index, block) in graph.blocks() {
+            let marks = block.marks;
+            if marks.bouncy.any() {
+                impacts.take_up_block(index, marks.bouncy);
             }
-            moving.take_up_block(block, start, graph);
-            if is_swept {
-                start.on_ground.for_each(|place| seams.take_up(block.contact(place), graph));
+            moving.take_up_block(index, marks, graph);
+            if !index.is_solved_directly() {
+                marks.on_ground.for_each(|place| seams.take_up(index.contact(place), graph));
             }
         }
         self.seams.group();
@@ -267,7 +267,7 @@ fn steady(bodies: &Bodies, slot: u32, acceleration: &impl Acceleration) -> Vec2 
 
 /// Contacts by sweeps, after the bodies have moved.
 fn relax(scheme: &Scheme, tables: &mut SolveTables<'_>) {
-    if scheme.split_kick {
+    if scheme.split_kick && scheme.warm_starting {
         warm_start(WarmStartTime::AfterMove, scheme, tables);
     }
     let (graph, states) = (&mut *tables.graph, &mut tables.bodies.states);
@@ -277,13 +277,8 @@ fn relax(scheme: &Scheme, tables: &mut SolveTables<'_>) {
     }
 }
 
-/// One of the warm starts of a substep; without warm starting, impulses are forgotten.
+/// One of the warm starts of a substep.
 fn warm_start(time: WarmStartTime, scheme: &Scheme, tables: &mut SolveTables<'_>) {
-    let SolveTables { bodies, graph, executor, .. } = tables;
-    if scheme.warm_starting {
-        let start = WarmStart { part: scheme.warm_part(), time, is_fitted: scheme.fitted_kernels };
-        graph.for_each_swept(*executor, &mut bodies.states, &start);
-    } else if time == WarmStartTime::BeforeMove {
-        graph.for_each_swept(*executor, &mut bodies.states, &ForgetImpulses);
-    }
+    let start = WarmStart { part: scheme.warm_part(), time, is_fitted: scheme.fitted_kernels };
+    tables.graph.for_each_swept(tables.executor, &mut tables.bodies.states, &start);
 }

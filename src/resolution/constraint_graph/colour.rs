@@ -2,7 +2,7 @@
 
 use crate::collision::Contact;
 use crate::compute::{COLUMN, DistinctIndices, PairBlocks};
-use crate::resolution::contact_block::{BlockEnd, BlockStart, ContactBlock};
+use crate::resolution::contact_block::ContactBlock;
 use crate::store::BitSet;
 
 /// How many colours there are. A body can be in one contact per colour; the few contacts of a very crowded
@@ -90,10 +90,6 @@ pub(super) struct Colour {
     ends_of_kinds: [usize; Kind::COUNT],
     /// The contacts as the solver sees them during a step, in the same order.
     pub(super) blocks: PairBlocks<ContactBlock>,
-    /// By block: what is special about its contacts as the step begins.
-    pub(super) starts: Vec<BlockStart>,
-    /// By block: what the step did to its contacts.
-    pub(super) ends: Vec<BlockEnd>,
 }
 
 impl Colour {

@@ -11,7 +11,7 @@ use crate::compute::{
 use crate::resolution::constraint::StepResidual;
 use crate::resolution::constraint_graph::ConstraintGraph;
 use crate::resolution::constraint_graph::colour::{Colour, DIRECT, OVERFLOW};
-use crate::resolution::contact_block::{Beginning, BlockEnd, BlockStart, ContactBlock, ContactEnds};
+use crate::resolution::contact_block::{Beginning, ContactBlock, Residuals};
 use crate::resolution::kernel::Kernel;
 use crate::resolution::load::{ContactLoad, LoadMeasure, Loads};
 
@@ -31,15 +31,11 @@ impl ConstraintGraph {
             }
             // Made only where there are not as many yet: a block is large.
             colour.blocks.resize(count);
-            colour.starts.resize_with(count, BlockStart::default);
-            colour.ends.resize_with(count, BlockEnd::default);
-            let (rows, blocks) = colour.blocks.all_mut();
-            let parts = (ByColumn(&colour.contacts[..]), ((rows, blocks), &mut colour.starts[..]));
-            executor.run(parts, PREPARE_COST, |(contacts, ((rows, blocks), starts))| Prepare {
+            let parts = (ByColumn(&colour.contacts[..]), colour.blocks.all_mut());
+            executor.run(parts, PREPARE_COST, |(contacts, (rows, blocks))| Prepare {
                 contacts: contacts.0,
                 rows,
                 blocks,
-                starts,
                 from,
             });
             colour.blocks.seal((!executor.pool.is_alone()).then_some(&mut *row_marks));
@@ -60,17 +56,17 @@ impl ConstraintGraph {
             let residual = &residual;
             let contacts = ByColumn(contacts.chosen(&colour.contacts));
             let loads = ByColumn(Chosen::new(&mut loads.of_contact, &colour.contacts));
-            let parts = ((contacts, loads), (colour.blocks.all(), &mut colour.ends[..]));
-            executor.run(parts, FINISH_COST, |((contacts, loads), ((rows, blocks), ends))| {
+            let parts = ((contacts, loads), colour.blocks.all_mut());
+            executor.run(parts, FINISH_COST, |((contacts, loads), (rows, blocks))| {
                 let (contacts, loads) = (contacts.0, loads.0);
-                Finish { contacts, loads, rows, blocks, ends, states, measure, residual }
+                Finish { contacts, loads, rows, blocks, states, measure, residual }
             });
         }
         for colour in self.colours.iter().filter(|colour| !colour.is_empty()) {
-            for (number, end) in colour.ends.iter().enumerate() {
+            for (number, block) in colour.blocks.all().1.iter().enumerate() {
                 let indices = &colour.contacts[number * COLUMN..];
-                end.lasting.for_each(|place| loads.lasting.push(indices[place]));
-                end.changing.for_each(|place| contacts.note_change(indices[place]));
+                block.marks.lasting.for_each(|place| loads.lasting.push(indices[place]));
+                block.marks.changing.for_each(|place| contacts.note_change(indices[place]));
             }
         }
         *lock(&residual)
@@ -156,17 +152,15 @@ struct Prepare<'a> {
     contacts: &'a [u32],
     rows: &'a mut [RowPairs],
     blocks: &'a mut [ContactBlock],
-    starts: &'a mut [BlockStart],
     from: Beginning<'a>,
 }
 
 impl Job for Prepare<'_> {
     #[inline(always)]
     fn run<L: Lane>(self) {
-        let blocks = self.rows.iter_mut().zip(self.blocks).zip(self.starts);
-        for (number, ((rows, block), start)) in blocks.enumerate() {
+        for (number, (rows, block)) in self.rows.iter_mut().zip(self.blocks).enumerate() {
             let list = &self.contacts[number * COLUMN..];
-            *start = block.fill(rows, list, self.from);
+            block.fill(rows, list, self.from);
             for place in (0..list.len().min(COLUMN)).step_by(L::WIDTH) {
                 block.find_masses::<L>(rows, place);
             }
@@ -179,8 +173,7 @@ struct Finish<'a> {
     contacts: ChosenContacts<'a>,
     loads: Chosen<'a, ContactLoad>,
     rows: &'a [RowPairs],
-    blocks: &'a [ContactBlock],
-    ends: &'a mut [BlockEnd],
+    blocks: &'a mut [ContactBlock],
     states: &'a [BodyState],
     measure: LoadMeasure,
     /// What is left wrong.
@@ -190,41 +183,38 @@ struct Finish<'a> {
 impl Job for Finish<'_> {
     #[inline(always)]
     fn run<L: Lane>(mut self) {
-        let mut ends = ContactEnds::default();
-        let blocks = self.rows.iter().zip(self.blocks).zip(self.ends);
-        for (number, ((rows, block), end)) in blocks.enumerate() {
+        let mut residuals = Residuals::default();
+        for (number, (rows, block)) in self.rows.iter().zip(self.blocks).enumerate() {
             let contacts = self.contacts.skipping(number * COLUMN);
             let loads = self.loads.skipping(number * COLUMN);
             for place in (0..COLUMN.min(contacts.len())).step_by(L::WIDTH) {
-                block.end::<L>(place, &rows.gather(self.states, place), &mut ends);
+                block.end::<L>(place, &rows.gather(self.states, place), &mut residuals);
             }
-            *end = write_back(block, &ends, contacts, loads, self.measure);
+            write_back(block, &residuals, contacts, loads, self.measure);
         }
         let mut residual = lock(self.residual);
-        *residual = residual.max(ends.residual());
+        *residual = residual.max(residuals.greatest());
     }
 }
 
-/// Writes the ends of the contacts of a block back into them, which are the first. Compiled once, and not within every
+/// Writes the end of the step back into the contacts of a block, which are the first. Compiled once, and not within every
 /// width.
 #[inline(never)]
 fn write_back(
-    block: &ContactBlock,
-    ends: &ContactEnds,
+    block: &mut ContactBlock,
+    residuals: &Residuals,
     mut contacts: ChosenContacts<'_>,
     mut loads: Chosen<'_, ContactLoad>,
     measure: LoadMeasure,
-) -> BlockEnd {
-    let mut end = BlockEnd::default();
+) {
     for place in 0..COLUMN.min(contacts.len()) {
         contacts.prefetch_written(place);
         let contact = contacts.get_mut(place);
-        block.finish(place, ends, contact);
-        let is_lasting = measure.is_lasting(contact, loads.get_mut(place), ends.load.get(place));
-        end.lasting.set(place, is_lasting);
-        let touches = contact.has_bounced || ends.touching.get(place);
+        block.write_back(place, contact);
+        let is_lasting = measure.is_lasting(contact, loads.get_mut(place), residuals.load.get(place));
+        block.marks.lasting.set(place, is_lasting);
+        let touches = contact.has_bounced || residuals.touching.get(place);
         debug_assert_eq!(touches, contact.has_touched());
-        end.changing.set(place, touches != contact.is_touching);
+        block.marks.changing.set(place, touches != contact.is_touching);
     }
-    end
 }

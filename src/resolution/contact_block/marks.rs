@@ -48,6 +48,12 @@ impl Marks {
         self.0 & 1 << place != 0
     }
 
+    /// Those marked in either.
+    #[inline(always)]
+    pub(super) fn or(self, other: Self) -> Self {
+        Self(self.0 | other.0)
+    }
+
     /// Whether any is marked.
     pub(crate) fn any(self) -> bool {
         self.0 != 0

@@ -212,7 +212,7 @@ impl Impacts {
     /// are still apart as pending.
     fn expect(&mut self, number: u32, scene: &mut EventScene<'_>) {
         let (rows, block, place) = scene.graph.block(self.watched.home(number));
-        let (rows, constraint) = (rows.get(place), block.load_one(place));
+        let (rows, constraint) = (rows.get(place), block.load(place));
         let pair = scene.states(rows);
         let least = scene.scheme.restitution_threshold;
         let mut speeds = [0, 1].map(|index| approaching(&constraint, index, least, &pair));
