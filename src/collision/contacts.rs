@@ -14,15 +14,13 @@ use crate::math::Rot;
 use crate::store::{ChosenSlots, Slots};
 
 /// The relative pose for which a manifold was computed; while the bodies stay near it, the manifold's normal
-/// and anchors are kept.
+/// is kept.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Frozen {
     /// Centre of b from the centre of a.
     pub(crate) offset: Offset,
     pub(crate) rotation_a: Rot,
     pub(crate) rotation_b: Rot,
-    /// Separation of each point then, m.
-    pub(crate) separations: [f32; 2],
 }
 
 /// How many contacts ahead memory is asked for: so many take about as long as memory does.
@@ -52,7 +50,7 @@ pub(crate) struct Contact {
     /// Whether the bodies touched at the end of the last step.
     pub(crate) is_touching: bool,
     /// Whether it holds still within the step, as the bodies hardly move against each other: its manifold was kept from an
-    /// earlier step, or found halfway through this one.
+    /// earlier step, or is that of a slow circle.
     pub(crate) holds_still: bool,
     /// Whether the bodies met and parted again within the last step.
     pub(crate) has_bounced: bool,
@@ -77,7 +75,8 @@ pub(crate) struct Contact {
     pub(crate) thickness: f32,
     /// Points within the speculative margin; empty where the shapes are farther apart.
     pub(crate) manifold: Manifold,
-    pub(crate) frozen: Frozen,
+    /// Where the bodies were when the manifold was found; `None` where it is not kept, or a body was moved by hand since.
+    pub(crate) frozen: Option<Frozen>,
     links: [Link; 2],
 }
 
@@ -220,7 +219,7 @@ impl Contacts {
         let key = self.all.insert(Contact {
             slots,
             manifold: Manifold::default(),
-            frozen: Frozen::default(),
+            frozen: None,
             friction,
             restitution,
             thickness: a.thickness.min(b.thickness),
@@ -351,13 +350,13 @@ impl Contacts {
         }
     }
 
-    /// Takes note that the body in `slot` was moved by hand: where its contacts were followed to is no longer where they
+    /// Takes note that the body in `slot` was moved by hand: where the last step left its contacts is no longer where they
     /// are.
     pub(crate) fn forget_moving(&mut self, bodies: &Bodies, slot: u32) {
         let mut index = bodies.records[slot].first_contact;
         while index != NONE {
             let contact = &mut self[index];
-            contact.follows = false;
+            contact.frozen = None;
             index = contact.links[contact.side(slot)].next;
         }
     }

@@ -1,15 +1,20 @@
-//! Brings the manifold of a contact up to date, once per step: kept where the bodies have hardly moved
-//! against each other, left as it is where the solver has followed it, found anew otherwise.
+//! The life of a manifold: once per step it is kept as the step before left it, or found anew.
 //!
-//! Keeping it ("recycling", Box2D 3.2) saves the detection, but more: a normal and anchors that hold still
-//! while a stack trembles do not feed the trembling, which is what lets tall stacks stand.
+//! The solver leaves every manifold where the bodies are at the end of a step: its separations with their motion along the
+//! normal, its anchors where they were carried to. Where it followed the surface within the step, the normal too. So a
+//! manifold that is kept needs nothing more. What is kept, and what follows:
 //!
-//! A contact with a circle is not kept: its normal turns as it rolls. A normal that is late is a force that is late, and
-//! feeds every swing: late by half a step, as one of the step's begin is, it lets the energy of a swing of angular
-//! frequency ω grow by ω² dt/2 per second. Where it moves slowly it holds still within the step too, but where the
-//! bodies will be halfway through it, as in the midpoint rule, whose swings do not grow; where it moves faster
-//! the solver follows it. Over a face that does not move, as long as it stays over it, only the gap changes, which the
-//! solver knows: there is nothing to follow.
+//! - **Under load** the manifold of two outlines is kept while the bodies are nearly where they were when it was found. It
+//!   saves the detection ("recycling", Box2D 3.2), but more: a normal that holds still while a stack trembles does not feed
+//!   the trembling, which is what lets tall stacks stand.
+//! - **On a single corner** a body topples: its arm decides whether and when. The solver follows it from substep to substep,
+//!   and it is kept until others may have come near.
+//! - **Without load** it is kept while the bodies rest beside each other, which saves the detection.
+//! - **With a circle** the manifold is never kept: its normal turns as it rolls. A normal that is late is a force that is late,
+//!   and feeds every swing: late by half a step, as one of the step's begin is, it lets the energy of a swing of angular
+//!   frequency ω grow by ω² dt/2 per second. Where it moves slowly it is found where the bodies will be halfway through the
+//!   step, as in the midpoint rule, whose swings do not grow, and holds still; where it moves faster the solver follows it.
+//!   Over a face that does not move, as long as it stays over it, only the gap changes, which the solver knows.
 //!
 //! A manifold is speculative: it has points that are still apart but may meet within the step, so that the
 //! solver stops the bodies at the surface, not behind it. For bodies that close in fast, normal and anchors
@@ -23,7 +28,6 @@ use crate::collision::refresh::circle::move_to;
 use crate::collision::{
     Contact, Frozen, Manifold, ManifoldPoint, Offset, Touch, detect_flat, detect_from, is_flat, sweep,
 };
-use crate::compute::LaneRot;
 use crate::math::{Rot, Vec2};
 use crate::shape::Shape;
 
@@ -41,19 +45,12 @@ const RECYCLE_DISTANCE: f32 = 0.05;
 /// width of the thinner body, no unit: less than what a contact under load may sag before its island is solved directly.
 const STALE_SHARE: f32 = 0.01;
 
-/// Cosine of the angle that either body may turn before the manifold is found anew: 11 degrees.
-const RECYCLE_COSINE: f32 = 0.98;
-
-/// Bodies rest on each other, or beside each other, while it would take them this time to go as far as the distance
-/// from which on they have points, s: slower than 2 cm/s, if they are not small.
+/// Bodies rest beside each other while it would take them this time to go as far as the distance from which on they have
+/// points, s: slower than 2 cm/s, if they are not small.
 const REST_TIME: f32 = 1.0;
 
 /// And while they have moved against each other by less than this share of it, no unit: 0.5 mm.
 const REST_SHARE: f32 = 0.025;
-
-/// What stands on one corner is not followed while it would take it this time to go as far as that distance, s: slower
-/// than 0.2 mm/s. What has begun to topple is faster.
-const STILL_TIME: f32 = 100.0;
 
 /// A corner is followed from step to step for so many, then it is found anew; sooner where others may have come near.
 const LONGEST_FOLLOWED: u8 = 15;
@@ -74,36 +71,35 @@ pub(crate) fn refresh(contact: &mut Contact, bodies: &Bodies, settings: Refresh)
         return contact.clear();
     }
     let update = pair.update(contact, settings.recycling);
-    let holds_still = match update {
-        ManifoldUpdate::Recycle(_) | ManifoldUpdate::FindHalfway(_) => true,
-        ManifoldUpdate::MoveAlong(course, _) => pair.is_slow(course),
-        ManifoldUpdate::LeaveAsFollowed | ManifoldUpdate::FindAnew(_) => false,
-    };
-    let is_to_follow = matches!(update, ManifoldUpdate::LeaveAsFollowed | ManifoldUpdate::FindAnew(_));
-    let mut approach_speed = 0.0;
-    match update {
-        ManifoldUpdate::Recycle(since) => recycle(contact, since),
-        ManifoldUpdate::FindHalfway(course) => {
-            let Some(touch) = pair.find_halfway(course) else { return contact.clear() };
-            approach_speed = course.closing(touch.normal) / settings.dt;
-            move_to(touch, contact);
+    let was_followed = contact.follows;
+    (contact.has_bounced, contact.follows, contact.approach_speed) = (false, false, 0.0);
+    let (predicted, touch) = match update {
+        ManifoldUpdate::Keep => {
+            contact.follows = was_followed && contact.pivots();
+            contact.holds_still = !contact.follows;
+            contact.followed_steps += u8::from(contact.follows);
+            return;
         }
-        ManifoldUpdate::MoveAlong(course, touch) => {
-            approach_speed = course.closing(touch.normal) / settings.dt;
-            move_to(touch, contact);
-        }
-        ManifoldUpdate::LeaveAsFollowed => contact.followed_steps += 1,
-        ManifoldUpdate::FindAnew(course) => {
-            let manifold = pair.find_manifold(course);
+        ManifoldUpdate::FindAnew(predicted) => {
+            let manifold = pair.find_manifold(predicted);
             if manifold.points().is_empty() {
                 return contact.clear();
             }
-            approach_speed = course.closing(manifold.normal) / settings.dt;
+            contact.approach_speed = predicted.closing(manifold.normal) / settings.dt;
             pair.take_over(manifold, contact);
+            contact.holds_still = false;
+            contact.follows = (contact.has_circle || contact.pivots()) && !pair.is_flat();
+            return;
         }
-    }
-    (contact.holds_still, contact.has_bounced, contact.approach_speed) = (holds_still, false, approach_speed);
-    contact.follows = is_to_follow && (contact.has_circle || contact.pivots()) && !pair.is_flat();
+        ManifoldUpdate::MoveAlong(predicted, touch) => (predicted, touch),
+        ManifoldUpdate::FindHalfway(predicted) => {
+            let Some(touch) = pair.find_halfway(predicted) else { return contact.clear() };
+            (predicted, touch)
+        }
+    };
+    contact.approach_speed = predicted.closing(touch.normal) / settings.dt;
+    contact.holds_still = pair.is_slow(predicted);
+    move_to(touch, contact);
 }
 
 /// Whether the circles around two bodies stay apart within a step of `dt` seconds.
@@ -112,25 +108,14 @@ pub(crate) fn are_out_of_reach(bodies: &Bodies, slots: [u32; 2], dt: f32) -> boo
     Pair::new(slots, bodies, dt).is_out_of_reach()
 }
 
-/// Keeps the normal, and the anchors on their bodies, which they turn with: what topples does so about where it
-/// stands now. Each separation follows the motion since they were found.
-fn recycle(contact: &mut Contact, since: Since) {
-    let (normal, separations) = (contact.manifold.normal, contact.frozen.separations);
-    for (point, then) in contact.manifold.points_mut().iter_mut().zip(separations) {
-        point.separation = then + since.opened(normal, point.anchor_a, point.anchor_b);
-    }
-}
-
 /// How a manifold is brought up to date.
 enum ManifoldUpdate {
-    /// Normal and anchors are kept.
-    Recycle(Since),
+    /// It stays as the last step left it.
+    Keep,
     /// It is found where the bodies will be halfway through the step.
     FindHalfway(PredictedMotion),
     /// A circle has moved along a face that does not, and will stay over it: it touches here.
     MoveAlong(PredictedMotion, Touch),
-    /// It has been followed to where it is.
-    LeaveAsFollowed,
     FindAnew(PredictedMotion),
 }
 
@@ -170,25 +155,13 @@ impl PredictedMotion {
     }
 }
 
-/// How two bodies have moved since their manifold was found, or will have when it is.
+/// How two bodies have moved since their manifold was found.
 #[derive(Clone, Copy)]
 struct Since {
     /// Translation of b against a, m.
     moved: Vec2,
     /// Rotations of a and b. The outline of a circle does not turn with it.
     turned: [Rot; 2],
-}
-
-impl Since {
-    /// How far a point has opened along the normal, whose anchors have turned with the bodies to where these are given, m:
-    /// s - s₀ = n·(Δoffset + (1 - R_b⁻¹) r_b - (1 - R_a⁻¹) r_a).
-    #[inline(always)]
-    fn opened(&self, normal: Vec2, anchor_a: Vec2, anchor_b: Vec2) -> f32 {
-        let [back_a, back_b] = self.turned.map(Rot::inverse).map(|back| LaneRot { c: back.c, s: back.s });
-        let tip_a: Vec2 = back_a.displacement(anchor_a.into()).into();
-        let tip_b: Vec2 = back_b.displacement(anchor_b.into()).into();
-        normal.dot(self.moved - tip_b + tip_a)
-    }
 }
 
 impl<'a> Pair<'a> {
@@ -218,7 +191,7 @@ impl<'a> Pair<'a> {
     }
 
     #[inline(always)]
-    fn course(&self) -> PredictedMotion {
+    fn predicted_motion(&self) -> PredictedMotion {
         let [state_a, state_b] = self.slots.map(|slot| self.bodies.state(slot));
         let turning = |motion: &Motion, w: f32| (w.abs() * self.dt).min(2.0) * motion.extent;
         PredictedMotion {
@@ -281,51 +254,35 @@ impl<'a> Pair<'a> {
         }
     }
 
-    /// How the manifold is to be brought up to date. What carries load keeps it while the bodies are nearly where they were,
-    /// but not that of a single corner, over which a body topples: its arm is what decides whether and when.
+    /// How the manifold is to be brought up to date.
     #[inline(always)]
     fn update(&self, contact: &Contact, recycling: bool) -> ManifoldUpdate {
         if !recycling || contact.manifold.points().is_empty() {
-            return ManifoldUpdate::FindAnew(self.course());
+            return ManifoldUpdate::FindAnew(self.predicted_motion());
         }
         if contact.has_circle {
-            let course = self.course();
-            if self.is_on_ground()
-                && let Some(touch) = self.find_on_face(course)
+            let predicted = self.predicted_motion();
+            return if self.is_on_ground()
+                && let Some(touch) = self.find_on_face(predicted)
             {
-                return ManifoldUpdate::MoveAlong(course, touch);
-            }
-            return if self.is_slow(course) {
-                ManifoldUpdate::FindHalfway(course)
+                ManifoldUpdate::MoveAlong(predicted, touch)
+            } else if self.is_slow(predicted) {
+                ManifoldUpdate::FindHalfway(predicted)
             } else {
-                ManifoldUpdate::FindAnew(course)
+                ManifoldUpdate::FindAnew(predicted)
             };
         }
-        let is_loaded = contact.is_loaded();
-        if is_loaded && contact.pivots() {
-            if contact.followed_steps == 0 && self.lingers(self.course(), STILL_TIME) {
-                let since = self.since(&contact.frozen);
-                if self.has_hardly_moved(&since) {
-                    return ManifoldUpdate::Recycle(since);
-                }
-            }
-            let was_followed = contact.follows && contact.followed_steps < LONGEST_FOLLOWED;
-            return if was_followed && self.strayed(&contact.frozen) < self.near() {
-                ManifoldUpdate::LeaveAsFollowed
+        let keeps = contact.frozen.is_some_and(|frozen| {
+            if !contact.is_loaded() {
+                self.rests() && self.has_hardly_moved(&self.since(&frozen))
+            } else if contact.pivots() {
+                let was_followed = contact.follows && contact.followed_steps < LONGEST_FOLLOWED;
+                was_followed && self.strayed(&frozen) < self.near()
             } else {
-                ManifoldUpdate::FindAnew(self.course())
-            };
-        }
-        let since = self.since(&contact.frozen);
-        if is_loaded && self.stays(&since) {
-            return ManifoldUpdate::Recycle(since);
-        }
-        let course = self.course();
-        if !is_loaded && self.lingers(course, REST_TIME) && self.has_hardly_moved(&since) {
-            ManifoldUpdate::Recycle(since)
-        } else {
-            ManifoldUpdate::FindAnew(course)
-        }
+                self.stays(&self.since(&frozen))
+            }
+        });
+        if keeps { ManifoldUpdate::Keep } else { ManifoldUpdate::FindAnew(self.predicted_motion()) }
     }
 
     /// How far any point of b has moved as a sees it since their manifold was found, and may have by the end of the step,
@@ -347,20 +304,16 @@ impl<'a> Pair<'a> {
             + (turned.s.abs() + turning.abs() * self.dt) * self.motion_b.extent
     }
 
-    /// Whether the bodies are nearly where they were.
+    /// Whether the bodies are nearly where they were, and the kept normal does not miss too much: a face that has turned by
+    /// an angle θ rises by l sin θ under a contact that has slid on by l.
     fn stays(&self, since: &Since) -> bool {
         let distance = self.recycle_distance();
-        since.moved.length_squared() < distance * distance
-            && since.turned.iter().all(|turned| turned.c > RECYCLE_COSINE)
-            && !self.is_stale(since)
-    }
-
-    /// Whether the kept normal misses too much: a face that has turned by an angle θ rises by l sin θ under a contact that
-    /// has slid on by l.
-    fn is_stale(&self, since: &Since) -> bool {
+        let [turned_a, turned_b] = since.turned;
+        let slope = turned_a.s.abs().max(turned_b.s.abs());
         let slid = since.moved.length() + self.swung(since);
-        let slope = since.turned.iter().fold(0.0, |slope: f32, turned| slope.max(turned.s.abs()));
-        slid * slope >= STALE_SHARE * self.thickness()
+        since.moved.length_squared() < distance * distance
+            && turned_a.c.min(turned_b.c) > 0.0
+            && slid * slope < STALE_SHARE * self.thickness()
     }
 
     /// How far the outlines have come by turning, by the sines of the angles, m.
@@ -369,16 +322,17 @@ impl<'a> Pair<'a> {
         turned_a.s.abs() * self.motion_a.extent + turned_b.s.abs() * self.motion_b.extent
     }
 
-    /// Whether it would take the bodies more than this time, s, to go as far as the distance from which on they have points.
-    fn lingers(&self, PredictedMotion { motion, turning }: PredictedMotion, time: f32) -> bool {
-        (motion.length() + turning) * time < self.near() * self.dt
+    /// Whether the bodies move so slowly that they rest beside each other.
+    fn rests(&self) -> bool {
+        let PredictedMotion { motion, turning } = self.predicted_motion();
+        (motion.length() + turning) * REST_TIME < self.near() * self.dt
     }
 
     /// Whether they have moved against each other by hardly a part of that since then.
     fn has_hardly_moved(&self, since: &Since) -> bool {
         let [turned_a, turned_b] = since.turned;
         let is_near = |moved: f32| moved < REST_SHARE * self.near();
-        turned_a.c > 0.0 && turned_b.c > 0.0 && is_near(since.moved.length() + self.swung(since))
+        turned_a.c.min(turned_b.c) > 0.0 && is_near(since.moved.length() + self.swung(since))
     }
 
     /// Takes over a manifold that was found anew; impulses stay with their feature.
@@ -391,24 +345,19 @@ impl<'a> Pair<'a> {
                 point.tangent_impulse = old.tangent_impulse;
             }
         }
-        let mut separations = [0.0; 2];
-        for (separation, point) in separations.iter_mut().zip(manifold.points()) {
-            *separation = point.separation;
-        }
         let [rotation_a, rotation_b] = [self.rotation_a, self.rotation_b];
-        if !contact.has_circle {
-            contact.frozen = Frozen { offset: self.offset, rotation_a, rotation_b, separations };
-        }
+        contact.frozen =
+            (!contact.has_circle).then_some(Frozen { offset: self.offset, rotation_a, rotation_b });
         contact.manifold = manifold;
     }
 
     /// The manifold of bodies on this course; without points where they do not meet within the step.
-    fn find_manifold(&self, course: PredictedMotion) -> Manifold {
-        let PredictedMotion { motion, turning } = course;
+    fn find_manifold(&self, predicted: PredictedMotion) -> Manifold {
+        let PredictedMotion { motion, turning } = predicted;
         let margin = self.near() + motion.length() + turning;
         let Some(manifold) = self.detect_at(self.offset.near, margin) else { return Manifold::default() };
         let gap = manifold.points().iter().fold(f32::INFINITY, |gap, point| gap.min(point.separation));
-        let closing = course.closing(manifold.normal);
+        let closing = predicted.closing(manifold.normal);
         // What is flat has one normal, wherever they meet.
         if gap <= 0.0 || closing <= gap || self.is_flat() {
             return if self.may_meet(gap, closing, turning) { manifold } else { Manifold::default() };

@@ -1,9 +1,9 @@
 //! Where a circle touches, found once per step.
 
 use crate::body::Motion;
-use crate::collision::refresh::{Pair, PredictedMotion, Since};
+use crate::collision::refresh::{Pair, PredictedMotion};
 use crate::collision::{Contact, Touch, touch};
-use crate::compute::GROUND_ROW;
+use crate::compute::{GROUND_ROW, LaneRot};
 use crate::math::{Rot, Vec2};
 
 /// A contact with a circle holds still within a step in which its bodies move against each other by less than this, m, or
@@ -28,7 +28,7 @@ impl Pair<'_> {
 
     /// Where the circle touches halfway through the step; with the separation of now along the normal of then. `None` where
     /// the bodies do not meet within the step.
-    pub(super) fn find_halfway(&self, course: PredictedMotion) -> Option<Touch> {
+    pub(super) fn find_halfway(&self, predicted: PredictedMotion) -> Option<Touch> {
         let half_turn = |motion: &Motion, slot: u32| {
             if motion.is_round {
                 return Rot::IDENTITY;
@@ -39,13 +39,17 @@ impl Pair<'_> {
         };
         let [slot_a, slot_b] = self.slots;
         let [half_a, half_b] = [half_turn(self.motion_a, slot_a), half_turn(self.motion_b, slot_b)];
-        let until_then = Since { moved: 0.5 * course.motion, turned: [half_a, half_b] };
+        let moved = 0.5 * predicted.motion;
         let (rotation_a, rotation_b) = (half_a * self.rotation_a, half_b * self.rotation_b);
-        let near = self.offset.near + until_then.moved;
+        let near = self.offset.near + moved;
         let then = touch(self.shape_a, rotation_a, self.shape_b, rotation_b, near, f32::INFINITY)?;
-        let opened = until_then.opened(then.normal, then.anchor_a, then.anchor_b);
+        // n·(Δx + (1 - R_b⁻¹) r_b - (1 - R_a⁻¹) r_a), of which each term keeps its digits.
+        let swung = |half: Rot, anchor: Vec2| -> Vec2 {
+            Vec2::ZERO - LaneRot { c: half.c, s: -half.s }.displacement(anchor.into()).into()
+        };
+        let opened = then.normal.dot(moved + swung(half_b, then.anchor_b) - swung(half_a, then.anchor_a));
         let separation = then.separation + self.offset.missing(then.normal) - opened;
-        self.meets(course, then.normal, separation).then_some(Touch { separation, ..then })
+        self.meets(predicted, then.normal, separation).then_some(Touch { separation, ..then })
     }
 
     /// Whether what a circle touches does not move.
@@ -57,7 +61,7 @@ impl Pair<'_> {
     /// Where a circle touches a face over which it will stay within the step. Where that does not move, only the gap changes
     /// meanwhile, as the solver finds it anyway. `None` where they do not meet.
     #[inline(never)]
-    pub(super) fn find_on_face(&self, course: PredictedMotion) -> Option<Touch> {
+    pub(super) fn find_on_face(&self, predicted: PredictedMotion) -> Option<Touch> {
         let near = self.offset.near;
         let (shape, rotation, radius, to_circle) = if self.motion_b.is_round {
             (self.shape_a, self.rotation_a, self.motion_b.extent, near)
@@ -69,7 +73,7 @@ impl Pair<'_> {
         let (gap, face) = hull.nearest_face(center);
         let [start, end] = hull.ends_from(face, center);
         // By a radius more than it is on its way: it may be struck meanwhile.
-        let way = course.motion.length() + radius;
+        let way = predicted.motion.length() + radius;
         if !(gap > 0.0 && start < -way && end > way) {
             return None;
         }
@@ -78,11 +82,11 @@ impl Pair<'_> {
         let [normal, anchor_a, anchor_b] =
             if self.motion_b.is_round { [outward, near + arm, arm] } else { [-outward, arm, arm - near] };
         let separation = gap - radius + self.offset.missing(normal);
-        self.meets(course, normal, separation).then_some(Touch { normal, anchor_a, anchor_b, separation })
+        self.meets(predicted, normal, separation).then_some(Touch { normal, anchor_a, anchor_b, separation })
     }
 
     /// Whether bodies on this course may meet within the step, of which a circle has this gap, m.
-    fn meets(&self, course: PredictedMotion, normal: Vec2, gap: f32) -> bool {
-        self.may_meet(gap, course.closing(normal), course.turning)
+    fn meets(&self, predicted: PredictedMotion, normal: Vec2, gap: f32) -> bool {
+        self.may_meet(gap, predicted.closing(normal), predicted.turning)
     }
 }

@@ -17,7 +17,7 @@ fn a_tower_of_millimetres_stands() {
 
 #[test]
 fn gravel_comes_to_rest_on_a_ground_of_kilometres() {
-    hold(&["gravel-middle"]);
+    hold(&["gravel-middle", "gravel-edge"]);
 }
 
 #[test]
