@@ -287,6 +287,13 @@ impl ConstraintGraph {
         block.load(place)
     }
 
+    /// Whether the contact at a place of the graph bears load.
+    #[inline(always)]
+    pub(crate) fn is_loaded(&self, at: GraphIndex) -> bool {
+        let (_, block, place) = self.block(at);
+        block.is_loaded(place)
+    }
+
     /// The rows of the bodies of the contact at a place of the graph.
     pub(crate) fn rows(&self, at: GraphIndex) -> [u32; 2] {
         let (rows, _, place) = self.block(at);

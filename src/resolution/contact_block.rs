@@ -236,6 +236,12 @@ impl ContactBlock {
         self.marks.pending.map(|pending| pending.get(place))
     }
 
+    /// Whether a point of one contact bears load.
+    #[inline(always)]
+    pub(crate) fn is_loaded(&self, place: usize) -> bool {
+        self.columns.points.iter().any(|point| point.normal_impulse.get(place) > 0.0)
+    }
+
     /// No point is pending any more.
     pub(crate) fn clear_pending(&mut self) {
         self.marks.pending = Default::default();
