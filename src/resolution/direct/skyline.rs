@@ -15,9 +15,6 @@ pub(crate) struct Skyline {
     entries: Vec<f64>,
 }
 
-/// A pivot below this share of the diagonal it came from is rounding, no unit.
-const SMALLEST_PIVOT: f64 = 1e-14;
-
 impl Skyline {
     /// Makes it a matrix of zeros, whose row i begins with column `first[i]`.
     pub(crate) fn reset(&mut self, first: impl Iterator<Item = u32>) {
@@ -46,6 +43,24 @@ impl Skyline {
         self.entries[self.diagonal[row] as usize - (row - column)] += value;
     }
 
+    /// Adds `factor` times the product of a column of numbers and a row of them, with the upper left `corner` in this row and
+    /// column; nothing beyond the diagonal.
+    pub(crate) fn add_product(
+        &mut self,
+        [row, column]: [usize; 2],
+        left: &[f64; 3],
+        right: &[f64; 3],
+        factor: f64,
+    ) {
+        for (row, left) in (row..).zip(left) {
+            let end = self.diagonal[row] as usize + 1;
+            let start = end - (row + 1 - column);
+            for (entry, right) in self.entries[start..end].iter_mut().zip(right) {
+                *entry += left * right * factor;
+            }
+        }
+    }
+
     /// The entries of a row from column `from` up to, not including, column `to`.
     fn part(&self, row: usize, from: usize, to: usize) -> &[f64] {
         let diagonal = self.diagonal[row] as usize;
@@ -57,7 +72,8 @@ impl Skyline {
         for row in 0..self.len() {
             let first = self.first[row] as usize;
             let mut pivot = self.entries[self.diagonal[row] as usize];
-            let smallest = SMALLEST_PIVOT * pivot;
+            // What is left of less than this share is rounding.
+            let smallest = f64::EPSILON * pivot;
             for column in first..row {
                 let from = first.max(self.first[column] as usize);
                 let sum = dot(self.part(row, from, column), self.part(column, from, column));

@@ -1,0 +1,200 @@
+//! What the solve finds, against solutions in closed form and the complementarity conditions themselves.
+
+use super::*;
+use crate::testing::Random;
+
+/// Movers of these masses, kg, at rest, that can be turned as easily as moved.
+fn movers(masses: &[f64]) -> Newton {
+    let masses: Vec<f64> = masses.iter().flat_map(|&mass| [mass; 3]).collect();
+    Newton { free: vec![0.0; masses.len()], masses, ..Newton::default() }
+}
+
+/// Adds a row on the x velocity of one mover, or of the second against the first.
+fn add_row(newton: &mut Newton, movers: [Option<u32>; 2], bound: Bound) -> usize {
+    let inverse_mass =
+        |mover: Option<u32>| mover.map_or(0.0, |mover| newton.masses[3 * mover as usize].recip());
+    let mut row = Row::new(movers, bound);
+    row.jacobian = [[-1.0, 0.0, 0.0], [1.0, 0.0, 0.0]];
+    row.k = inverse_mass(movers[0]) + inverse_mass(movers[1]);
+    newton.rows.push(row);
+    newton.rows.len() - 1
+}
+
+/// Solves all as one part; it must come to an end.
+fn solve(newton: &mut Newton) {
+    let mut part = newton.part_from(0, 0);
+    newton.solve(&mut part);
+    assert!(!part.is_unsolved, "{newton:?}");
+}
+
+/// The impulse of one row of a mover of 2 kg that moves at `speed`, with nothing else.
+fn impulse_alone(bound: Bound, speed: f64) -> f64 {
+    let mut newton = movers(&[2.0]);
+    newton.free[0] = speed;
+    add_row(&mut newton, [None, Some(0)], bound);
+    // The first solve begins from no impulse and may leave a part of the compliance; the next begins from what it found.
+    for _ in 0..3 {
+        solve(&mut newton);
+    }
+    assert!((newton.sought[0] - speed - 0.5 * newton.rows[0].impulse).abs() < 1e-12, "momentum");
+    newton.rows[0].impulse
+}
+
+/// A mover of 2 kg is stopped by -2 kg times its speed, or by as much of that as the bounds allow. The tolerance of 1e-5
+/// m/s is 2e-5 N s.
+#[test]
+fn a_row_stops_its_mover_as_far_as_its_bounds_allow() {
+    let (free, motor) = (Bound::Range([f64::NEG_INFINITY, f64::INFINITY]), Bound::Range([-1.0, 3.0]));
+    for speed in [-4.0, -1.0, -0.01, 0.0, 0.3, 0.5, 4.0_f64] {
+        let wanted = -2.0 * speed;
+        let expected = [
+            (free, wanted),
+            (Bound::AT_LEAST_ZERO, wanted.max(0.0)),
+            (motor, wanted.clamp(-1.0, 3.0)),
+            (Bound::Range([0.0; 2]), 0.0),
+        ];
+        for (bound, expected) in expected {
+            let found = impulse_alone(bound, speed);
+            assert!(
+                (found - expected).abs() <= 2e-5,
+                "{found} in the place of {expected} N s, {bound:?} at {speed} m/s"
+            );
+        }
+    }
+}
+
+/// A mover of 2 kg falls on the ground at 3 m/s and slides along it: it is stopped by 6 N s, and friction takes no more
+/// than µ times as much of 2 kg times the speed along.
+#[test]
+fn friction_is_bounded_by_the_impulse_of_its_row() {
+    for (friction, slip) in [(0.5, 1.0), (0.5, 1.4), (0.5, 1.6), (0.5, -9.0), (0.0, 1.0)] {
+        let mut newton = movers(&[2.0]);
+        newton.free[..2].copy_from_slice(&[-3.0, slip]);
+        let row = add_row(&mut newton, [None, Some(0)], Bound::AT_LEAST_ZERO);
+        let along = add_row(&mut newton, [None, Some(0)], Bound::FrictionOf { row, friction });
+        newton.rows[along].jacobian = [[0.0, -1.0, 0.0], [0.0, 1.0, 0.0]];
+        for _ in 0..5 {
+            solve(&mut newton);
+        }
+        let (most, wanted): (f64, f64) = (6.0 * friction, -2.0 * slip);
+        assert!((newton.rows[row].impulse - 6.0).abs() <= 2e-5);
+        let found = newton.rows[along].impulse;
+        assert!((found - wanted.clamp(-most, most)).abs() <= 4e-5, "{found} N s, µ {friction}, {slip} m/s");
+    }
+}
+
+/// A chain of joints pulled at its end moves as one: momentum over mass, 10 movers of 1 kg and 5 N s.
+#[test]
+fn free_rows_make_a_chain_move_as_one() {
+    let mut newton = movers(&[1.0; 10]);
+    newton.free[27] = 5.0;
+    for mover in 1..10 {
+        add_row(
+            &mut newton,
+            [Some(mover - 1), Some(mover)],
+            Bound::Range([f64::NEG_INFINITY, f64::INFINITY]),
+        );
+    }
+    for _ in 0..5 {
+        solve(&mut newton);
+    }
+    for mover in 0..10 {
+        let speed = newton.sought[3 * mover];
+        assert!((speed - 0.5).abs() < 1e-4, "{speed} m/s of {mover}");
+    }
+}
+
+/// A bound of each kind by chance, the friction that of an earlier row that presses.
+fn any_bound(random: &mut Random, pressing: Option<usize>) -> Bound {
+    match (random.below(4), pressing) {
+        (0, _) => Bound::Range([f64::NEG_INFINITY, f64::INFINITY]),
+        (1, _) => Bound::Range([-0.3, 0.5]),
+        (2, Some(row)) => Bound::FrictionOf { row, friction: 0.6 },
+        _ => Bound::AT_LEAST_ZERO,
+    }
+}
+
+/// Rows of every kind between movers of 0.1 to 10 kg. What is found must be what the bounds ask for, told here from the
+/// velocities themselves: inside its bounds a row has no speed left; at the lower one it may only open, at the upper one
+/// only close. The bounds of friction are those that held in the solve. From stage to stage a row yields to what changes, so
+/// this holds once solving again changes nothing.
+#[test]
+fn what_is_found_satisfies_the_complementarity_conditions_of_every_kind_of_row() {
+    let mut random = Random(5);
+    let (mut inside, mut at_bounds) = (0, 0);
+    for _ in 0..200 {
+        let count = 1 + random.below(5);
+        let masses: Vec<f64> = (0..count).map(|_| 10.0_f64.powf(random.random_range(-1.0..1.0))).collect();
+        let mut newton = movers(&masses);
+        for velocity in &mut newton.free {
+            *velocity = random.random_range(-2.0..2.0);
+        }
+        let mut pressing = None;
+        for number in 0..count + random.below(count + 1) {
+            let (mover, other) = (number % count, random.below(count));
+            let other = (other != mover && random.below(3) > 0).then_some(other);
+            let bound = any_bound(&mut random, pressing);
+            let index = add_row(&mut newton, [other, Some(mover)], bound);
+            let jacobian = [(); 2].map(|()| [(); 3].map(|()| random.random_range(-1.0..1.0)));
+            let square = |side: usize| jacobian[side].iter().map(|entry: &f64| entry * entry).sum::<f64>();
+            let row = &mut newton.rows[index];
+            row.jacobian = jacobian;
+            row.bias = random.random_range(-0.5..0.5);
+            row.k = square(1) / masses[mover as usize]
+                + other.map_or(0.0, |other| square(0) / masses[other as usize]);
+            if matches!(bound, Bound::Range([0.0, _])) {
+                pressing = Some(index);
+            }
+        }
+        for _ in 0..300 {
+            solve(&mut newton);
+        }
+        let mut momentum = newton.free.clone();
+        for row in &newton.rows {
+            let u = speed_of(row, &newton.sought);
+            let [least, greatest] = row.range();
+            // k times a slack of impulse is a speed.
+            let slack = 1e-4 / row.k;
+            assert!(row.impulse >= least - slack && row.impulse <= greatest + slack, "{row:?}");
+            let (is_at_least, is_at_greatest) =
+                (row.impulse <= least + slack, row.impulse >= greatest - slack);
+            assert!(u <= 1e-4 || is_at_least, "{u} m/s of {row:?}");
+            assert!(u >= -1e-4 || is_at_greatest, "{u} m/s of {row:?}");
+            *(if is_at_least || is_at_greatest { &mut at_bounds } else { &mut inside }) += 1;
+            for (jacobian, mover) in row.jacobian.iter().zip(row.movers) {
+                for (axis, entry) in jacobian.iter().enumerate() {
+                    if let Some(place) = mover.map(|mover| 3 * mover as usize + axis) {
+                        momentum[place] += entry * row.impulse / newton.masses[place];
+                    }
+                }
+            }
+        }
+        for (found, expected) in newton.sought.iter().zip(&momentum) {
+            assert!((found - expected).abs() < 1e-9, "{found} in the place of {expected} m/s");
+        }
+    }
+    assert!(inside > 100 && at_bounds > 100, "{inside} inside, {at_bounds} at bounds");
+}
+
+/// J v + bias, told from the definition.
+fn speed_of(row: &Row, velocities: &[f64]) -> f64 {
+    let sides = row.jacobian.iter().zip(row.movers);
+    let of_side = |(jacobian, mover): (&[f64; 3], Option<u32>)| {
+        mover.map_or(0.0, |mover| {
+            (0..3).map(|axis| jacobian[axis] * velocities[3 * mover as usize + axis]).sum()
+        })
+    };
+    row.bias + sides.map(of_side).sum::<f64>()
+}
+
+/// Sweeps alone come to the same for a row by itself: a mover of 2 kg at -1 m/s is stopped by 2 N s in one.
+#[test]
+fn the_fall_back_sweeps_satisfy_a_row_by_itself() {
+    let mut newton = movers(&[2.0]);
+    newton.free[0] = -1.0;
+    add_row(&mut newton, [None, Some(0)], Bound::AT_LEAST_ZERO);
+    let mut part = newton.part_from(0, 0);
+    part.is_unsolved = true;
+    newton.solve(&mut part);
+    assert_eq!((newton.rows[0].impulse, newton.sought[0]), (2.0, 0.0));
+}
