@@ -1,8 +1,9 @@
 //! Islands: dynamic bodies that are connected by contacts with points.
 //!
-//! Bodies that nothing moves (fixed, kinematic) do not connect: two stacks on one floor are two islands. An island is
-//! found when somebody asks about one of its bodies: those under load, those that have come to rest. Nothing is kept
-//! of the others from step to step.
+//! Bodies that nothing moves (fixed, kinematic) do not connect: two stacks on one floor are two islands. Tiers, sleep and
+//! [`World::islands`](crate::World::islands) find them by one function, [`find_island`], when they ask about a body: one
+//! under load, one that has come to rest. That takes a look at each contact of the island, twice; nothing is kept from step
+//! to step, and islands that nobody asks about cost nothing.
 
 use crate::body::Bodies;
 use crate::collision::{Contact, Contacts};

@@ -4,8 +4,7 @@
 //! for the compliance, which is 14 % of k λ (see [`softness`](super::softness)). Where that is more than an eightieth
 //! of the thinner body, in a contact whose bodies hardly move against each other, for a few steps, the island is solved
 //! directly, if that is little work. This ends when the load does, or when the direct solve does not solve the island: that
-//! is tried again later, but for a large island that lies still. Only the state decides, never a clock: a clone is solved
-//! as its original.
+//! is tried again later, if much would sag. Only the state decides, never a clock: a clone is solved as its original.
 //!
 //! A heap of great weight that begins at rest is solved directly from its first step on: its loads have yet to build up,
 //! and it would fall meanwhile.
@@ -26,28 +25,20 @@ use crate::resolution::tier::Tier;
 use crate::resolution::tiers::history::{History, RETRY_STEPS};
 use crate::store::BitSet;
 
-/// Contacts under lasting load are looked at every so many steps: a heap has many, and is left alone for most of the time.
-const LOOK_STEPS: u64 = 4;
-
-/// An island that is too large for its load is left alone for so many steps.
-const QUIET_STEPS: u64 = 120;
-
 /// Sweeps must have been enough for so many steps in a row before an island goes back to them.
 const CALM_STEPS: u8 = 30;
 
-/// A heap that the direct solve has not solved, and that lies still, is not tried again unless a contact sags by more than
-/// this share of the width of the thinner body, no unit. Where it is tried again all the same, a card house of five levels
-/// falls.
-const UNSOLVED_SHARE: f32 = 0.05;
-
-/// A heap lies still where nothing is faster than this, m/s.
-const STILL_SPEED: f32 = 1e-3;
-
-/// Islands of more bodies are not solved directly.
-const LARGEST_DIRECT_ISLAND: usize = 256;
-
-/// Nor those whose factorization takes more multiplications.
+/// Islands whose factorization takes more multiplications than this are not solved directly: it is that of a chain of 1,200
+/// bodies, and a step of the world would be seen to take long.
 const LARGEST_FACTORIZATION: u64 = 100_000;
+
+/// Those of a body by itself: half of 3 × 3 by 3 × 3, more or less.
+const FACTORIZATION_OF_BODY: u64 = 27;
+
+/// What the direct solve has not solved is not tried again unless a contact sags by more than this share of the width of
+/// the thinner body, no unit: it would be lifted out of its sag, and fall back. Where it is tried again all the same, piles
+/// at rest move again and card houses of five levels fall.
+const UNSOLVED_SHARE: f32 = 0.05;
 
 /// A body that touches more others is a hub: a plate on many balls.
 const HUB_NEIGHBOURS: usize = 12;
@@ -159,8 +150,7 @@ impl Tiers {
                 }
             }
         }
-        let lasting = if tick.is_multiple_of(LOOK_STEPS) { &loads.lasting[..] } else { &[] };
-        for &index in lasting {
+        for &index in &loads.lasting {
             for slot in tables.slots(index) {
                 self.decide_island(slot, tick, rule, loads, &mut tables);
             }
@@ -193,7 +183,8 @@ impl Tiers {
         let was_direct = self.island.iter().any(|&slot| tables.graph.is_direct(slot));
         let history = History::of_island(self.island.iter().map(|&slot| self.histories[slot as usize]));
         let is_hopeless = !was_direct
-            && (history.is_given_up() && !load.is_recent || self.is_better_left_alone(history, load, tables));
+            && (history.is_given_up() && !load.is_recent
+                || history.unsolved_times > 0 && load.largest <= UNSOLVED_SHARE);
         let is_quiet = history.quiet_until > tick || is_hopeless;
         let may_be_direct = rule.allows_direct && !is_quiet && self.is_little_work(tables);
         let share = if was_direct { CALM_SHARE * DIRECT_SHARE } else { DIRECT_SHARE };
@@ -202,27 +193,15 @@ impl Tiers {
         let is_direct = may_be_direct && (load.largest > share || stays);
         let calm_steps = if is_calm { history.calm_steps.saturating_add(1) } else { 0 };
         self.give(if is_direct { Tier::Direct } else { Tier::Swept }, calm_steps, tables);
-        let pause = if may_be_direct { RETRY_STEPS } else { QUIET_STEPS };
-        for &slot in &self.island {
-            let of_body = &mut self.histories[slot as usize];
-            if was_direct && !may_be_direct && !is_quiet {
-                of_body.leave_alone(tick);
-            } else if !is_direct {
-                let is_paused = history.quiet_until > tick;
-                of_body.quiet_until = if is_paused { history.quiet_until } else { tick + pause };
+        if !is_direct {
+            for &slot in &self.island {
+                let of_body = &mut self.histories[slot as usize];
+                of_body.quiet_until = history.quiet_until.max(tick + RETRY_STEPS);
                 if is_calm {
                     of_body.unsolved_times = 0;
                 }
             }
         }
-    }
-
-    /// Whether a heap that lies still was not solved directly before: it would be lifted out of its sag, and fall back.
-    fn is_better_left_alone(&self, history: History, load: Load, tables: &TierTables<'_>) -> bool {
-        let lies_still = |&slot: &u32| {
-            tables.bodies.motions[slot as usize].top_speed(tables.bodies.state(slot)) < STILL_SPEED
-        };
-        history.unsolved_times > 0 && load.largest <= UNSOLVED_SHARE && self.island.iter().all(lies_still)
     }
 
     /// Has the island of the body in `slot` solved directly from its first step on, if all of it begins at rest and some
@@ -296,7 +275,7 @@ impl Tiers {
 
     /// Whether the island is small enough to be solved directly; then it is in the order of the matrix.
     fn is_little_work(&mut self, tables: &TierTables<'_>) -> bool {
-        if self.island.len() > LARGEST_DIRECT_ISLAND {
+        if FACTORIZATION_OF_BODY * self.island.len() as u64 > LARGEST_FACTORIZATION {
             return false;
         }
         self.order(tables);
@@ -312,7 +291,7 @@ impl Tiers {
             self.first.push(first);
             // Each entry of a row takes the common part of two rows, in blocks of 3 × 3.
             let common = |column: u32| u64::from(column - first.max(self.first[column as usize]) + 1);
-            work += 27 * (first..=place).map(common).sum::<u64>();
+            work += FACTORIZATION_OF_BODY * (first..=place).map(common).sum::<u64>();
         }
         work <= LARGEST_FACTORIZATION
     }

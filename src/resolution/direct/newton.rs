@@ -14,14 +14,12 @@ const COMPLIANCE: f64 = 1e-2;
 /// would sink in before the impulses have grown, and swing. With much less, rounding weighs as much as loads do.
 const STIFF_MASS: f64 = 100.0;
 
-/// The compliance is never less than this: `f64` has digits for no more.
-const LEAST_COMPLIANCE: f64 = 1e-7;
+/// The compliance is never less than this, which is that of the last stage where nothing presses yet: what yields to a
+/// change would yield to the whole load there, and a stack of 200 swing by half a metre per second. `f64` has digits for
+/// little less.
+const LEAST_COMPLIANCE: f64 = 1e-6;
 
-/// The compliance of the last stage where nothing presses yet: what yields to a change would yield to the whole load, and
-/// a stack of 200 swing by half a metre per second.
-const FIRST_COMPLIANCE: f64 = 1e-6;
-
-/// Newton steps at most, and sweeps where they have not come to an end. From the impulses of the last substep one or two
+/// Newton steps at most, tries to find how far to go along each, and sweeps where they have not come to an end. From the impulses of the last substep one or two
 /// are the rule. Few islands that need more come to an end, and a step of the world would be seen to take long; fewer
 /// sweeps leave more small piles awake.
 const MOST_STEPS: usize = 20;
@@ -29,9 +27,6 @@ const MOST_STEPS: usize = 20;
 /// The limits of friction follow the normal impulses in so many Newton steps, then they hold still until the next
 /// substep, so that the steps end.
 const LIMIT_STEPS: usize = 3;
-
-/// Tries to find how far to go along a Newton step.
-const LINE_SEARCH_STEPS: usize = 30;
 
 /// Movers and rows of an island, as ranges.
 #[derive(Clone, Debug)]
@@ -157,11 +152,8 @@ impl Newton {
     fn descend_in_stages(&mut self, part: &Part) -> bool {
         let is_stiff = part.compliance < COMPLIANCE;
         let begins = self.rows[part.rows.clone()].iter().all(|row| row.impulse == 0.0);
-        let stages = [
-            Some(COMPLIANCE),
-            is_stiff.then_some(part.compliance),
-            begins.then_some(part.compliance.min(FIRST_COMPLIANCE)),
-        ];
+        let stages =
+            [Some(COMPLIANCE), is_stiff.then_some(part.compliance), begins.then_some(LEAST_COMPLIANCE)];
         let mut is_solved = true;
         for (number, compliance) in stages.into_iter().flatten().enumerate() {
             self.found.clear();
@@ -277,7 +269,7 @@ impl Newton {
         // The slope is made of straight pieces: from one of them on, the next root is the right one.
         let (mut low, mut high, mut share) = (0.0, 1.0, 1.0);
         let small = 1e-9 * slope(low).value.abs();
-        for _ in 0..LINE_SEARCH_STEPS {
+        for _ in 0..MOST_STEPS {
             let Slope { value, growth } = slope(share);
             if value.abs() <= small || (share == 1.0 && value < 0.0) {
                 break;

@@ -1,7 +1,7 @@
 //! What an island has been through: how long sweeps would have done, and how often the direct solve was in vain.
 
-/// An island that sweeps are enough for, or that the direct solve could not solve, is left alone for so many steps: it may
-/// have come into another state by then.
+/// An island that is not solved directly, as it is too large, its load too small, or Newton's method came to no end, is
+/// left alone for so many steps: it may have come into another state by then, and to look at it takes time.
 pub(super) const RETRY_STEPS: u64 = 10;
 
 /// Each further time that it was not solved, it is left alone for twice as long, so many times: Newton's method comes to
