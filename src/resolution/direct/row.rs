@@ -39,7 +39,7 @@ pub(super) struct Row {
     /// λ, N s.
     pub(super) impulse: f64,
     /// The range of λ now, N s: of friction it follows the other row.
-    range: [f64; 2],
+    pub(super) range: [f64; 2],
     /// Impulse per velocity that the row yields by, 1/(c k), kg.
     stiffness: f64,
     /// It yields to the change from this impulse, N s.
@@ -83,12 +83,6 @@ impl Row {
             Bound::Range(range) => range,
             Bound::FrictionOf { friction, .. } => [-friction * other_impulse, friction * other_impulse],
         };
-    }
-
-    /// The range of the impulse now, N s.
-    #[cfg(test)]
-    pub(super) fn range(&self) -> [f64; 2] {
-        self.range
     }
 
     /// Lets the row give back this share of a change of its impulse from that of now.

@@ -152,7 +152,7 @@ fn what_is_found_satisfies_the_complementarity_conditions_of_every_kind_of_row()
         let mut momentum = newton.free.clone();
         for row in &newton.rows {
             let u = speed_of(row, &newton.sought);
-            let [least, greatest] = row.range();
+            let [least, greatest] = row.range;
             // k times a slack of impulse is a speed.
             let slack = 1e-4 / row.k;
             assert!(row.impulse >= least - slack && row.impulse <= greatest + slack, "{row:?}");
