@@ -16,11 +16,6 @@ fn a_tower_of_millimetres_stands() {
 }
 
 #[test]
-fn gravel_comes_to_rest_on_a_ground_of_kilometres() {
-    hold(&["gravel-middle", "gravel-edge"]);
-}
-
-#[test]
 fn needles_come_to_rest_in_a_box() {
     hold(&["needles"]);
 }
