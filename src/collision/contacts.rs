@@ -49,8 +49,8 @@ pub(crate) struct Contact {
     pub(crate) slots: [u32; 2],
     /// Whether the bodies touched at the end of the last step.
     pub(crate) is_touching: bool,
-    /// Whether it holds still within the step, as the bodies hardly move against each other: its manifold was kept from an
-    /// earlier step, or is that of a slow circle.
+    /// Whether the bodies hardly move against each other: its manifold was kept under load, or they are slow. A load that it
+    /// bears may last.
     pub(crate) holds_still: bool,
     /// Whether the bodies met and parted again within the last step.
     pub(crate) has_bounced: bool,

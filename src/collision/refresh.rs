@@ -76,7 +76,7 @@ pub(crate) fn refresh(contact: &mut Contact, bodies: &Bodies, settings: Refresh)
     let (predicted, touch) = match update {
         ManifoldUpdate::Keep => {
             contact.follows = was_followed && contact.pivots();
-            contact.holds_still = !contact.follows;
+            contact.holds_still = !contact.follows || pair.rests();
             contact.followed_steps += u8::from(contact.follows);
             return;
         }
@@ -87,7 +87,7 @@ pub(crate) fn refresh(contact: &mut Contact, bodies: &Bodies, settings: Refresh)
             }
             contact.approach_speed = predicted.closing(manifold.normal) / settings.dt;
             pair.take_over(manifold, contact);
-            contact.holds_still = false;
+            contact.holds_still = pair.rests();
             contact.follows = (contact.has_circle || contact.pivots()) && !pair.is_flat();
             return;
         }

@@ -88,9 +88,7 @@ impl ContactBlock {
     /// Writes the end of the step back into a contact.
     #[inline(always)]
     pub(crate) fn write_back(&self, place: usize, contact: &mut Contact) {
-        if self.marks.moving_within_step().get(place) {
-            contact.manifold.normal = self.columns.normal.load::<f32>(place).into();
-        }
+        contact.manifold.normal = self.columns.normal.load::<f32>(place).into();
         for (index, stored) in contact.manifold.points_mut().iter_mut().enumerate() {
             let point = &self.columns.points[index];
             stored.anchor_a = point.anchor_a.load::<f32>(place).into();
