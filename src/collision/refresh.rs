@@ -76,7 +76,7 @@ pub(crate) fn refresh(contact: &mut Contact, bodies: &Bodies, settings: Refresh)
     let (predicted, touch) = match update {
         ManifoldUpdate::Keep => {
             contact.follows = was_followed && contact.pivots();
-            contact.holds_still = !contact.follows || pair.rests();
+            contact.holds_still = !contact.follows || pair.is_at_rest(pair.predicted_motion());
             contact.followed_steps += u8::from(contact.follows);
             return;
         }
@@ -87,7 +87,7 @@ pub(crate) fn refresh(contact: &mut Contact, bodies: &Bodies, settings: Refresh)
             }
             contact.approach_speed = predicted.closing(manifold.normal) / settings.dt;
             pair.take_over(manifold, contact);
-            contact.holds_still = pair.rests();
+            contact.holds_still = pair.is_at_rest(predicted);
             contact.follows = (contact.has_circle || contact.pivots()) && !pair.is_flat();
             return;
         }
@@ -274,7 +274,7 @@ impl<'a> Pair<'a> {
         }
         let keeps = contact.frozen.is_some_and(|frozen| {
             if !contact.is_loaded() {
-                self.rests() && self.has_hardly_moved(&self.since(&frozen))
+                self.is_at_rest(self.predicted_motion()) && self.has_hardly_moved(&self.since(&frozen))
             } else if contact.pivots() {
                 let was_followed = contact.follows && contact.followed_steps < LONGEST_FOLLOWED;
                 was_followed && self.strayed(&frozen) < self.near()
@@ -323,8 +323,7 @@ impl<'a> Pair<'a> {
     }
 
     /// Whether the bodies move so slowly that they rest beside each other.
-    fn rests(&self) -> bool {
-        let PredictedMotion { motion, turning } = self.predicted_motion();
+    fn is_at_rest(&self, PredictedMotion { motion, turning }: PredictedMotion) -> bool {
         (motion.length() + turning) * REST_TIME < self.near() * self.dt
     }
 

@@ -28,12 +28,19 @@ use crate::store::BitSet;
 /// Sweeps must have been enough for so many steps in a row before an island goes back to them.
 const CALM_STEPS: u8 = 30;
 
-/// Islands whose factorization takes more multiplications than this are not solved directly: it is that of a chain of 1,200
-/// bodies, and a step of the world would be seen to take long.
+/// Islands whose factorization takes more multiplications than this are not solved directly: a step of the world would be
+/// seen to take long.
 const LARGEST_FACTORIZATION: u64 = 100_000;
 
-/// Those of a body by itself: half of 3 × 3 by 3 × 3, more or less.
+/// Nor those of more bodies, which are not even ordered for it: heaps of so many take more multiplications.
+const LARGEST_DIRECT_ISLAND: usize = 256;
+
+/// Multiplications for a body by itself: half of 3 × 3 by 3 × 3, more or less.
 const FACTORIZATION_OF_BODY: u64 = 27;
+
+/// An island that is too much work is left alone for so many steps. To find it every ten steps, and to order it, takes 7 % of
+/// the step of a drum; a heap that comes apart waits for no longer than two seconds.
+const TOO_LARGE_STEPS: u64 = 120;
 
 /// What the direct solve has not solved is not tried again unless a contact sags by more than this share of the width of
 /// the thinner body, no unit: it would be lifted out of its sag, and fall back. Where it is tried again all the same, piles
@@ -186,7 +193,8 @@ impl Tiers {
             && (history.is_given_up() && !load.is_recent
                 || history.unsolved_times > 0 && load.largest <= UNSOLVED_SHARE);
         let is_quiet = history.quiet_until > tick || is_hopeless;
-        let may_be_direct = rule.allows_direct && !is_quiet && self.is_little_work(tables);
+        let is_too_large = rule.allows_direct && !is_quiet && !self.is_little_work(tables);
+        let may_be_direct = rule.allows_direct && !is_quiet && !is_too_large;
         let share = if was_direct { CALM_SHARE * DIRECT_SHARE } else { DIRECT_SHARE };
         let is_calm = was_direct && may_be_direct && load.largest <= share;
         let stays = is_calm && history.calm_steps < CALM_STEPS;
@@ -196,7 +204,8 @@ impl Tiers {
         if !is_direct {
             for &slot in &self.island {
                 let of_body = &mut self.histories[slot as usize];
-                of_body.quiet_until = history.quiet_until.max(tick + RETRY_STEPS);
+                let pause = if is_too_large { TOO_LARGE_STEPS } else { RETRY_STEPS };
+                of_body.quiet_until = history.quiet_until.max(tick + pause);
                 if is_calm {
                     of_body.unsolved_times = 0;
                 }
@@ -275,7 +284,7 @@ impl Tiers {
 
     /// Whether the island is small enough to be solved directly; then it is in the order of the matrix.
     fn is_little_work(&mut self, tables: &TierTables<'_>) -> bool {
-        if FACTORIZATION_OF_BODY * self.island.len() as u64 > LARGEST_FACTORIZATION {
+        if self.island.len() > LARGEST_DIRECT_ISLAND {
             return false;
         }
         self.order(tables);
