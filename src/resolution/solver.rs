@@ -60,13 +60,15 @@ pub(crate) struct SolveTables<'a> {
 ///
 /// ```text
 /// repeat substeps:
-///     kick h/2     v += h/2 a(x)
+///     kick h/2     v += h/2 a(x), and damping
 ///     impacts      what approaches fast enough bounces, each at its time
 ///     push         half of the last impulses, and a sweep that pushes overlaps apart; stiff islands are solved directly
+///     seams        circles that roll onto another piece of ground meet it, each at its time
 ///     drift h      x += h v
-///     kick h/2     v += h/2 a(x)
+///     kick h/2     v += h/2 a(x), and damping
 ///     refresh      contacts of circles and loaded corners follow the surface
 ///     relax        the other half of the last impulses, and a sweep without bias, with friction; or directly
+/// project          in the classic scheme: overlaps are parted by moving bodies
 /// ```
 ///
 /// Each half of the last impulses acts with the geometry of its moment: a circle that rolls along a curve is turned by
@@ -78,18 +80,16 @@ pub(crate) fn solve(
     tables: &mut SolveTables<'_>,
     acceleration: &impl Acceleration,
 ) -> StepResidual {
-    let h = scheme.substep_time();
     solver.prepare(scheme, islands, tables, acceleration);
     for substep in 0..scheme.substeps {
         solver.kick(scheme, tables);
         // What a sweep after the move has found of where bodies are holds until they move again.
         let has_moved = solver.run_impacts(scheme, tables) || (substep > 0 && scheme.relax_iterations == 0);
         solver.push(scheme, tables, has_moved);
-        solver.direct.solve(tables.graph, &mut tables.bodies.states, Aim::Push, h);
+        solver.cross_seams(scheme, tables);
         solver.drift_and_kick(scheme, tables, acceleration);
         solver.refresh(tables);
-        relax(scheme, tables);
-        solver.direct.solve(tables.graph, &mut tables.bodies.states, Aim::Relax, h);
+        solver.relax(scheme, tables);
     }
     for _ in 0..scheme.projections.unwrap_or(0) {
         tables.graph.for_each_swept(tables.executor, &mut tables.bodies.states, &Project);
@@ -134,17 +134,36 @@ impl Solver {
         self.impacts.run(&mut scene)
     }
 
-    /// Contacts by sweeps, before the bodies move. `has_moved` says that they have since the last sweep.
+    /// Contacts before the bodies move. `has_moved` says that they have since the last sweep.
     fn push(&mut self, scheme: &Scheme, tables: &mut SolveTables<'_>, has_moved: bool) {
         let h = scheme.substep_time();
         self.seams.hold_back(tables.graph, &tables.bodies.states, h);
         warm_start(WarmStartTime::BeforeMove, scheme, tables);
-        let SolveTables { bodies, contacts, graph, executor, .. } = tables;
+        let (graph, states) = (&mut *tables.graph, &mut tables.bodies.states);
         let sweep = scheme.sweep_over(scheme.main_sweep(), has_moved);
         for _ in 0..scheme.iterations {
-            graph.for_each_swept(*executor, &mut bodies.states, &sweep);
+            graph.for_each_swept(tables.executor, states, &sweep);
         }
+        self.direct.solve(graph, states, Aim::Push, h);
+    }
+
+    /// Circles that roll from one piece of ground onto the next during the move.
+    fn cross_seams(&mut self, scheme: &Scheme, tables: &mut SolveTables<'_>) {
+        let SolveTables { bodies, contacts, graph, .. } = tables;
         self.seams.run(&mut EventScene { bodies, contacts, kicks: &self.kicks, graph, scheme });
+    }
+
+    /// Contacts after the bodies have moved.
+    fn relax(&mut self, scheme: &Scheme, tables: &mut SolveTables<'_>) {
+        if scheme.split_kick && scheme.warm_starting {
+            warm_start(WarmStartTime::AfterMove, scheme, tables);
+        }
+        let (graph, states) = (&mut *tables.graph, &mut tables.bodies.states);
+        for iteration in 0..scheme.relax_iterations {
+            let sweep = scheme.sweep_over(scheme.relax_sweep(), iteration == 0);
+            graph.for_each_swept(tables.executor, states, &sweep);
+        }
+        self.direct.solve(graph, states, Aim::Relax, scheme.substep_time());
     }
 
     /// Contact geometry that moves within the step, where the bodies are now.
@@ -263,18 +282,6 @@ impl Solver {
 fn steady(bodies: &Bodies, slot: u32, acceleration: &impl Acceleration) -> Vec2 {
     let (motion, forcing) = (&bodies.motions[slot as usize], &bodies.forcings[slot as usize]);
     acceleration.uniform() * forcing.gravity_scale + forcing.force * motion.inverse_mass
-}
-
-/// Contacts by sweeps, after the bodies have moved.
-fn relax(scheme: &Scheme, tables: &mut SolveTables<'_>) {
-    if scheme.split_kick && scheme.warm_starting {
-        warm_start(WarmStartTime::AfterMove, scheme, tables);
-    }
-    let (graph, states) = (&mut *tables.graph, &mut tables.bodies.states);
-    for iteration in 0..scheme.relax_iterations {
-        let sweep = scheme.sweep_over(scheme.relax_sweep(), iteration == 0);
-        graph.for_each_swept(tables.executor, states, &sweep);
-    }
 }
 
 /// One of the warm starts of a substep.

@@ -87,7 +87,7 @@ impl ConstraintGraph {
             let Colour { contacts, blocks, .. } = &mut self.colours[colour];
             let parts = (ByColumn(0..contacts.len()), blocks.over(states));
             executor.run(parts, SWEEP_COST, |(contacts, blocks)| BlockPass {
-                contacts: contacts.0.len(),
+                count: contacts.0.len(),
                 blocks,
                 kernel,
             });
@@ -108,32 +108,35 @@ impl ConstraintGraph {
     }
 }
 
-/// A pass over some blocks of a colour, that have so many contacts.
-struct BlockPass<'a, K> {
-    contacts: usize,
-    blocks: BlocksOver<'a, ContactBlock>,
+/// A pass over some blocks of a colour, that have so many constraints.
+struct BlockPass<'a, B, K> {
+    count: usize,
+    blocks: BlocksOver<'a, B>,
     kernel: &'a K,
 }
 
-impl<K: Kernel> Job for BlockPass<'_, K> {
+impl<'a, K: Kernel> BlockPass<'a, ContactBlock, K> {
+    /// Over all contacts of a colour.
+    #[inline(always)]
+    fn over(colour: &'a mut Colour, states: &'a mut [BodyState], kernel: &'a K) -> Self {
+        Self { count: colour.contacts.len(), blocks: colour.blocks.over(states), kernel }
+    }
+}
+
+impl<B, K: Kernel<B>> Job for BlockPass<'_, B, K> {
     #[inline(always)]
     fn run<L: Lane>(self) {
         if L::WIDTH == 1 { one_by_one(self) } else { self.in_lanes::<L>() }
     }
 }
 
-impl<'a, K: Kernel> BlockPass<'a, K> {
-    #[inline(always)]
-    fn over(colour: &'a mut Colour, states: &'a mut [BodyState], kernel: &'a K) -> Self {
-        Self { contacts: colour.contacts.len(), blocks: colour.blocks.over(states), kernel }
-    }
-
+impl<B, K: Kernel<B>> BlockPass<'_, B, K> {
     #[inline(always)]
     fn in_lanes<L: Lane>(mut self) {
         // One of its own stays in registers, whatever is written through it.
         let kernel = self.kernel.clone();
         // One loop: it is compiled into a faster program than one over blocks, and one within each.
-        for place in (0..self.contacts).step_by(L::WIDTH) {
+        for place in (0..self.count).step_by(L::WIDTH) {
             let (block, mut states) = self.blocks.get_mut(place / COLUMN);
             kernel.run::<L>(block, &mut states, place % COLUMN);
         }
@@ -142,7 +145,7 @@ impl<'a, K: Kernel> BlockPass<'a, K> {
 
 /// Compiled once for each kernel, and not within every width, which need it for the overflow.
 #[inline(never)]
-fn one_by_one(pass: BlockPass<'_, impl Kernel>) {
+fn one_by_one<B, K: Kernel<B>>(pass: BlockPass<'_, B, K>) {
     pass.in_lanes::<f32>();
 }
 
