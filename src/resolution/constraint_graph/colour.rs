@@ -19,7 +19,7 @@ pub(super) const OVERFLOW: usize = COLOURS;
 pub(super) const DIRECT: usize = COLOURS + 1;
 
 /// Where a contact is in the graph: its colour, and which of the contacts there it is.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) struct GraphIndex {
     pub(super) colour: u32,
     pub(super) contact: u32,
@@ -37,7 +37,7 @@ impl GraphIndex {
 }
 
 /// Where a block is in the graph: its colour, and which of the blocks there it is.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(crate) struct BlockIndex {
     pub(super) colour: u32,
     pub(super) block: u32,

@@ -1,10 +1,10 @@
 //! Which contacts approach fast enough to bounce, and which of these may meet: one look at all of them per substep, in
 //! lanes. What rests, or is still far apart, costs no more.
 
-use crate::compute::{self, BodyState, COLUMN, Column, Columns, Job, Lane, LaneVec2, RowPairs, Width};
+use crate::compute::{BodyState, Column, Columns, Job, Lane, LaneVec2, RowPairs};
 use crate::resolution::constraint::ContactConstraint;
 use crate::resolution::constraint_graph::{BlockIndex, ConstraintGraph, GraphIndex};
-use crate::resolution::contact_block::{ContactBlock, Marks};
+use crate::resolution::contact_block::ContactBlock;
 use crate::resolution::integrate::Kicks;
 use crate::store::places_of;
 
@@ -29,87 +29,6 @@ pub(super) fn approach<L: Lane>(
     (speed, L::both(is_fast, point.normal_k.greater(L::splat(0.0))))
 }
 
-/// Those of the contacts of a block that may bounce.
-#[derive(Clone, Copy, Debug)]
-struct WatchedBlock {
-    at: BlockIndex,
-    bouncy: Marks,
-    /// Whether some of their points are pending.
-    has_pending: bool,
-}
-
-/// The contacts that may bounce. Their numbers are in the order in which they are solved.
-#[derive(Clone, Debug, Default)]
-pub(super) struct Watched {
-    blocks: Vec<WatchedBlock>,
-    len: usize,
-}
-
-impl Watched {
-    pub(super) fn clear(&mut self) {
-        self.blocks.clear();
-        self.len = 0;
-    }
-
-    /// How many contacts there are.
-    pub(super) fn len(&self) -> usize {
-        self.len
-    }
-
-    /// Numbers are below this.
-    pub(super) fn end(&self) -> u32 {
-        (self.blocks.len() * COLUMN) as u32
-    }
-
-    /// Watches the contacts of a block that may bounce. Blocks come in the order in which they are solved.
-    pub(super) fn watch(&mut self, at: BlockIndex, bouncy: Marks) {
-        self.blocks.push(WatchedBlock { at, bouncy, has_pending: false });
-        self.len += bouncy.count();
-    }
-
-    /// Calls `visit` with the number of each and its place in the constraint graph.
-    pub(super) fn for_each(&self, mut visit: impl FnMut(u32, GraphIndex)) {
-        for (block_number, watched) in self.blocks.iter().enumerate() {
-            watched.bouncy.for_each(|of_block| {
-                visit(number_of(block_number, of_block), watched.at.contact(of_block));
-            });
-        }
-    }
-
-    /// Where the contact with a number is in the constraint graph.
-    pub(super) fn home(&self, number: u32) -> GraphIndex {
-        let number = number as usize;
-        self.blocks[number / COLUMN].at.contact(number % COLUMN)
-    }
-
-    /// Says which points of the contact with a number are pending.
-    pub(super) fn set_pending(&mut self, number: u32, is_pending: [bool; 2], graph: &mut ConstraintGraph) {
-        let home = self.home(number);
-        let has_pending = &mut self.blocks[number as usize / COLUMN].has_pending;
-        *has_pending |= is_pending[0] || is_pending[1];
-        if *has_pending {
-            graph.set_pending(home, is_pending);
-        }
-    }
-
-    /// Marks the points that approach fast and are apart as pending, and appends the numbers of the contacts that may meet
-    /// within the substep to `due`.
-    pub(super) fn look(
-        &mut self,
-        width: Width,
-        substep: Substep<'_>,
-        graph: &mut ConstraintGraph,
-        due: &mut Vec<u32>,
-    ) {
-        compute::run(width, Look { blocks: &mut self.blocks, substep, graph, due });
-    }
-}
-
-/// The number of the contact at a place of one of the watched blocks.
-fn number_of(block: usize, place: usize) -> u32 {
-    (block * COLUMN + place) as u32
-}
-
 /// How bodies move in a substep.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Substep<'a> {
@@ -121,25 +40,24 @@ pub(super) struct Substep<'a> {
     pub(super) restitution_threshold: f32,
 }
 
-struct Look<'a> {
-    blocks: &'a mut [WatchedBlock],
-    substep: Substep<'a>,
-    graph: &'a mut ConstraintGraph,
-    due: &'a mut Vec<u32>,
+/// Looks at the contacts of some blocks that may bounce: marks the points that approach fast and are apart as pending, and
+/// no others, and appends the contacts that may meet within the substep to `due`.
+pub(super) struct Look<'a> {
+    pub(super) blocks: &'a [BlockIndex],
+    pub(super) substep: Substep<'a>,
+    pub(super) graph: &'a mut ConstraintGraph,
+    pub(super) due: &'a mut Vec<GraphIndex>,
 }
 
 impl Job for Look<'_> {
     #[inline(always)]
     fn run<L: Lane>(self) {
         let Self { blocks, substep, graph, due } = self;
-        for (number, watched) in blocks.iter_mut().enumerate() {
-            let (rows, block) = graph.block_at_mut(watched.at);
-            if std::mem::take(&mut watched.has_pending) {
-                block.clear_pending();
-            }
-            let (is_single, bouncy) = (block.fit().is_single, watched.bouncy);
-            for (first, bouncy) in bouncy.lanes::<L>() {
-                let found = if is_single {
+        for &at in blocks {
+            let (rows, block) = graph.block_at_mut(at);
+            block.clear_pending();
+            for (first, bouncy) in block.marks.bouncy.lanes::<L>() {
+                let found = if block.fit().is_single {
                     substep.look::<L, 1>(rows, block, first, bouncy)
                 } else {
                     substep.look::<L, 2>(rows, block, first, bouncy)
@@ -147,9 +65,8 @@ impl Job for Look<'_> {
                 for place in places_of(found.pending[0] | found.pending[1]) {
                     let is_pending = found.pending.map(|bits| bits >> place & 1 != 0);
                     block.set_pending(first + place, is_pending);
-                    watched.has_pending = true;
                 }
-                due.extend(places_of(found.meets).map(|place| number_of(number, first + place)));
+                due.extend(places_of(found.meets).map(|place| at.contact(first + place)));
             }
         }
     }

@@ -27,16 +27,15 @@
 //! impact, a look at the contacts of its two bodies. Many bodies on one would make that the square of their number, so
 //! the looks of a substep are bounded too, and the sweeps take what is left. Nothing where no contact has restitution.
 
-use crate::body::NONE;
 use crate::collision::Manifold;
-use crate::compute::{BodyState, GROUND_ROW};
+use crate::compute::{self, BodyState, GROUND_ROW};
 use crate::math::Vec2;
 use crate::resolution::block::{Row, solve_pair};
 use crate::resolution::constraint::ContactConstraint;
 use crate::resolution::constraint_graph::{BlockIndex, GraphIndex};
 use crate::resolution::contact_block::Marks;
-use crate::resolution::events::approach::{RESTING_SUBSTEPS, Substep, Watched, approach};
-use crate::resolution::events::queue::{Expected, ImpactQueue, Neighbours};
+use crate::resolution::events::approach::{Look, RESTING_SUBSTEPS, Substep, approach};
+use crate::resolution::events::queue::{Expected, ImpactQueue};
 use crate::resolution::events::{EventScene, MEETING_TOLERANCE};
 use crate::resolution::moving::manifold_in;
 
@@ -89,18 +88,17 @@ struct RowImpacts {
 /// The impacts stage and its buffers.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Impacts {
-    watched: Watched,
+    /// The blocks of the constraint graph with contacts that may bounce, and how many these are.
+    blocks: Vec<BlockIndex>,
+    len: usize,
     /// Those that were looked at closely in this step.
     contacts: Vec<BouncyContact>,
-    /// By number: where it is among them, `NONE` where it is not.
-    places: Vec<u32>,
-    /// Scratch: numbers of the contacts that may meet, as the substep begins.
-    due: Vec<u32>,
-    /// Places of contacts that bounced in this substep, each as often as it did.
-    met: Vec<usize>,
+    /// By index of a contact: which of them it is; shorter where no later contact was ever looked at.
+    places: Vec<Option<u32>>,
+    /// Scratch: the contacts that may meet, as the substep begins; and the contacts of a body.
+    due: Vec<GraphIndex>,
+    of_body: Vec<u32>,
     queue: ImpactQueue,
-    neighbours: Neighbours,
-    neighbours_are_built: bool,
     by_row: Vec<RowImpacts>,
     /// Rows with an impact in this substep.
     hit_rows: Vec<u32>,
@@ -112,22 +110,22 @@ pub(crate) struct Impacts {
 impl Impacts {
     /// Forgets the contacts of the last step.
     pub(crate) fn clear(&mut self) {
-        self.watched.clear();
-        self.contacts.clear();
-        self.places.clear();
-        self.met.clear();
-        self.neighbours_are_built = false;
-        self.count = 0;
+        self.blocks.clear();
+        (self.len, self.count) = (0, 0);
+        for bouncy in self.contacts.drain(..) {
+            self.places[bouncy.contact as usize] = None;
+        }
     }
 
-    /// Takes up the contacts of a block that have restitution. Blocks come in the order in which they are solved.
+    /// Takes up the contacts of a block that have restitution.
     pub(crate) fn take_up_block(&mut self, at: BlockIndex, bouncy: Marks) {
-        self.watched.watch(at, bouncy);
+        self.blocks.push(at);
+        self.len += bouncy.count();
     }
 
     /// How many contacts may bounce.
     pub(crate) fn len(&self) -> usize {
-        self.watched.len()
+        self.len
     }
 
     /// How many impacts there were in this step.
@@ -135,33 +133,28 @@ impl Impacts {
         self.count
     }
 
-    /// Contacts that bounced in this step, with the greatest speed of their impacts, m/s; in the order in which they are
-    /// solved.
+    /// Contacts that bounced in this step, with the greatest speed of their impacts, m/s.
     pub(crate) fn bounced(&self) -> impl Iterator<Item = (u32, f32)> {
-        let in_order = self.places.iter().filter_map(|&place| self.contacts.get(place as usize));
-        in_order
-            .filter(|bouncy| bouncy.greatest_speed > 0.0)
-            .map(|bouncy| (bouncy.contact, bouncy.greatest_speed))
+        let bounced = self.contacts.iter().filter(|bouncy| bouncy.greatest_speed > 0.0);
+        bounced.map(|bouncy| (bouncy.contact, bouncy.greatest_speed))
     }
 
     /// Lets everything bounce that meets within this substep, in the order of time. Whether that has moved any body.
     pub(crate) fn run(&mut self, scene: &mut EventScene<'_>) -> bool {
         self.by_row.resize(scene.bodies.row_count(), RowImpacts::default());
-        self.places.resize(self.watched.end() as usize, NONE);
-        for place in self.met.drain(..) {
-            self.contacts[place].impacts = 0;
+        for bouncy in &mut self.contacts {
+            bouncy.impacts = 0;
         }
         self.look_at_all(scene);
-        self.looks_left = usize::from(IMPACTS_PER_SUBSTEP) * self.watched.len();
+        self.looks_left = usize::from(IMPACTS_PER_SUBSTEP) * self.len;
         while let Some(expected) = self.queue.pop() {
             if self.looks_left == 0 {
-                self.watched.set_pending(expected.contact, [false; 2], scene.graph);
+                scene.graph.set_pending(expected.contact, [false; 2]);
                 continue;
             }
-            let place = self.places[expected.contact as usize] as usize;
             // An impact of one of the bodies since then had it expected anew.
-            if expected.impacts_before == self.impacts_of(self.contacts[place].rows) {
-                self.meet(place, expected, scene);
+            if expected.impacts_before == self.impacts_of(scene.graph.rows(expected.contact)) {
+                self.meet(expected, scene);
             }
         }
         let have_moved = !self.hit_rows.is_empty();
@@ -181,9 +174,10 @@ impl Impacts {
             h: scheme.substep_time(),
             restitution_threshold: scheme.restitution_threshold,
         };
-        self.watched.look(scheme.width, substep, scene.graph, &mut due);
-        for number in due.drain(..) {
-            self.expect(number, scene);
+        let look = Look { blocks: &self.blocks, substep, graph: scene.graph, due: &mut due };
+        compute::run(scheme.width, look);
+        for contact in due.drain(..) {
+            self.expect(contact, scene);
         }
         self.due = due;
     }
@@ -193,75 +187,80 @@ impl Impacts {
         rows.iter().map(|&row| self.by_row[row as usize].count).sum()
     }
 
-    /// Where a contact is among those that were looked at closely, from now on if it was not before.
-    fn take_up(
+    /// The contact at a place of the graph as one that was looked at closely, from now on if it was not before.
+    fn look_closely(
         &mut self,
-        number: u32,
-        rows: [u32; 2],
-        normal: Vec2,
+        home: GraphIndex,
+        constraint: &ContactConstraint<f32>,
         scene: &EventScene<'_>,
     ) -> &mut BouncyContact {
-        let place = &mut self.places[number as usize];
-        if *place == NONE {
-            *place = self.contacts.len() as u32;
-            let home = self.watched.home(number);
-            let contact = scene.graph.contact_at(home);
+        let contact = scene.graph.contact_at(home);
+        if self.places.len() <= contact as usize {
+            self.places.resize(scene.contacts.greatest_index() as usize + 1, None);
+        }
+        let place = *self.places[contact as usize].get_or_insert_with(|| {
+            let rows = scene.graph.rows(home);
             // The setting, or what support makes up for anyway.
-            let borne = RESTING_SUBSTEPS * scene.h() * normal.dot(scene.acceleration(rows)).abs();
+            let acceleration = Vec2::from(constraint.normal).dot(scene.acceleration(rows)).abs();
             self.contacts.push(BouncyContact {
                 contact,
                 home,
                 rows,
                 restitution: scene.contacts[contact].restitution,
-                threshold: scene.scheme.restitution_threshold.max(borne),
+                threshold: scene
+                    .scheme
+                    .restitution_threshold
+                    .max(RESTING_SUBSTEPS * scene.h() * acceleration),
                 greatest_speed: 0.0,
                 impacts: 0,
             });
-        }
-        &mut self.contacts[*place as usize]
+            self.contacts.len() as u32 - 1
+        });
+        &mut self.contacts[place as usize]
     }
 
     /// Queues the next impact of a contact, if it comes within this substep, and marks the points that approach fast but
     /// are still apart as pending.
-    fn expect(&mut self, number: u32, scene: &mut EventScene<'_>) {
-        let (rows, block, place) = scene.graph.block(self.watched.home(number));
+    fn expect(&mut self, contact: GraphIndex, scene: &mut EventScene<'_>) {
+        let (rows, block, place) = scene.graph.block(contact);
         let (rows, constraint) = (rows.get(place), block.load(place));
         let pair = scene.states(rows);
         let least = scene.scheme.restitution_threshold;
         let mut speeds = [0, 1].map(|index| approaching(&constraint, index, least, &pair));
         if speeds != [None; 2] {
-            let bouncy = self.take_up(number, rows, constraint.normal.into(), scene);
+            let bouncy = self.look_closely(contact, &constraint, scene);
             let (threshold, may_bounce) = (bouncy.threshold, bouncy.impacts < IMPACTS_PER_SUBSTEP);
             speeds = speeds.map(|speed| speed.filter(|&speed| may_bounce && speed < -threshold));
         }
         if speeds == [None; 2] {
-            return self.watched.set_pending(number, [false; 2], scene.graph);
+            return scene.graph.set_pending(contact, [false; 2]);
         }
         let (h, [a, b]) = (scene.h(), &pair);
         let separations = [0, 1].map(|index| constraint.separation(&constraint.points[index], a, b));
         let is_pending = [0, 1].map(|index| speeds[index].is_some() && separations[index] > 0.0);
-        self.watched.set_pending(number, is_pending, scene.graph);
+        scene.graph.set_pending(contact, is_pending);
         let acceleration = Vec2::from(constraint.normal).dot(scene.acceleration(rows));
         let time_of = |index: usize| time_of_impact(separations[index], speeds[index]?, acceleration, h);
         let first = [0, 1].into_iter().filter_map(time_of).fold(f32::INFINITY, f32::min);
         // Never before an earlier impact of either body: until then it moved otherwise.
         let time = rows.iter().fold(first, |time, &row| time.max(self.by_row[row as usize].last));
         if time <= h {
-            self.queue.push(Expected { time, contact: number, impacts_before: self.impacts_of(rows) });
+            self.queue.push(Expected { time, contact, impacts_before: self.impacts_of(rows) });
         }
     }
 
     /// Looks at two bodies at the time they should meet, and lets them bounce if they do.
-    fn meet(&mut self, place: usize, expected: Expected, scene: &mut EventScene<'_>) {
-        let (number, time) = (expected.contact, expected.time);
-        let bouncy = &mut self.contacts[place];
+    fn meet(&mut self, expected: Expected, scene: &mut EventScene<'_>) {
+        let Expected { time, contact: home, .. } = expected;
+        let contact = scene.graph.contact_at(home);
+        let Some(place) = self.places[contact as usize] else { return };
+        let bouncy = &mut self.contacts[place as usize];
         if bouncy.impacts == IMPACTS_PER_SUBSTEP {
             return;
         }
         bouncy.impacts += 1;
-        self.met.push(place);
         let there = bouncy.states_at(time, scene);
-        let contact = &scene.contacts[bouncy.contact];
+        let contact = &scene.contacts[contact];
         let manifold = manifold_in(contact, scene.bodies, [&there[0], &there[1]]);
         let Some(meeting) = bouncy.meeting(&manifold, time, &there, scene) else { return };
         if meeting.gap > meeting.tolerance {
@@ -275,42 +274,40 @@ impl Impacts {
         let mut after = scene.states(bouncy.rows);
         bouncy.apply_impulses(&meeting, &mut after);
         if manifold.has_features_of(&contact.manifold) {
-            scene.graph.set_geometry(bouncy.home, &meeting.constraint);
+            scene.graph.set_geometry(home, &meeting.constraint);
         } else if let Some(manifold) = manifold.restricted_to(&contact.manifold) {
             let mut constraint = meeting.constraint;
             constraint.set_manifold_in(&manifold, &there[0], &there[1]);
-            scene.graph.set_geometry(bouncy.home, &constraint);
+            scene.graph.set_geometry(home, &constraint);
         }
         self.count += 1;
-        let moved = scene.graph.moved_rows(bouncy.home);
+        let moved = scene.graph.moved_rows(home);
         scene.change_velocities(moved, after, time);
         for row in moved.into_iter().filter(|&row| row != GROUND_ROW) {
             let of_row = &mut self.by_row[row as usize];
             *of_row = RowImpacts { count: of_row.count + 1, last: time };
             self.hit_rows.push(row);
         }
-        self.look_again(moved, number, scene);
+        self.expect(home, scene);
+        for row in moved.into_iter().filter(|&row| row != GROUND_ROW) {
+            self.look_again(row, home, scene);
+        }
     }
 
-    /// Expects the impacts of the contacts of two bodies anew, but for those under load; their own contact has this number.
-    fn look_again(&mut self, rows: [u32; 2], own: u32, scene: &mut EventScene<'_>) {
-        if !self.neighbours_are_built {
-            self.neighbours_are_built = true;
-            self.neighbours.clear(scene.bodies.row_count());
-            let (watched, neighbours) = (&self.watched, &mut self.neighbours);
-            watched.for_each(|number, place| neighbours.add(number, scene.graph.moved_rows(place)));
-        }
-        self.expect(own, scene);
-        for row in rows {
-            let mut place = self.neighbours.last(row);
-            while let Some((number, before)) = self.neighbours.get(place) {
-                self.looks_left = self.looks_left.saturating_sub(1);
-                if number != own && !scene.graph.is_loaded(self.watched.home(number)) {
-                    self.expect(number, scene);
-                }
-                place = before;
+    /// Expects the impacts of the other contacts of a body anew, but for those under load.
+    fn look_again(&mut self, row: u32, own: GraphIndex, scene: &mut EventScene<'_>) {
+        let mut of_body = std::mem::take(&mut self.of_body);
+        let slot = scene.bodies.slot_of_row(row as usize);
+        of_body.extend(scene.contacts.of_body(scene.bodies, slot));
+        self.looks_left = self.looks_left.saturating_sub(of_body.len());
+        for index in of_body.drain(..) {
+            let Some(home) = scene.graph.home(index) else { continue };
+            let may_bounce = scene.contacts[index].restitution > 0.0;
+            if may_bounce && home != own && !scene.graph.is_loaded(home) {
+                self.expect(home, scene);
             }
         }
+        self.of_body = of_body;
     }
 }
 
