@@ -9,8 +9,8 @@ use crate::compute::{
     self, BlocksOver, BodyState, ByColumn, COLUMN, Chosen, Executor, Job, Lane, RowPairs, lock,
 };
 use crate::resolution::constraint::StepResidual;
-use crate::resolution::constraint_graph::ConstraintGraph;
 use crate::resolution::constraint_graph::colour::{Colour, DIRECT, OVERFLOW};
+use crate::resolution::constraint_graph::{ConstraintGraph, Used};
 use crate::resolution::contact_block::{Beginning, ContactBlock, Residuals};
 use crate::resolution::kernel::Kernel;
 use crate::resolution::load::{ContactLoad, LoadMeasure, Loads};
@@ -80,16 +80,19 @@ impl ConstraintGraph {
         states: &mut [BodyState],
         kernel: &impl Kernel,
     ) {
-        if self.used.has_overflow() {
-            one_by_one(BlockPass::over(&mut self.colours[OVERFLOW], states, kernel));
+        let (colours, used) = (&mut self.colours, self.used.swept());
+        if executor.pool.is_alone() {
+            return compute::run(executor.width, Pass { colours, used, states, kernel });
         }
-        for colour in self.used.swept().colours() {
-            let Colour { contacts, blocks, .. } = &mut self.colours[colour];
+        if used.has_overflow() {
+            one_by_one(BlockPass::over(&mut colours[OVERFLOW], states, kernel));
+        }
+        for colour in used.colours() {
+            let Colour { contacts, blocks, .. } = &mut colours[colour];
             let parts = (ByColumn(0..contacts.len()), blocks.over(states));
-            executor.run(parts, SWEEP_COST, |(contacts, blocks)| BlockPass {
-                count: contacts.0.len(),
-                blocks,
-                kernel,
+            executor.run(parts, SWEEP_COST, |(contacts, blocks)| {
+                let count = contacts.0.len();
+                BlockPass { count, blocks, kernel }
             });
         }
     }
@@ -104,6 +107,27 @@ impl ConstraintGraph {
         self.for_each_swept(executor, states, kernel);
         if self.solves_directly() {
             compute::run(executor.width, BlockPass::over(&mut self.colours[DIRECT], states, kernel));
+        }
+    }
+}
+
+/// A pass over all that is swept over, in one go: small worlds have few contacts in many colours.
+struct Pass<'a, K> {
+    colours: &'a mut [Colour],
+    used: Used,
+    states: &'a mut [BodyState],
+    kernel: &'a K,
+}
+
+impl<K: Kernel> Job for Pass<'_, K> {
+    #[inline(always)]
+    fn run<L: Lane>(self) {
+        let Self { colours, used, states, kernel } = self;
+        if used.has_overflow() {
+            one_by_one(BlockPass::over(&mut colours[OVERFLOW], states, kernel));
+        }
+        for colour in used.colours() {
+            BlockPass::over(&mut colours[colour], states, kernel).run::<L>();
         }
     }
 }
