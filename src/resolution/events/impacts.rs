@@ -35,7 +35,7 @@ use crate::resolution::constraint::ContactConstraint;
 use crate::resolution::constraint_graph::{BlockIndex, GraphIndex};
 use crate::resolution::contact_block::Marks;
 use crate::resolution::events::approach::{Look, RESTING_SUBSTEPS, Substep, approach};
-use crate::resolution::events::queue::{Expected, ImpactQueue};
+use crate::resolution::events::queue::{Expected, ImpactQueue, Neighbours};
 use crate::resolution::events::{EventScene, MEETING_TOLERANCE};
 use crate::resolution::moving::manifold_in;
 
@@ -57,8 +57,9 @@ struct BouncyContact {
     threshold: f32,
     /// Greatest speed of an impact in this step, m/s.
     greatest_speed: f32,
-    /// Impacts in this substep.
+    /// Impacts in a substep, and in which: before it there were none.
     impacts: u8,
+    substep: u32,
 }
 
 /// Two bodies at the time they meet.
@@ -95,14 +96,17 @@ pub(crate) struct Impacts {
     contacts: Vec<BouncyContact>,
     /// By index of a contact: which of them it is; shorter where no later contact was ever looked at.
     places: Vec<Option<u32>>,
-    /// Scratch: the contacts that may meet, as the substep begins; and the contacts of a body.
+    /// Scratch: the contacts that may meet, as the substep begins.
     due: Vec<GraphIndex>,
-    of_body: Vec<u32>,
     queue: ImpactQueue,
+    /// Of those that may bounce; empty before the first impact of a step.
+    neighbours: Neighbours,
     by_row: Vec<RowImpacts>,
     /// Rows with an impact in this substep.
     hit_rows: Vec<u32>,
-    /// How many contacts of struck bodies may still be looked at in this substep.
+    /// Which substep of the step this is.
+    substep: u32,
+    /// How many contacts of struck bodies may still be looked at in it.
     looks_left: usize,
     count: usize,
 }
@@ -111,7 +115,8 @@ impl Impacts {
     /// Forgets the contacts of the last step.
     pub(crate) fn clear(&mut self) {
         self.blocks.clear();
-        (self.len, self.count) = (0, 0);
+        self.neighbours.reset(0);
+        (self.len, self.count, self.substep) = (0, 0, 0);
         for bouncy in self.contacts.drain(..) {
             self.places[bouncy.contact as usize] = None;
         }
@@ -142,9 +147,7 @@ impl Impacts {
     /// Lets everything bounce that meets within this substep, in the order of time. Whether that has moved any body.
     pub(crate) fn run(&mut self, scene: &mut EventScene<'_>) -> bool {
         self.by_row.resize(scene.bodies.row_count(), RowImpacts::default());
-        for bouncy in &mut self.contacts {
-            bouncy.impacts = 0;
-        }
+        self.substep += 1;
         self.look_at_all(scene);
         self.looks_left = usize::from(IMPACTS_PER_SUBSTEP) * self.len;
         while let Some(expected) = self.queue.pop() {
@@ -213,10 +216,15 @@ impl Impacts {
                     .max(RESTING_SUBSTEPS * scene.h() * acceleration),
                 greatest_speed: 0.0,
                 impacts: 0,
+                substep: 0,
             });
             self.contacts.len() as u32 - 1
         });
-        &mut self.contacts[place as usize]
+        let (bouncy, substep) = (&mut self.contacts[place as usize], self.substep);
+        if bouncy.substep != substep {
+            (bouncy.substep, bouncy.impacts) = (substep, 0);
+        }
+        bouncy
     }
 
     /// Queues the next impact of a contact, if it comes within this substep, and marks the points that approach fast but
@@ -289,25 +297,29 @@ impl Impacts {
             self.hit_rows.push(row);
         }
         self.expect(home, scene);
-        for row in moved.into_iter().filter(|&row| row != GROUND_ROW) {
-            self.look_again(row, home, scene);
-        }
+        self.look_again(moved, home, scene);
     }
 
-    /// Expects the impacts of the other contacts of a body anew, but for those under load.
-    fn look_again(&mut self, row: u32, own: GraphIndex, scene: &mut EventScene<'_>) {
-        let mut of_body = std::mem::take(&mut self.of_body);
-        let slot = scene.bodies.slot_of_row(row as usize);
-        of_body.extend(scene.contacts.of_body(scene.bodies, slot));
-        self.looks_left = self.looks_left.saturating_sub(of_body.len());
-        for index in of_body.drain(..) {
-            let Some(home) = scene.graph.home(index) else { continue };
-            let may_bounce = scene.contacts[index].restitution > 0.0;
-            if may_bounce && home != own && !scene.graph.is_loaded(home) {
-                self.expect(home, scene);
+    /// Expects the impacts of the other contacts of two bodies anew, but for those under load.
+    fn look_again(&mut self, rows: [u32; 2], own: GraphIndex, scene: &mut EventScene<'_>) {
+        let mut neighbours = std::mem::take(&mut self.neighbours);
+        if neighbours.is_empty() {
+            neighbours.reset(scene.bodies.row_count());
+            for &at in &self.blocks {
+                let (_, block) = scene.graph.block_at(at);
+                block.marks.bouncy.for_each(|place| {
+                    let contact = at.contact(place);
+                    neighbours.add(contact, scene.graph.moved_rows(contact));
+                });
             }
         }
-        self.of_body = of_body;
+        for contact in rows.into_iter().flat_map(|row| neighbours.of(row)) {
+            self.looks_left = self.looks_left.saturating_sub(1);
+            if contact != own && !scene.graph.is_loaded(contact) {
+                self.expect(contact, scene);
+            }
+        }
+        self.neighbours = neighbours;
     }
 }
 
