@@ -6,6 +6,7 @@
 
 mod approach;
 mod impacts;
+mod meeting;
 mod queue;
 mod seams;
 
@@ -13,15 +14,13 @@ use crate::body::Bodies;
 use crate::collision::Contacts;
 use crate::compute::{BodyState, GROUND_ROW};
 use crate::math::Vec2;
-use crate::resolution::constraint_graph::ConstraintGraph;
-pub(crate) use crate::resolution::events::impacts::Impacts;
+use crate::resolution::constraint_graph::{ConstraintGraph, GraphIndex};
+use crate::resolution::events::approach::RESTING_SUBSTEPS;
+pub(crate) use crate::resolution::events::impacts::{Impact, Impacts};
+use crate::resolution::events::meeting::Meeting;
 pub(crate) use crate::resolution::events::seams::Seams;
 use crate::resolution::integrate::{Kicks, drift, drift_until};
 use crate::resolution::scheme::Scheme;
-
-/// Two bodies have met, and two points meet together, within this share of the way that the approach makes in a
-/// substep, no unit: a box that lands flat is not to be tipped over by a rounding error.
-const MEETING_TOLERANCE: f32 = 1e-3;
 
 /// What events happen to.
 #[derive(Debug)]
@@ -57,10 +56,30 @@ impl EventScene<'_> {
         })
     }
 
-    /// Gives the bodies in two rows the velocities of `after` at a time within the substep, s, and moves them by what their
-    /// drift will miss. The ground, whose row stands for all that contacts do not move, stays as it is.
-    fn change_velocities(&mut self, rows: [u32; 2], after: [BodyState; 2], time: f32) {
-        for (row, mut after) in rows.into_iter().zip(after).filter(|&(row, _)| row != GROUND_ROW) {
+    /// The bodies where they will be at a time within the substep, s: x + v t + a t (t - h)/2 for the velocity v of the middle
+    /// of the substep.
+    fn bent_states_at(&self, rows: [u32; 2], time: f32) -> [BodyState; 2] {
+        let mut states = self.states_at(rows, time);
+        for (row, state) in rows.into_iter().zip(&mut states) {
+            let bend = self.kicks.acceleration(row) * (0.5 * time * (time - self.h()));
+            state.delta_position = state.delta_position + bend.into();
+        }
+        states
+    }
+
+    /// Slowest approach along a normal that bounces, m/s: by the setting, or what support makes up for anyway.
+    fn bounce_threshold(&self, normal: Vec2, rows: [u32; 2]) -> f32 {
+        let acceleration = normal.dot(self.acceleration(rows)).abs();
+        self.scheme.restitution_threshold.max(RESTING_SUBSTEPS * self.h() * acceleration)
+    }
+
+    /// Lets two bodies collide that meet at a time within the substep, s, and moves them by what their drift will miss. The
+    /// ground, whose row stands for all that contacts do not move, stays as it is.
+    fn collide(&mut self, home: GraphIndex, meeting: &Meeting, restitution: f32, time: f32) {
+        let mut after = self.states(self.graph.rows(home));
+        meeting.collide(restitution, &mut after);
+        let moved = self.graph.moved_rows(home).into_iter().zip(after);
+        for (row, mut after) in moved.filter(|&(row, _)| row != GROUND_ROW) {
             let state = &mut self.bodies.states[row as usize];
             drift_until(time, state, &mut after);
             *state = after;

@@ -6,7 +6,7 @@ use crate::body::{Bodies, BodyId, BodyType, Motion, NONE};
 use crate::collision::{AHEAD, Refresh, refresh};
 use crate::compute::{BodyState, Chosen, Executor};
 use crate::math::{Rot, Vec2};
-use crate::resolution::{SolveTables, StepResidual, TierTables, begins_at_rest, solve};
+use crate::resolution::{Impact, SolveTables, StepResidual, TierTables, begins_at_rest, solve};
 use crate::world::World;
 use crate::world::attractor::Field;
 use crate::world::events::{ContactEvent, HitEvent};
@@ -260,12 +260,12 @@ impl World {
 
     /// How many contacts may have begun or ceased to touch.
     fn changing_count(&self) -> usize {
-        self.contacts.changing_count() + self.solver.impacts.count()
+        self.contacts.changing_count() + self.solver.impacts.of_step().len()
     }
 
     /// Reports which contacts began, ended or hit.
     fn report_events(&mut self) {
-        for (index, speed) in self.solver.impacts.bounced() {
+        for &Impact { contact: index, speed } in self.solver.impacts.of_step() {
             let contact = &mut self.contacts[index];
             contact.has_bounced = true;
             contact.approach_speed = contact.approach_speed.max(speed);
@@ -325,7 +325,7 @@ impl World {
             contacts: self.graph.len(),
             pairs: self.candidates.len() + self.contacts.len(),
             bouncy_contacts: self.solver.impacts.len(),
-            impacts: self.solver.impacts.count(),
+            impacts: self.solver.impacts.of_step().len(),
             colours,
             overflow,
             substeps: if self.bodies.awake_count() > 0 { self.settings.substeps } else { 0 },

@@ -27,54 +27,38 @@
 //! impact, a look at the contacts of its two bodies. Many bodies on one would make that the square of their number, so
 //! the looks of a substep are bounded too, and the sweeps take what is left. Nothing where no contact has restitution.
 
-use crate::collision::Manifold;
 use crate::compute::{self, BodyState, GROUND_ROW};
 use crate::math::Vec2;
-use crate::resolution::block::{Row, solve_pair};
 use crate::resolution::constraint::ContactConstraint;
 use crate::resolution::constraint_graph::{BlockIndex, GraphIndex};
 use crate::resolution::contact_block::Marks;
-use crate::resolution::events::approach::{Look, RESTING_SUBSTEPS, Substep, approach};
+use crate::resolution::events::EventScene;
+use crate::resolution::events::approach::{Look, Substep, approach};
+use crate::resolution::events::meeting::Meeting;
 use crate::resolution::events::queue::{Expected, ImpactQueue, Neighbours};
-use crate::resolution::events::{EventScene, MEETING_TOLERANCE};
 use crate::resolution::moving::manifold_in;
 
-/// How often one contact may be met within a substep. More happens only where bodies are wedged, and the sweeps take what
-/// is left, as if there were no restitution; or where they turn away from each other for as long as they approach. As
-/// often each contact may be looked at again, on average: what happens in a drum takes less than one look, and many bodies
-/// that all meet each other would take thousands.
-const IMPACTS_PER_SUBSTEP: u8 = 16;
+/// How often two bodies may be struck within a substep before their contact is left to the sweeps, as if there were no
+/// restitution: it is the one that was struck less that counts. More happens only where bodies are wedged.
+const STRIKES_PER_SUBSTEP: u32 = 16;
 
-/// A contact that may bounce, and that was looked at closely.
-#[derive(Clone, Debug)]
-struct BouncyContact {
-    /// Index of the contact, and its place in the constraint graph.
-    contact: u32,
-    home: GraphIndex,
-    rows: [u32; 2],
-    restitution: f32,
-    /// Approach speed from which the contact bounces, m/s.
-    threshold: f32,
-    /// Greatest speed of an impact in this step, m/s.
-    greatest_speed: f32,
-    /// Impacts in a substep, and in which: before it there were none.
-    impacts: u8,
-    substep: u32,
-}
+/// How often each contact may be looked at in a substep, on average, before the sweeps take what is left: what happens in
+/// a drum takes less than one look, a blow that runs through a cradle takes three, and many bodies that all meet each other
+/// would take thousands.
+const LOOKS_PER_CONTACT: usize = 16;
 
-/// Two bodies at the time they meet.
+/// How many looks may find that two bodies do not meet yet, as their surfaces turn away from each other; then they meet in
+/// the next substep. Each closes the gap but for what they turn meanwhile, so that more than a few find bodies that spin as
+/// fast as they approach.
+const LOOKS_IN_VAIN: u8 = 16;
+
+/// An impact that has happened.
 #[derive(Clone, Copy, Debug)]
-struct Meeting {
-    /// Normal, anchors and masses of that time.
-    constraint: ContactConstraint<f32>,
-    /// Per point, its approach speed u (negative), m/s, if it takes part.
-    speeds: [Option<f32>; 2],
-    /// Smallest gap of a point that approaches, m.
-    gap: f32,
-    /// Greatest speed of approach, m/s, positive.
-    speed: f32,
-    /// Gaps that differ by no more than this are closed together, m.
-    tolerance: f32,
+pub(crate) struct Impact {
+    /// Index of the contact.
+    pub(crate) contact: u32,
+    /// Speed of approach, m/s.
+    pub(crate) speed: f32,
 }
 
 /// What a body has been through in this substep.
@@ -92,10 +76,8 @@ pub(crate) struct Impacts {
     /// The blocks of the constraint graph with contacts that may bounce, and how many these are.
     blocks: Vec<BlockIndex>,
     len: usize,
-    /// Those that were looked at closely in this step.
-    contacts: Vec<BouncyContact>,
-    /// By index of a contact: which of them it is; shorter where no later contact was ever looked at.
-    places: Vec<Option<u32>>,
+    /// What has happened in this step.
+    impacts: Vec<Impact>,
     /// Scratch: the contacts that may meet, as the substep begins.
     due: Vec<GraphIndex>,
     queue: ImpactQueue,
@@ -104,11 +86,8 @@ pub(crate) struct Impacts {
     by_row: Vec<RowImpacts>,
     /// Rows with an impact in this substep.
     hit_rows: Vec<u32>,
-    /// Which substep of the step this is.
-    substep: u32,
-    /// How many contacts of struck bodies may still be looked at in it.
+    /// How many looks at contacts are left in this substep.
     looks_left: usize,
-    count: usize,
 }
 
 impl Impacts {
@@ -116,10 +95,8 @@ impl Impacts {
     pub(crate) fn clear(&mut self) {
         self.blocks.clear();
         self.neighbours.reset(0);
-        (self.len, self.count, self.substep) = (0, 0, 0);
-        for bouncy in self.contacts.drain(..) {
-            self.places[bouncy.contact as usize] = None;
-        }
+        self.impacts.clear();
+        self.len = 0;
     }
 
     /// Takes up the contacts of a block that have restitution.
@@ -133,23 +110,16 @@ impl Impacts {
         self.len
     }
 
-    /// How many impacts there were in this step.
-    pub(crate) fn count(&self) -> usize {
-        self.count
-    }
-
-    /// Contacts that bounced in this step, with the greatest speed of their impacts, m/s.
-    pub(crate) fn bounced(&self) -> impl Iterator<Item = (u32, f32)> {
-        let bounced = self.contacts.iter().filter(|bouncy| bouncy.greatest_speed > 0.0);
-        bounced.map(|bouncy| (bouncy.contact, bouncy.greatest_speed))
+    /// The impacts of this step, in the order of time.
+    pub(crate) fn of_step(&self) -> &[Impact] {
+        &self.impacts
     }
 
     /// Lets everything bounce that meets within this substep, in the order of time. Whether that has moved any body.
     pub(crate) fn run(&mut self, scene: &mut EventScene<'_>) -> bool {
         self.by_row.resize(scene.bodies.row_count(), RowImpacts::default());
-        self.substep += 1;
         self.look_at_all(scene);
-        self.looks_left = usize::from(IMPACTS_PER_SUBSTEP) * self.len;
+        self.looks_left = LOOKS_PER_CONTACT * self.len;
         while let Some(expected) = self.queue.pop() {
             if self.looks_left == 0 {
                 scene.graph.set_pending(expected.contact, [false; 2]);
@@ -190,41 +160,13 @@ impl Impacts {
         rows.iter().map(|&row| self.by_row[row as usize].count).sum()
     }
 
-    /// The contact at a place of the graph as one that was looked at closely, from now on if it was not before.
-    fn look_closely(
-        &mut self,
-        home: GraphIndex,
-        constraint: &ContactConstraint<f32>,
-        scene: &EventScene<'_>,
-    ) -> &mut BouncyContact {
-        let contact = scene.graph.contact_at(home);
-        if self.places.len() <= contact as usize {
-            self.places.resize(scene.contacts.greatest_index() as usize + 1, None);
-        }
-        let place = *self.places[contact as usize].get_or_insert_with(|| {
-            let rows = scene.graph.rows(home);
-            // The setting, or what support makes up for anyway.
-            let acceleration = Vec2::from(constraint.normal).dot(scene.acceleration(rows)).abs();
-            self.contacts.push(BouncyContact {
-                contact,
-                home,
-                rows,
-                restitution: scene.contacts[contact].restitution,
-                threshold: scene
-                    .scheme
-                    .restitution_threshold
-                    .max(RESTING_SUBSTEPS * scene.h() * acceleration),
-                greatest_speed: 0.0,
-                impacts: 0,
-                substep: 0,
-            });
-            self.contacts.len() as u32 - 1
-        });
-        let (bouncy, substep) = (&mut self.contacts[place as usize], self.substep);
-        if bouncy.substep != substep {
-            (bouncy.substep, bouncy.impacts) = (substep, 0);
-        }
-        bouncy
+    /// Whether two bodies were struck so often that the sweeps take what is left between them.
+    fn are_wedged(&self, rows: [u32; 2]) -> bool {
+        let moved = rows.iter().filter(|&&row| row != GROUND_ROW);
+        moved
+            .map(|&row| self.by_row[row as usize].count)
+            .min()
+            .is_some_and(|least| least >= STRIKES_PER_SUBSTEP)
     }
 
     /// Queues the next impact of a contact, if it comes within this substep, and marks the points that approach fast but
@@ -236,9 +178,9 @@ impl Impacts {
         let least = scene.scheme.restitution_threshold;
         let mut speeds = [0, 1].map(|index| approaching(&constraint, index, least, &pair));
         if speeds != [None; 2] {
-            let bouncy = self.look_closely(contact, &constraint, scene);
-            let (threshold, may_bounce) = (bouncy.threshold, bouncy.impacts < IMPACTS_PER_SUBSTEP);
-            speeds = speeds.map(|speed| speed.filter(|&speed| may_bounce && speed < -threshold));
+            let threshold = scene.bounce_threshold(constraint.normal.into(), rows);
+            let is_wedged = self.are_wedged(scene.graph.moved_rows(contact));
+            speeds = speeds.map(|speed| speed.filter(|&speed| speed < -threshold && !is_wedged));
         }
         if speeds == [None; 2] {
             return scene.graph.set_pending(contact, [false; 2]);
@@ -253,44 +195,45 @@ impl Impacts {
         // Never before an earlier impact of either body: until then it moved otherwise.
         let time = rows.iter().fold(first, |time, &row| time.max(self.by_row[row as usize].last));
         if time <= h {
-            self.queue.push(Expected { time, contact, impacts_before: self.impacts_of(rows) });
+            let impacts_before = self.impacts_of(rows);
+            self.queue.push(Expected { time, contact, impacts_before, looks_in_vain: 0 });
         }
     }
 
     /// Looks at two bodies at the time they should meet, and lets them bounce if they do.
     fn meet(&mut self, expected: Expected, scene: &mut EventScene<'_>) {
-        let Expected { time, contact: home, .. } = expected;
-        let contact = scene.graph.contact_at(home);
-        let Some(place) = self.places[contact as usize] else { return };
-        let bouncy = &mut self.contacts[place as usize];
-        if bouncy.impacts == IMPACTS_PER_SUBSTEP {
-            return;
-        }
-        bouncy.impacts += 1;
-        let there = bouncy.states_at(time, scene);
-        let contact = &scene.contacts[contact];
+        let Expected { time, contact: home, looks_in_vain, .. } = expected;
+        let (index, rows) = (scene.graph.contact_at(home), scene.graph.rows(home));
+        let contact = &scene.contacts[index];
+        let there = scene.bent_states_at(rows, time);
         let manifold = manifold_in(contact, scene.bodies, [&there[0], &there[1]]);
-        let Some(meeting) = bouncy.meeting(&manifold, time, &there, scene) else { return };
-        if meeting.gap > meeting.tolerance {
+        let mut constraint = scene.graph.constraint(home);
+        constraint.set_manifold_in(&manifold, &there[0], &there[1]);
+        let gained = manifold.normal.dot(scene.acceleration(rows)) * (time - 0.5 * scene.h());
+        let threshold = scene.bounce_threshold(manifold.normal, rows);
+        let mut gaps = [f32::INFINITY; 2];
+        for (gap, point) in gaps.iter_mut().zip(manifold.points()) {
+            *gap = point.separation;
+        }
+        let meeting = Meeting::new(constraint, gaps, &there, gained, threshold, scene.h());
+        let Some(meeting) = meeting else { return };
+        if !meeting.is_now() {
             // The surfaces have turned away from each other since: they meet later.
             let later = time + meeting.gap / meeting.speed;
-            if later <= scene.h() {
-                self.queue.push(Expected { time: later, ..expected });
+            if later <= scene.h() && looks_in_vain < LOOKS_IN_VAIN {
+                self.queue.push(Expected { time: later, looks_in_vain: looks_in_vain + 1, ..expected });
             }
             return;
         }
-        let mut after = scene.states(bouncy.rows);
-        bouncy.apply_impulses(&meeting, &mut after);
+        self.impacts.push(Impact { contact: index, speed: meeting.speed });
+        scene.collide(home, &meeting, contact.restitution, time);
         if manifold.has_features_of(&contact.manifold) {
-            scene.graph.set_geometry(home, &meeting.constraint);
+            scene.graph.set_geometry(home, &constraint);
         } else if let Some(manifold) = manifold.restricted_to(&contact.manifold) {
-            let mut constraint = meeting.constraint;
             constraint.set_manifold_in(&manifold, &there[0], &there[1]);
             scene.graph.set_geometry(home, &constraint);
         }
-        self.count += 1;
         let moved = scene.graph.moved_rows(home);
-        scene.change_velocities(moved, after, time);
         for row in moved.into_iter().filter(|&row| row != GROUND_ROW) {
             let of_row = &mut self.by_row[row as usize];
             *of_row = RowImpacts { count: of_row.count + 1, last: time };
@@ -332,66 +275,6 @@ fn approaching(
 ) -> Option<f32> {
     let (speed, is_fast) = approach(constraint, index, threshold, pair);
     is_fast.then_some(speed)
-}
-
-impl BouncyContact {
-    /// The two bodies where they will be at a time within the substep: x + v t + a t (t - h)/2 for the velocity v
-    /// of the middle of the substep.
-    fn states_at(&self, time: f32, scene: &EventScene<'_>) -> [BodyState; 2] {
-        let mut states = scene.states_at(self.rows, time);
-        for (row, state) in self.rows.into_iter().zip(&mut states) {
-            let bend = scene.kicks.acceleration(row) * (0.5 * time * (time - scene.h()));
-            state.delta_position = state.delta_position + bend.into();
-        }
-        states
-    }
-
-    /// What of a manifold at a time meets there; `None` if nothing approaches fast enough to bounce.
-    fn meeting(
-        &self,
-        manifold: &Manifold,
-        time: f32,
-        [a, b]: &[BodyState; 2],
-        scene: &EventScene<'_>,
-    ) -> Option<Meeting> {
-        let mut constraint = scene.graph.constraint(self.home);
-        constraint.set_manifold_in(manifold, a, b);
-        let gained = manifold.normal.dot(scene.acceleration(self.rows)) * (time - 0.5 * scene.h());
-        let mut speeds = [None; 2];
-        let mut gaps = [f32::INFINITY; 2];
-        for (index, there) in manifold.points().iter().enumerate() {
-            let point = &constraint.points[index];
-            let speed = constraint.normal.dot(point.relative_velocity(a, b)) + gained;
-            if speed < -self.threshold {
-                (speeds[index], gaps[index]) = (Some(speed), there.separation);
-            }
-        }
-        let gap = gaps[0].min(gaps[1]);
-        let speed = -speeds.into_iter().flatten().fold(0.0, f32::min);
-        let tolerance = MEETING_TOLERANCE * speed * scene.h();
-        let speeds = [0, 1].map(|index| speeds[index].filter(|_| gaps[index] <= gap + tolerance));
-        (speed > 0.0).then_some(Meeting { constraint, speeds, gap, speed, tolerance })
-    }
-
-    /// Turns the approach speed u of each point that takes part into -e u.
-    fn apply_impulses(&mut self, meeting: &Meeting, pair: &mut [BodyState; 2]) {
-        let constraint = &meeting.constraint;
-        let [point_1, point_2] = &constraint.points;
-        // The change asked for, u - (-e u), is q of the complementarity problem K x + q ≥ 0.
-        let change = meeting.speeds.map(|speed| speed.map(|u| (1.0 + self.restitution) * u));
-        let impulses = match change {
-            [Some(q_1), Some(q_2)] => {
-                let row = |own| Row { own, other: constraint.coupling, scale: 1.0 };
-                solve_pair([row(point_1.normal_k), row(point_2.normal_k)], [q_1, q_2])
-            }
-            _ => [
-                change[0].map_or(0.0, |q| (-q / point_1.normal_k).max(0.0)),
-                change[1].map_or(0.0, |q| (-q / point_2.normal_k).max(0.0)),
-            ],
-        };
-        constraint.apply_collision_impulses(impulses, pair);
-        self.greatest_speed = self.greatest_speed.max(meeting.speed);
-    }
 }
 
 /// When the gap `s` closes, within [0, h], for mid-substep speed `v` < 0 and acceleration `a`: the first

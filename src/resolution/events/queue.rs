@@ -15,26 +15,28 @@ pub(super) struct Expected {
     pub(super) contact: GraphIndex,
     /// How many impacts its bodies had been through when it was expected.
     pub(super) impacts_before: u32,
+    /// How many looks since then found that they do not meet yet.
+    pub(super) looks_in_vain: u8,
 }
 
 /// Expected impacts, earliest first; among equal times, the contact that is first in the constraint graph.
 #[derive(Clone, Debug, Default)]
 pub(super) struct ImpactQueue {
-    heap: BinaryHeap<Reverse<(u32, GraphIndex, u32)>>,
+    heap: BinaryHeap<Reverse<(u32, GraphIndex, u32, u8)>>,
 }
 
 impl ImpactQueue {
     /// Adds an impact at a time of 0 s or later.
-    pub(super) fn push(&mut self, Expected { time, contact, impacts_before }: Expected) {
+    pub(super) fn push(&mut self, Expected { time, contact, impacts_before, looks_in_vain }: Expected) {
         debug_assert!(time >= 0.0);
         // The bits of floats that are 0 or more sort as the floats do; + 0.0 makes a -0.0 positive.
-        self.heap.push(Reverse(((time + 0.0).to_bits(), contact, impacts_before)));
+        self.heap.push(Reverse(((time + 0.0).to_bits(), contact, impacts_before, looks_in_vain)));
     }
 
     /// Takes the earliest impact.
     pub(super) fn pop(&mut self) -> Option<Expected> {
-        let Reverse((bits, contact, impacts_before)) = self.heap.pop()?;
-        Some(Expected { time: f32::from_bits(bits), contact, impacts_before })
+        let Reverse((bits, contact, impacts_before, looks_in_vain)) = self.heap.pop()?;
+        Some(Expected { time: f32::from_bits(bits), contact, impacts_before, looks_in_vain })
     }
 }
 
@@ -108,7 +110,7 @@ mod tests {
         let mut queue = ImpactQueue::default();
         for (time, place) in [(0.5, 1), (0.0, 9), (0.25, 4), (-0.0, 2), (0.25, 3)] {
             let contact = block.contact(place);
-            queue.push(Expected { time, contact, impacts_before: 7 - place as u32 % 7 });
+            queue.push(Expected { time, contact, impacts_before: 7 - place as u32 % 7, looks_in_vain: 0 });
         }
         let order: Vec<_> = std::iter::from_fn(|| queue.pop()).map(|expected| expected.contact).collect();
         assert_eq!(order, [2, 9, 3, 4, 1].map(|place| block.contact(place)));

@@ -14,7 +14,8 @@
 use crate::compute::{BodyState, GROUND_ROW, LaneVec2};
 use crate::resolution::constraint::ContactConstraint;
 use crate::resolution::constraint_graph::{ConstraintGraph, GraphIndex};
-use crate::resolution::events::{EventScene, MEETING_TOLERANCE};
+use crate::resolution::events::EventScene;
+use crate::resolution::events::meeting::Meeting;
 use crate::resolution::integrate::drift_until;
 use crate::resolution::moving::constraint_in;
 
@@ -182,15 +183,11 @@ impl Piece {
             return false;
         };
         scene.graph.set_geometry(home, &constraint);
-        let mut after = scene.states(self.rows);
-        let speed = -constraint.normal.dot(constraint.points[0].relative_velocity(&after[0], &after[1]));
-        if gap - self.level > MEETING_TOLERANCE * speed.abs() * scene.h() {
-            return false;
-        }
+        let gaps = [gap - self.level, f32::INFINITY];
+        let meeting = Meeting::new(constraint, gaps, &there, 0.0, 0.0, scene.h());
+        let Some(meeting) = meeting.filter(Meeting::is_now) else { return false };
         self.be_ahead(false, scene.graph);
-        let impulse = (speed / constraint.points[0].normal_k).max(0.0);
-        constraint.apply_collision_impulses([impulse, 0.0], &mut after);
-        scene.change_velocities(scene.graph.moved_rows(home), after, time);
+        scene.collide(home, &meeting, 0.0, time);
         true
     }
 }
