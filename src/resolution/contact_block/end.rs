@@ -68,16 +68,17 @@ impl ContactBlock {
             to.anchor_a.store::<L>(place, anchors[0]);
             to.anchor_b.store::<L>(place, anchors[1]);
             load = load.max(point.normal_k * point.normal_impulse);
-            penetration = penetration.max(L::select(is_there, -separation, zero));
+            // Zero less a zero is 0, never -0; and what is not a number is not greater than anything.
+            penetration = L::select(is_there, zero - separation, zero).max(penetration);
             let (is_apart, is_pressed) = (separation.greater(zero), point.normal_impulse.greater(zero));
             touching |= L::bits(is_there) & (!L::bits(is_apart) | L::bits(is_pressed));
-            let approach = -constraint.normal.dot(point.relative_velocity(a, b));
+            let approach = zero - constraint.normal.dot(point.relative_velocity(a, b));
             let mut left = L::select(is_there, L::select(is_apart, zero, approach), zero);
             if self.has_pending() {
                 // What is pending is not to be stopped yet.
                 left = L::select(self.marks.pending[index].mask::<L>(place), zero, left);
             }
-            approach_speed = approach_speed.max(left);
+            approach_speed = left.max(approach_speed);
         }
         residuals.load.store::<L>(place, load);
         residuals.penetration.store::<L>(place, penetration);
@@ -96,6 +97,52 @@ impl ContactBlock {
             stored.separation = point.separation.get(place);
             stored.normal_impulse = point.normal_impulse.get(place);
             stored.tangent_impulse = self.columns.frictions[index].impulse.get(place);
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{ContactBlock, Residuals};
+    use crate::compute::{BodyState, F32x4, Lane};
+    use crate::resolution::contact_block::Fit;
+
+    /// What is left wrong of a point at a distance of `separation`, m, between bodies that move with `velocities`, m/s.
+    fn left_wrong<L: Lane>(is_single: bool, separation: f32, velocities: [f32; 2]) -> [f32; 2] {
+        let mut block = ContactBlock { fit: Fit { is_single, ..Fit::default() }, ..ContactBlock::default() };
+        block.columns.points[0].normal_k.set(0, 1.0);
+        block.columns.points[0].separation.set(0, separation);
+        block.columns.normal.x.set(0, 1.0);
+        let state = |velocity| {
+            let mut state = BodyState::<L>::at_rest();
+            state.velocity.x = L::splat(velocity);
+            state
+        };
+        let mut residuals = Residuals::default();
+        block.end(0, &velocities.map(state), &mut residuals);
+        let greatest = residuals.greatest();
+        [greatest.penetration, greatest.approach_speed]
+    }
+
+    /// Which of two zeros is the greater is not said anywhere: processors differ.
+    #[test]
+    fn what_is_not_wrong_is_zero_without_a_sign() {
+        for (is_single, separation) in [(true, 0.0), (true, -0.0), (false, 0.0), (false, -0.0)] {
+            for velocities in [[0.0, 0.0], [-0.0, 0.0], [0.0, -0.0], [3.0, 3.0]] {
+                for left in [left_wrong::<f32>, left_wrong::<F32x4>] {
+                    let left = left(is_single, separation, velocities).map(f32::to_bits);
+                    assert_eq!(left, [0, 0], "{separation:?} m, {velocities:?} m/s");
+                }
+            }
+        }
+    }
+
+    /// What is not a number would reach the next contact at its place in the block, and no other.
+    #[test]
+    fn what_is_not_a_number_is_passed_over() {
+        for is_single in [true, false] {
+            assert_eq!(left_wrong::<f32>(is_single, f32::NAN, [f32::NAN, 0.0]), [0.0, 0.0]);
+            assert_eq!(left_wrong::<F32x4>(is_single, -0.25, [2.0, 0.5]), [0.25, 1.5]);
         }
     }
 }
