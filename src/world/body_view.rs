@@ -284,8 +284,10 @@ impl<'a> BodyMut<'a> {
     /// # Errors
     /// [`BodyError`], if a component is not finite or beyond 10¹⁸ N s.
     pub fn apply_impulse(&mut self, impulse: impl Into<Vec2>) -> Result<(), BodyError> {
-        let center = self.motion().pose.center;
-        self.apply_impulse_at(impulse, center)
+        let impulse = impulse.into();
+        check_vector("the impulse", impulse, "N s")?;
+        self.add_velocity(impulse, 0.0);
+        Ok(())
     }
 
     /// Changes velocity and spin by an impulse, N s, that acts at `place`, m. Only dynamic bodies respond.
@@ -332,8 +334,10 @@ impl<'a> BodyMut<'a> {
     /// # Errors
     /// [`BodyError`], if a component is not finite or beyond 10¹⁸ N.
     pub fn apply_force(&mut self, force: impl Into<Vec2>) -> Result<(), BodyError> {
-        let center = self.motion().pose.center;
-        self.apply_force_at(force, center)
+        let force = force.into();
+        check_vector("the force", force, "N")?;
+        self.add_force(force, 0.0);
+        Ok(())
     }
 
     /// Applies a force, N, at `place`, m, during the next step. Forces of several calls add up.

@@ -2,6 +2,7 @@
 
 mod damping_by_count;
 mod flying_out_of_a_direct_island;
+mod impulse_far_away;
 mod met_in_one_corner;
 mod pair_with_a_body_that_left;
 mod pair_with_a_removed_body;
