@@ -298,13 +298,15 @@ impl Lane for F32x8 {
     #[inline(always)]
     fn store_velocities(states: &mut [BodyState], first: usize, state: &BodyState<Self>) {
         let states: &mut [BodyState; 8] = states[first..].first_chunk_mut().expect("eight rows");
+        // One pointer for all, as in `store_rows`.
+        let states = states.as_mut_ptr();
         let pairs = transpose(state.first_numbers().map(|numbers| numbers.0));
         for (place, pair) in pairs.into_iter().enumerate() {
             // SAFETY: AVX2 is there, see the module. There are eight states, which begin with four numbers, aligned to 16
             // bytes.
             unsafe {
-                _mm_store_ps(states.as_mut_ptr().add(place).cast(), _mm256_castps256_ps128(pair));
-                _mm_store_ps(states.as_mut_ptr().add(place + 4).cast(), _mm256_extractf128_ps::<1>(pair));
+                _mm_store_ps(states.add(place).cast(), _mm256_castps256_ps128(pair));
+                _mm_store_ps(states.add(place + 4).cast(), _mm256_extractf128_ps::<1>(pair));
             }
         }
     }
