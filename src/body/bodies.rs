@@ -166,7 +166,7 @@ impl Bodies {
             let row = self.give_row(slot);
             let state = &mut self.states[row as usize];
             state.velocity = body.velocity.into();
-            state.angular_velocity = if body.shape.can_rotate() { body.angular_velocity } else { 0.0 };
+            state.angular_velocity = if body.can_turn() { body.angular_velocity } else { 0.0 };
         }
         BodyId(key)
     }

@@ -112,7 +112,8 @@ impl Body {
         self
     }
 
-    /// Angular velocity, rad/s, counter-clockwise. Fixed bodies and axis-aligned boxes ignore it.
+    /// Angular velocity, rad/s, counter-clockwise. Fixed bodies, axis-aligned boxes and bodies with
+    /// [fixed rotation](Self::fixed_rotation) ignore it.
     pub fn angular_velocity(mut self, angular_velocity: f32) -> Self {
         self.angular_velocity = angular_velocity;
         self
@@ -148,7 +149,9 @@ impl Body {
         self
     }
 
-    /// Whether contacts leave the body's rotation alone.
+    /// Whether the body never turns: it keeps the angle it is given, and its angular velocity is 0. Its moment of inertia
+    /// is infinite, so that a spin would never run down: a motor that takes its energy from nowhere. A kinematic body is
+    /// such a motor, and the one to use.
     pub fn fixed_rotation(mut self, fixed: bool) -> Self {
         self.fixed_rotation = fixed;
         self
@@ -178,7 +181,7 @@ impl Body {
         self
     }
 
-    /// Whether contacts and torques can turn the body.
+    /// Whether the body can turn.
     pub(crate) fn can_turn(&self) -> bool {
         self.shape.can_rotate() && !self.fixed_rotation
     }

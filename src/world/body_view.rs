@@ -264,13 +264,14 @@ impl<'a> BodyMut<'a> {
         Ok(())
     }
 
-    /// Sets the angular velocity, rad/s. Fixed bodies and axis-aligned boxes stay at rest.
+    /// Sets the angular velocity, rad/s. Fixed bodies, axis-aligned boxes and bodies with
+    /// [fixed rotation](Body::fixed_rotation) do not turn.
     ///
     /// # Errors
     /// [`BodyError`], if it is not finite or beyond 10¹⁸ rad/s.
     pub fn set_angular_velocity(&mut self, angular_velocity: f32) -> Result<(), BodyError> {
         check_strength("the angular velocity", angular_velocity, "rad/s")?;
-        if !self.view().shape().can_rotate() {
+        if self.record().fixed_rotation || !self.view().shape().can_rotate() {
             return Ok(());
         }
         if let Some(state) = self.state() {

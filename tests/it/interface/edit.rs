@@ -7,29 +7,29 @@ use crate::support::{add, assert_near, assert_relative, place, velocity};
 #[test]
 fn a_removed_body_gives_back_what_it_was_and_can_be_added_again() {
     let mut world = World::new(Settings::default());
-    let given = Body::dynamic(Shape::obb(2.0, 1.0))
+    let body = Body::dynamic(Shape::obb(2.0, 1.0))
         .at([3.0, -4.0])
         .angle(0.5)
         .velocity([1.0, 2.0])
-        .angular_velocity(-3.0)
         .material(Material::METAL)
         .mass(7.0)
-        .fixed_rotation(true)
         .gravity_scale(-0.5)
         .linear_damping(0.25)
         .angular_damping(0.75)
         .user_data(u64::MAX);
-    let id = add(&mut world, given.clone());
-    let described = world.body_mut(id).unwrap().describe();
-    let back = world.remove(id).unwrap();
-    assert_eq!(described.as_ref(), Some(&back));
-    // The angle goes through its cosine and sine; all else is the same bits.
-    let angle = {
-        let again = add(&mut world, back.clone());
-        f64::from(world.body(again).unwrap().angle())
-    };
-    assert_near(angle, 0.5, 1e-6, "angle");
-    assert_eq!(back.angle(0.5), given);
+    for given in [body.clone().angular_velocity(-3.0), body.fixed_rotation(true)] {
+        let id = add(&mut world, given.clone());
+        let described = world.body_mut(id).unwrap().describe();
+        let back = world.remove(id).unwrap();
+        assert_eq!(described.as_ref(), Some(&back));
+        // The angle goes through its cosine and sine; all else is the same bits.
+        let angle = {
+            let again = add(&mut world, back.clone());
+            f64::from(world.body(again).unwrap().angle())
+        };
+        assert_near(angle, 0.5, 1e-6, "angle");
+        assert_eq!(back.angle(0.5), given);
+    }
 }
 
 /// What leaves the bounds is taken out and reported, what touched it hears of it, and what is fixed may be outside.

@@ -1,6 +1,7 @@
 //! What was wrong once, one file for each bug, named by what was seen of it.
 
 mod damping_by_count;
+mod fixed_rotation_that_spins;
 mod flying_out_of_a_direct_island;
 mod impulse_far_away;
 mod met_in_one_corner;
