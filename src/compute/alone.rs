@@ -1,8 +1,8 @@
-//! The pool without the feature `parallel`: the caller alone.
+//! The workers without the feature `parallel`: the caller alone.
 
 /// Nobody beside the caller.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Workers;
+pub(super) struct SharedWorkers;
 
 /// There is nobody to let sleep when it goes.
 #[must_use = "as that of the feature"]
@@ -13,12 +13,18 @@ impl AtWork {
     pub(super) const ALONE: Self = Self;
 }
 
-#[expect(clippy::unused_self, reason = "it is called as the workers of the feature is")]
-impl Workers {
+#[expect(clippy::unused_self, reason = "it is called as those of the feature are")]
+impl SharedWorkers {
+    #[inline(always)]
+    pub(super) fn keep_only(&mut self, _threads: usize) {}
+
     #[inline(always)]
     pub(super) fn begin(&mut self, _threads: usize) -> AtWork {
         AtWork::ALONE
     }
+
+    #[inline(always)]
+    pub(super) fn end(&mut self, _at_work: AtWork) {}
 
     #[inline(always)]
     pub(super) fn threads(&self) -> usize {

@@ -32,6 +32,8 @@ mod pool;
 #[cfg(any(test, not(any(target_arch = "x86_64", target_arch = "aarch64"))))]
 mod portable;
 mod prefetch;
+#[cfg_attr(not(feature = "parallel"), path = "alone.rs")]
+mod shared_workers;
 #[cfg(target_arch = "x86_64")]
 mod sse2;
 mod state;
@@ -40,7 +42,7 @@ mod sync;
 #[cfg(test)]
 mod tests;
 mod vector;
-#[cfg_attr(not(feature = "parallel"), path = "alone.rs")]
+#[cfg(feature = "parallel")]
 mod workers;
 
 #[cfg(target_arch = "aarch64")]

@@ -11,7 +11,7 @@
 use core::cell::UnsafeCell;
 use core::ops::Range;
 
-use crate::compute::workers::{AtWork, Workers};
+use crate::compute::shared_workers::{AtWork, SharedWorkers};
 use crate::compute::{COLUMN, Job, Width, run};
 
 /// A part is worth a thread if it takes so long, ns: twice as long as another thread takes to begin it.
@@ -31,10 +31,10 @@ const STEP_COST: usize = 100;
 /// Most threads that work on one step.
 pub(crate) const MOST_THREADS: usize = 16;
 
-/// The threads that work on the steps of one world. A clone starts its own.
+/// The threads that work on the steps of one world.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct ThreadPool {
-    workers: Workers,
+    workers: SharedWorkers,
     /// Whether work is divided however little it is: for tests.
     divides_all: bool,
 }
@@ -65,10 +65,17 @@ pub(crate) trait Divide: Sized + Send {
 
 impl ThreadPool {
     /// Begins a step with up to so many threads, the caller's among them, on so many bodies and contacts. They work until
-    /// what is returned goes, and rest until the next step.
+    /// the step ends, or until what is returned goes, as where the step panics.
     pub(crate) fn begin_step(&mut self, threads: usize, size: usize) -> AtWork {
+        let threads = threads.min(MOST_THREADS);
+        self.workers.keep_only(threads);
         let is_worth_it = self.divides_all || size * STEP_COST >= LEAST_STEP;
-        if threads > 1 && is_worth_it { self.workers.begin(threads.min(MOST_THREADS)) } else { AtWork::ALONE }
+        if threads > 1 && is_worth_it { self.workers.begin(threads) } else { AtWork::ALONE }
+    }
+
+    /// Lets the threads of a step go: they rest until the next step of any world.
+    pub(crate) fn end_step(&mut self, at_work: AtWork) {
+        self.workers.end(at_work);
     }
 
     /// Divides work from now on however little it is.

@@ -1,9 +1,8 @@
-//! The threads of a pool: woken once per step, then without rest until its end.
+//! Threads beside that of a step: woken once per step, then without rest until its end.
 //!
 //! Own threads and no library's, as the colours of a sweep are short: two threads do 3 µs of work in under 2 µs, where
 //! `rayon::join` takes 2.9 µs. Nothing is allocated, and a thread gets the same parts of each sweep, which it has in
 //! its cache.
-
 //!
 //! A part that panics ends there; the others are done, threads rest, and the caller gets the panic. What is worked on is
 //! borrowed: nothing that waits for its end may unwind.
@@ -190,12 +189,12 @@ fn wait(looks: &mut u32, limit: u32) {
     }
 }
 
-/// The threads beside the caller.
+/// Threads beside the caller, for one step at a time.
 pub(super) struct Workers {
     queue: Arc<TaskQueue>,
     threads: Vec<JoinHandle<()>>,
-    /// How many threads were asked for, the caller's among them: there may be fewer.
-    asked_for: usize,
+    /// The process that has the threads, if there are any. One that was forked from it has none of them.
+    process: Option<u32>,
 }
 
 /// Lets the threads sleep when it goes, also where that is because of a panic.
@@ -215,19 +214,6 @@ impl AtWork {
     pub(super) const ALONE: Self = Self(None);
 }
 
-impl Default for Workers {
-    fn default() -> Self {
-        Self { queue: Arc::new(TaskQueue::new(1)), threads: Vec::new(), asked_for: 1 }
-    }
-}
-
-impl Clone for Workers {
-    /// A workers of its own, that has no threads yet.
-    fn clone(&self) -> Self {
-        Self::default()
-    }
-}
-
 impl core::fmt::Debug for Workers {
     fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
         f.debug_struct("Workers").field("threads", &self.threads.len()).finish_non_exhaustive()
@@ -235,18 +221,45 @@ impl core::fmt::Debug for Workers {
 }
 
 impl Drop for Workers {
+    /// Ends the threads.
     fn drop(&mut self) {
-        self.shut_down();
+        let are_here = self.are_here();
+        self.set_phase(SHUT_DOWN);
+        for thread in self.threads.drain(..) {
+            if are_here {
+                // Nothing of a thread's own can fail: what it works on is caught.
+                _ = thread.join();
+            } else {
+                // There is nothing to wait for, and to give up a thread of another process is no more allowed.
+                core::mem::forget(thread);
+            }
+        }
     }
 }
 
 impl Workers {
-    /// Wakes so many threads, the caller's among them; starts them where they are not there yet.
-    pub(super) fn begin(&mut self, threads: usize) -> AtWork {
-        if self.asked_for != threads {
-            self.shut_down();
-            self.spawn(threads);
-        }
+    /// Starts so many threads but one, the caller's. They sleep until they are woken.
+    pub(super) fn start(threads: usize) -> Self {
+        let queue = Arc::new(TaskQueue::new(threads));
+        let start = |place| {
+            let queue = Arc::clone(&queue);
+            let thread = thread::Builder::new().name("rustycs".into());
+            thread.spawn(move || queue.work_until_shut_down(place))
+        };
+        // Where there are no more threads to be had, as on the web, the caller does all there is to do.
+        let threads: Vec<_> = (0..threads - 1).map_while(|place| start(place).ok()).collect();
+        // Asked only where there are threads: on the web there are no processes either.
+        let process = (!threads.is_empty()).then(std::process::id);
+        Self { queue, threads, process }
+    }
+
+    /// Whether this process has the threads.
+    pub(super) fn are_here(&self) -> bool {
+        self.process.is_none_or(|process| process == std::process::id())
+    }
+
+    /// Wakes the threads, for a step.
+    pub(super) fn wake(&self) -> AtWork {
         if self.threads.is_empty() {
             return AtWork::ALONE;
         }
@@ -264,26 +277,6 @@ impl Workers {
     /// Does work on each of some parts, at most one for each thread.
     pub(super) fn run(&self, parts: usize, work: &(dyn Fn(usize) + Sync)) {
         self.queue.run(parts, work);
-    }
-
-    fn spawn(&mut self, threads: usize) {
-        self.asked_for = threads;
-        self.queue = Arc::new(TaskQueue::new(threads));
-        for place in 0..threads - 1 {
-            let queue = Arc::clone(&self.queue);
-            let thread = thread::Builder::new().name("rustycs".into());
-            // Where there are no more threads to be had, as on the web, the caller does all there is to do.
-            let Ok(spawned) = thread.spawn(move || queue.work_until_shut_down(place)) else { break };
-            self.threads.push(spawned);
-        }
-    }
-
-    fn shut_down(&mut self) {
-        self.set_phase(SHUT_DOWN);
-        for thread in self.threads.drain(..) {
-            // Nothing of a thread's own can fail: what it works on is caught.
-            _ = thread.join();
-        }
     }
 
     fn set_phase(&self, phase: u8) {
@@ -334,8 +327,8 @@ mod loom_tests {
     #[test]
     fn loom_each_part_is_done_once_before_the_work_ends() {
         check(3, || {
-            let mut workers = Workers::default();
-            let at_work = workers.begin(2);
+            let workers = Workers::start(2);
+            let at_work = workers.wake();
             let visits = Visits::new(2);
             for task in 1..3 {
                 workers.run(2, &|part| visits.visit(part));
@@ -366,10 +359,10 @@ mod loom_tests {
     #[test]
     fn loom_threads_that_rest_come_back_for_the_next_step() {
         check(3, || {
-            let mut workers = Workers::default();
+            let workers = Workers::start(2);
             let visits = Visits::new(2);
             for step in 1..3 {
-                let at_work = workers.begin(2);
+                let at_work = workers.wake();
                 workers.run(2, &|part| visits.visit(part));
                 visits.assert_all(step);
                 drop(at_work);
@@ -380,8 +373,8 @@ mod loom_tests {
     #[test]
     fn loom_a_part_that_panics_ends_no_other() {
         check(2, || {
-            let mut workers = Workers::default();
-            let at_work = workers.begin(2);
+            let workers = Workers::start(2);
+            let at_work = workers.wake();
             let done = AtomicU8::new(0);
             let run = || {
                 workers.run(2, &|part| {

@@ -39,8 +39,8 @@ use crate::world::sleep::{SleepTables, Sleepers};
 
 /// Bodies, forces and attractors that are simulated together.
 ///
-/// A world owns all it needs and shares nothing: it can be cloned, sent to another thread, and stepped there
-/// with the same result, bit for bit.
+/// A world owns all it needs and shares nothing, but threads where [`Settings::threads`] asks for some: it can be cloned,
+/// sent to another thread, and stepped there with the same result, bit for bit.
 ///
 /// ```
 /// use rustycs::prelude::*;

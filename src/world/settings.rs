@@ -79,7 +79,8 @@ pub struct Settings {
     pub lanes: Lanes,
     /// How many threads may work on a step, the caller's among them, 1 to 16: no more than the processor has cores. No
     /// bit of a result depends on it. A step that is too short to be worth it is done by one, and all are where the
-    /// feature `parallel` is off. Default 1.
+    /// feature `parallel` is off. Worlds with the same number share threads, which end at the first step of the last
+    /// of them that asks for another number, or with it. Default 1.
     pub threads: usize,
     /// Whether contacts of one point, without friction, or of bodies that do not turn are solved by kernels that leave
     /// out what is not there. No bit of a result depends on it: it is there to measure what that saves. Default true.

@@ -59,7 +59,7 @@ impl World {
         self.remove_those_that_left();
         let resting = if sleep::is_due(self.ticks, self.settings.tick_rate) { self.resting } else { 0 };
         profile.run_stage(Stage::Sleep, resting, || self.put_to_sleep());
-        drop(at_work);
+        self.pool.end_step(at_work);
         profile.counters = self.count();
         self.profile = profile;
         self.ticks += 1;

@@ -8,3 +8,5 @@ mod met_in_one_corner;
 mod pair_with_a_body_that_left;
 mod pair_with_a_removed_body;
 mod stale_manifold;
+#[cfg(all(target_os = "linux", feature = "parallel"))]
+mod threads_of_many_worlds;
