@@ -179,6 +179,22 @@ impl Bodies {
         Some(description)
     }
 
+    /// Gives up the free slots after the last body, and rows beyond those of the awake.
+    pub(crate) fn trim(&mut self) {
+        self.records.trim();
+        let slots = self.slot_count();
+        self.motions.truncate(slots);
+        self.forcings.truncate(slots);
+        self.shapes.truncate(slots);
+        self.awake.trim();
+        self.states.truncate(self.row_count().next_multiple_of(COLUMN));
+    }
+
+    /// How many slots there are, the free ones with them.
+    pub(crate) fn slot_count(&self) -> usize {
+        self.records.place_count()
+    }
+
     /// The description of the body as it is now.
     pub(crate) fn describe(&self, key: Key) -> Option<Body> {
         let record = self.records.get(key)?;

@@ -58,6 +58,13 @@ impl CandidatePairs {
         self.has_removed = true;
     }
 
+    /// Gives up scratch. There are no pairs of bodies that have been removed.
+    pub(crate) fn trim(&mut self) {
+        debug_assert!(!self.has_removed);
+        self.states.clear();
+        self.removed.trim();
+    }
+
     /// Forgets the pairs of bodies that have been removed.
     pub(crate) fn forget_removed(&mut self, broad_phase: &mut BroadPhase) {
         if !std::mem::take(&mut self.has_removed) {

@@ -293,6 +293,17 @@ impl Contacts {
         self.all.at(index)
     }
 
+    /// Gives up room beyond the last contact.
+    pub(crate) fn trim(&mut self) {
+        self.all.trim();
+        self.awake.trim();
+    }
+
+    /// How many indices there are, those of contacts that ended with them.
+    pub(crate) fn place_count(&self) -> usize {
+        self.all.place_count()
+    }
+
     /// No contact has a greater index.
     pub(crate) fn greatest_index(&self) -> u32 {
         self.all.place_count().saturating_sub(1) as u32

@@ -28,6 +28,12 @@ impl DistinctIndices {
         }
     }
 
+    /// Gives up the room after the greatest index.
+    pub(crate) fn trim(&mut self) {
+        let count = self.is_listed.iter().rposition(|&word| word != 0).map_or(0, |last| last + 1);
+        self.is_listed.truncate(count);
+    }
+
     /// Adds an index at the end.
     ///
     /// # Panics
@@ -196,6 +202,11 @@ mod tests {
         indices.swap(0, 2);
         indices.push(5);
         assert_eq!(indices[..], [70, 64, 3, 5]);
+        indices.push(700);
+        indices.pop();
+        indices.trim();
+        indices.push(700);
+        assert_eq!(indices[..], [70, 64, 3, 5, 700]);
     }
 
     #[test]

@@ -111,6 +111,13 @@ impl<B: Default> PairBlocks<B> {
         self.rows.resize(count, RowPairs::default());
         self.blocks.resize_with(count.max(self.blocks.len()), B::default);
     }
+
+    /// Gives up those after so many, and what is kept for when there are as many again.
+    pub(crate) fn trim(&mut self, count: usize) {
+        self.known = None;
+        self.rows.truncate(count);
+        self.blocks.truncate(self.rows.len());
+    }
 }
 
 /// Some blocks, and the states of their bodies.

@@ -338,6 +338,15 @@ impl ConstraintGraph {
         block.is_pending(place)
     }
 
+    /// Gives up what the contacts in it do not need.
+    pub(crate) fn trim(&mut self) {
+        let count = self.homes.iter().rposition(Option::is_some).map_or(0, |last| last + 1);
+        self.homes.truncate(count);
+        self.direct.trim();
+        self.row_marks = RowMarks::default();
+        self.colours.iter_mut().for_each(Colour::trim);
+    }
+
     /// Checks that every contact with a place is at that place, and no colour holds a movable body twice.
     pub(crate) fn validate(&self, contacts: &Contacts, bodies: &Bodies) -> Result<(), String> {
         let mut found = 0;

@@ -50,6 +50,14 @@ impl Loads {
         self.of_contact[index as usize] = ContactLoad::default();
     }
 
+    /// Forgets what is beyond so many contacts and slots of bodies.
+    pub(crate) fn trim(&mut self, contacts: usize, slots: usize) {
+        self.of_contact.truncate(contacts);
+        self.lasting.retain(|&index| (index as usize) < contacts);
+        self.begun_at_rest.retain(|&index| (index as usize) < contacts);
+        self.unsolved.retain(|&slot| (slot as usize) < slots);
+    }
+
     /// Begins a step.
     pub(crate) fn clear(&mut self) {
         self.lasting.clear();

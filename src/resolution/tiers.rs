@@ -127,6 +127,13 @@ impl Tiers {
         self.direct.clear();
     }
 
+    /// Gives up what is not needed for so many slots, and scratch.
+    pub(crate) fn trim(&mut self, slots: usize) {
+        let Self { direct, mut histories, .. } = core::mem::take(self);
+        histories.truncate(slots);
+        *self = Self { direct, histories, ..Self::default() };
+    }
+
     /// Forgets what the body that had a slot has been through.
     pub(crate) fn forget(&mut self, slot: u32) {
         if let Some(history) = self.histories.get_mut(slot as usize) {

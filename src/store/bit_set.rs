@@ -27,6 +27,12 @@ impl BitSet {
         self.words.fill(0);
     }
 
+    /// Gives up the room after the greatest number.
+    pub(crate) fn trim(&mut self) {
+        let count = self.words.iter().rposition(|&word| word != 0).map_or(0, |last| last + 1);
+        self.words.truncate(count);
+    }
+
     /// Makes room for all numbers below `end` at once.
     pub(crate) fn make_room(&mut self, end: usize) {
         let count = end.div_ceil(64);

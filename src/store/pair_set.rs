@@ -14,6 +14,9 @@ pub(crate) struct PairSet {
 /// No pair has this key: it would be a number paired with itself.
 const EMPTY: u64 = u64::MAX;
 
+/// Length of the table of the first pairs.
+const SMALLEST: usize = 32;
+
 fn key_of(a: u32, b: u32) -> u64 {
     debug_assert!(a != b);
     u64::from(a.min(b)) << 32 | u64::from(a.max(b))
@@ -39,7 +42,7 @@ impl PairSet {
     /// Adds the pair; returns whether it is new.
     pub(crate) fn insert(&mut self, a: u32, b: u32) -> bool {
         if self.table.len() < 2 * (self.len + 1) {
-            self.grow();
+            self.resize((self.table.len() * 2).max(SMALLEST));
         }
         let key = key_of(a, b);
         let place = self.find(key);
@@ -86,9 +89,17 @@ impl PairSet {
         place
     }
 
-    fn grow(&mut self) {
-        let larger = vec![EMPTY; (self.table.len() * 2).max(32)];
-        for key in std::mem::replace(&mut self.table, larger) {
+    /// Gives up the room that the pairs do not need.
+    pub(crate) fn trim(&mut self) {
+        let enough = (2 * self.len).next_power_of_two().max(SMALLEST);
+        if enough < self.table.len() {
+            self.resize(enough);
+        }
+    }
+
+    fn resize(&mut self, len: usize) {
+        let other = vec![EMPTY; len];
+        for key in std::mem::replace(&mut self.table, other) {
             if key != EMPTY {
                 let place = self.find(key);
                 self.table[place] = key;
@@ -122,6 +133,9 @@ mod tests {
                 assert_eq!(pairs.insert(a, b), reference.insert((a.min(b), a.max(b))));
             } else {
                 assert_eq!(pairs.remove(a, b), reference.remove(&(a.min(b), a.max(b))));
+            }
+            if state >> 55 == 0 {
+                pairs.trim();
             }
             assert_eq!(pairs.contains(b, a), reference.contains(&(a.min(b), a.max(b))));
             assert_eq!(pairs.len(), reference.len());

@@ -40,11 +40,18 @@ pub(crate) struct Slots<T> {
     /// Of each place. Only keys are compared with it, and values keep to their cache lines without it.
     generations: Vec<NonZeroU32>,
     free: Vec<u32>,
+    /// That of a place which is made anew: above those of all places there were beyond the last.
+    first_generation: NonZeroU32,
 }
 
 impl<T> Default for Slots<T> {
     fn default() -> Self {
-        Self { values: Vec::new(), generations: Vec::new(), free: Vec::new() }
+        Self {
+            values: Vec::new(),
+            generations: Vec::new(),
+            free: Vec::new(),
+            first_generation: NonZeroU32::MIN,
+        }
     }
 }
 
@@ -86,9 +93,23 @@ impl<T> Slots<T> {
         } else {
             let index = self.values.len() as u32;
             self.values.push(Some(value));
-            self.generations.push(NonZeroU32::MIN);
-            Key { generation: NonZeroU32::MIN, index }
+            self.generations.push(self.first_generation);
+            Key { generation: self.first_generation, index }
         }
+    }
+
+    /// How many places after the last value are free; so many are looked at.
+    pub(crate) fn free_at_end(&self, looks: usize) -> usize {
+        self.values.iter().rev().take(looks).take_while(|value| value.is_none()).count()
+    }
+
+    /// Gives up the free places after the last value. Keys of values that were there stay stale.
+    pub(crate) fn trim(&mut self) {
+        let count = self.values.iter().rposition(Option::is_some).map_or(0, |last| last + 1);
+        self.values.truncate(count);
+        self.free.retain(|&index| (index as usize) < count);
+        let given_up = self.generations.drain(count..);
+        self.first_generation = given_up.fold(self.first_generation, NonZeroU32::max);
     }
 
     /// Takes the value out, or `None` for a stale key.
@@ -231,6 +252,28 @@ mod tests {
         );
         assert_eq!(slots.remove(first), None);
         assert_eq!(slots.len(), 2);
+    }
+
+    #[test]
+    fn places_after_the_last_value_are_given_up_and_their_keys_stay_stale() {
+        let mut slots = Slots::default();
+        let keys = ["a", "b", "c", "d", "e"].map(|value| slots.insert(value));
+        for removed in [1, 3, 4] {
+            slots.remove(keys[removed]);
+        }
+        // The last place has been used twice.
+        let again = slots.insert("f");
+        assert_eq!(again.index(), keys[4].index());
+        slots.remove(again);
+        assert_eq!((slots.free_at_end(9), slots.free_at_end(1)), (2, 1));
+        slots.trim();
+        assert_eq!((slots.place_count(), slots.len(), slots.get(keys[2])), (3, 2, Some(&"c")));
+        let [gap, new, newer] = ["g", "h", "i"].map(|value| slots.insert(value));
+        assert_eq!([gap, new, newer].map(Key::index), [1, 3, 4]);
+        for stale in [keys[1], keys[3], keys[4], again] {
+            assert_eq!(slots.get(stale), None);
+        }
+        assert_eq!([gap, new, newer].map(|key| slots.get(key)), [Some(&"g"), Some(&"h"), Some(&"i")]);
     }
 
     #[test]

@@ -46,7 +46,13 @@ impl World {
         self.broad_phase.remove(slot);
         self.graph.set_tier(slot, Tier::Swept);
         self.tiers.forget(slot);
-        self.bodies.remove(id.0)
+        let removed = self.bodies.remove(id.0);
+        self.note_removal();
+        // A step that removes what left the bounds does so at its end.
+        if !self.is_within_step {
+            self.give_back_memory();
+        }
+        removed
     }
 
     /// Ends a contact everywhere: graph, lists, pair set.

@@ -9,6 +9,7 @@ mod edit;
 mod events;
 mod force;
 mod hash;
+mod memory;
 mod profile;
 mod query;
 mod settings;
@@ -35,6 +36,7 @@ use crate::math::{Aabb, Vec2};
 use crate::resolution::{ConstraintGraph, Loads, Solver, StepResidual, Tiers, find_island};
 use crate::store::{BitSet, Slots};
 use crate::world::attractor::Field;
+use crate::world::memory::MemoryUse;
 use crate::world::sleep::{SleepTables, Sleepers};
 
 /// Bodies, forces and attractors that are simulated together.
@@ -84,6 +86,7 @@ pub struct World {
     /// Time that `advance` was given and no tick has used yet, s.
     unused_time: f64,
     pool: ThreadPool,
+    memory_use: MemoryUse,
     /// Scratch of the step.
     new_pairs: Vec<(u32, u32)>,
     /// Scratch of the step, by place in the list of awake contacts: of those that have changed, whether the bodies are
@@ -145,6 +148,7 @@ impl World {
             is_within_step: false,
             unused_time: 0.0,
             pool: ThreadPool::default(),
+            memory_use: MemoryUse::default(),
             new_pairs: Vec::new(),
             is_close_now: Vec::new(),
             leaves_box: Vec::new(),

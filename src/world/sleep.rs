@@ -53,6 +53,13 @@ impl Sleepers {
         self.groups.len()
     }
 
+    /// Gives up places of islands that woke, and scratch.
+    pub(crate) fn trim(&mut self) {
+        let mut groups = std::mem::take(&mut self.groups);
+        groups.trim();
+        *self = Self { groups, ..Self::default() };
+    }
+
     /// Puts every island to sleep whose bodies have all been at rest for long enough.
     pub(crate) fn put_to_sleep(&mut self, tables: &mut SleepTables<'_>) {
         self.seen.clear();

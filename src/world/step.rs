@@ -64,6 +64,7 @@ impl World {
         self.profile = profile;
         self.ticks += 1;
         self.is_within_step = false;
+        self.give_back_memory();
     }
 
     /// Takes up each new pair of bodies whose fat boxes overlap.

@@ -134,6 +134,14 @@ impl BroadPhase {
         }
     }
 
+    /// Gives up what is not needed for bodies with numbers below `end`: there are no others.
+    pub(crate) fn trim(&mut self, end: usize) {
+        self.proxies.truncate(end);
+        self.pairs.trim();
+        self.fixed.trim();
+        self.movable.trim();
+    }
+
     /// Takes note of where a body is now and of how far, m, it is expected to move during the next step.
     /// Returns whether it got a new fat box and so counts as moved.
     ///

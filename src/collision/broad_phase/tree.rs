@@ -222,6 +222,34 @@ impl Tree {
         self.attach(node, start);
     }
 
+    /// Gives up the places of nodes that are gone: the others move together, and the shape stays as it is.
+    pub(crate) fn trim(&mut self) {
+        if self.len() == 0 {
+            *self = Self::default();
+            return;
+        }
+        let root = vec![self.pairs[pair_of(ROOT)]];
+        let old = std::mem::replace(&mut self.pairs, root);
+        self.free_pairs.clear();
+        // Every node but the root, from the top down; place 1 is never used.
+        let (mut place, mut last_leaf) = (ROOT, 0);
+        while pair_of(place) < self.pairs.len() {
+            let node = *self.node(place);
+            if node.is_leaf() {
+                self.leaf_places[node.link as usize] = place;
+                last_leaf = last_leaf.max(node.link);
+            } else {
+                let first = 2 * self.pairs.len() as u32;
+                self.pairs.push(old[pair_of(node.link)]);
+                self.pair_mut(first).iter_mut().for_each(|child| child.parent = place);
+                self.node_mut(place).link = first;
+            }
+            place = if place == ROOT { 2 } else { place + 1 };
+        }
+        self.leaf_places.truncate(last_leaf as usize + 1);
+        self.free_leaves.retain(|&leaf| leaf < last_leaf);
+    }
+
     #[inline(always)]
     fn node(&self, place: u32) -> &Node {
         &self.pairs[pair_of(place)].0[side_of(place)]

@@ -97,6 +97,13 @@ impl Colour {
         self.contacts.is_empty()
     }
 
+    /// Gives up what the contacts in it do not need.
+    pub(super) fn trim(&mut self) {
+        self.bodies.trim();
+        self.contacts.trim();
+        self.blocks.trim(self.contacts.len().div_ceil(COLUMN));
+    }
+
     /// Which kind of contacts stands at a place, as a number.
     pub(super) fn kind_at(&self, place: usize) -> usize {
         self.ends_of_kinds.iter().take_while(|&&end| end <= place).count()

@@ -4,6 +4,7 @@ mod damping_by_count;
 mod fixed_rotation_that_spins;
 mod flying_out_of_a_direct_island;
 mod impulse_far_away;
+mod memory_of_an_emptied_world;
 mod met_in_one_corner;
 mod pair_with_a_body_that_left;
 mod pair_with_a_removed_body;

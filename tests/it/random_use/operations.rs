@@ -23,7 +23,7 @@ pub(crate) enum Operation {
     Set(Settings),
     Step(u8),
     Advance(f32),
-    /// Goes on with a clone.
+    /// Goes on with a clone, which has no room but for what it holds.
     Clone,
     WakeAll,
     Ask([f64; 2], [f32; 2]),
@@ -225,7 +225,10 @@ impl Player {
             }
             Operation::Step(count) => (0..*count).for_each(|_| world.step()),
             Operation::Advance(seconds) => _ = world.advance(*seconds),
-            Operation::Clone => self.world = world.clone(),
+            Operation::Clone => {
+                self.world = world.clone();
+                self.world.shrink_to_fit();
+            }
             Operation::WakeAll => world.wake_all(),
             Operation::Ask(at, along) => ask(world, *at, *along),
         }

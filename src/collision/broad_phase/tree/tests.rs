@@ -77,6 +77,9 @@ fn a_query_finds_what_a_look_at_every_box_finds_under_random_edits() {
             tree.move_leaf(boxes[which].0, boxes[which].2);
         }
         assert_eq!(tree.len(), boxes.len());
+        if edit % 100 == 0 {
+            tree.trim();
+        }
         if edit % 5 == 0 {
             assert_sound(&tree);
             let area = random_aabb(&mut random, 60.0, 30.0);
