@@ -27,7 +27,7 @@
 //! | solve | awake bodies | substeps: forces, impacts, contacts, motion |
 //! | finalize | awake bodies | adds the motion to the poses, updates boxes that bodies have left |
 //! | events | awake contacts | what began, ended, hit |
-//! | sleep | bodies long at rest | puts islands at rest to sleep |
+//! | sleep | bodies long at rest | puts islands in equilibrium to sleep |
 //!
 //! A stage without input does not run, and [`World::profile`] shows it.
 //!

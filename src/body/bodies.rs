@@ -1,8 +1,8 @@
 //! All bodies of a world, in tables indexed by slot.
 
-use crate::body::{Body, BodyId, BodyType, Material};
+use crate::body::{Body, BodyId, BodyType, Material, RestRule, RestWatch};
 use crate::compute::{BodyState, COLUMN, DistinctIndices, GROUND_ROW, prefetch};
-use crate::math::{Aabb, Point, Pose, Vec2};
+use crate::math::{Aabb, Point, Pose, Rot, Vec2};
 use crate::shape::{MassProperties, Shape};
 use crate::store::{Key, Slots};
 
@@ -43,12 +43,14 @@ pub(crate) struct Motion {
     pub(crate) thickness: f32,
     /// Whether the shape is a circle, whose outline does not turn with it.
     pub(crate) is_round: bool,
+    /// Whether it may be put to sleep.
+    pub(crate) may_sleep: bool,
+    /// Whether it is slow enough to be watched for rest, as its `RestWatch` tells.
+    pub(crate) is_watched: bool,
     /// The body's row of `Bodies::states`, `GROUND_ROW` while it is fixed or asleep.
     pub(crate) row: u32,
     /// What rounding has kept out of the velocity so far, m/s.
     pub(crate) velocity_compensation: Vec2,
-    /// How long the body has been nearly at rest, s.
-    pub(crate) still_time: f32,
     /// How far the outline may still move before its box must be looked at, m.
     pub(crate) room: f32,
 }
@@ -56,10 +58,17 @@ pub(crate) struct Motion {
 const _: () = assert!(size_of::<Motion>() == 64);
 
 impl Motion {
-    /// No point of a body that moves like this is faster, m/s.
+    /// Watches the body for rest over a step that has moved it `by` and turned it by `turn`. Returns whether it may sleep.
     #[inline(always)]
-    pub(crate) fn top_speed(&self, state: &BodyState) -> f32 {
-        Vec2::from(state.velocity).length() + state.angular_velocity.abs() * self.extent
+    pub(crate) fn watch(&mut self, watch: &mut RestWatch, by: Vec2, turn: Rot, rule: RestRule) -> bool {
+        // What turns by more than a right angle is far from rest, by whichever angle.
+        let angle = if turn.c > 0.0 { turn.s } else { core::f32::consts::PI };
+        let is_slow = by.norm_1() + angle.abs() * self.extent <= rule.reach;
+        if is_slow && !self.is_watched {
+            *watch = RestWatch::begin(rule);
+        }
+        self.is_watched = is_slow && watch.follow(by, angle, self.extent, rule);
+        self.is_watched && self.may_sleep && watch.is_at_rest(rule)
     }
 }
 
@@ -95,6 +104,8 @@ pub(crate) struct Bodies {
     pub(crate) motions: Vec<Motion>,
     /// By slot.
     pub(crate) forcings: Vec<Forcing>,
+    /// By slot; what stands there for a body that is not watched is left over.
+    pub(crate) watches: Vec<RestWatch>,
     /// By slot.
     pub(crate) shapes: Vec<Shape>,
     /// By row: the ground, then every awake body that can move; and rows at rest that are no body's, to whole columns.
@@ -109,6 +120,7 @@ impl Default for Bodies {
             records: Slots::default(),
             motions: Vec::new(),
             forcings: Vec::new(),
+            watches: Vec::new(),
             shapes: Vec::new(),
             states: vec![BodyState::REST; COLUMN],
             awake: DistinctIndices::default(),
@@ -139,10 +151,11 @@ impl Bodies {
             velocity_compensation: Vec2::ZERO,
             extent: body.shape.extent(),
             thickness: body.shape.thickness(),
-            still_time: 0.0,
             room: 0.0,
             row: GROUND_ROW,
             is_round: matches!(body.shape, Shape::Circle(_)),
+            may_sleep: body.may_sleep,
+            is_watched: false,
         };
         let forcing = Forcing {
             force: Vec2::ZERO,
@@ -156,6 +169,7 @@ impl Bodies {
         if slot as usize == self.motions.len() {
             self.motions.push(motion);
             self.forcings.push(forcing);
+            self.watches.push(RestWatch::default());
             self.shapes.push(body.shape);
         } else {
             self.motions[slot as usize] = motion;
@@ -214,6 +228,7 @@ impl Bodies {
             gravity_scale: forcing.gravity_scale,
             linear_damping: forcing.linear_damping,
             angular_damping: forcing.angular_damping,
+            may_sleep: motion.may_sleep,
             user_data: record.user_data,
         })
     }

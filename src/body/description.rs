@@ -57,6 +57,7 @@ pub struct Body {
     pub(crate) gravity_scale: f32,
     pub(crate) linear_damping: f32,
     pub(crate) angular_damping: f32,
+    pub(crate) may_sleep: bool,
     pub(crate) user_data: u64,
 }
 
@@ -75,6 +76,7 @@ impl Body {
             gravity_scale: 1.0,
             linear_damping: 0.0,
             angular_damping: 0.0,
+            may_sleep: true,
             user_data: 0,
         }
     }
@@ -172,6 +174,12 @@ impl Body {
     /// Angular damping, 1/s: left alone, the angular velocity falls by the factor e in 1/damping seconds.
     pub fn angular_damping(mut self, damping: f32) -> Self {
         self.angular_damping = damping;
+        self
+    }
+
+    /// Whether the body may be put to sleep once it is at rest; where it may not, neither may what it touches. Default true.
+    pub fn may_sleep(mut self, may_sleep: bool) -> Self {
+        self.may_sleep = may_sleep;
         self
     }
 

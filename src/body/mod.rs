@@ -2,18 +2,20 @@
 //!
 //! Data is split by how often it is touched. Hot: `BodyState`, 32 bytes, one row per awake body, read and written
 //! several times per substep. Warm: `Motion`, pose and mass, 64 bytes, touched a few times per step by each contact;
-//! `Forcing`, what acts on the body, touched once. Cold: `Record`, touched when somebody asks or a contact begins.
+//! `Forcing`, what acts on the body, touched once; `RestWatch`, touched once where a body is slow. Cold: `Record`, touched when somebody asks or a contact begins.
 
 mod bodies;
 pub(crate) mod description;
 mod error;
 mod material;
+mod rest;
 
 pub(crate) use bodies::{Bodies, Forcing, Motion, NONE, Record};
 pub use description::{Body, BodyType};
 pub use error::BodyError;
 pub(crate) use error::Number;
 pub use material::{Material, Mix};
+pub(crate) use rest::{HORIZON, RestRule, RestWatch};
 
 crate::store::id_type! {
     /// Names a body of a world.

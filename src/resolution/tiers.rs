@@ -134,6 +134,11 @@ impl Tiers {
         *self = Self { direct, histories, ..Self::default() };
     }
 
+    /// Whether the body in `slot`, at rest in an island of this tier, will be moved by a change of it after `tick`.
+    pub(crate) fn is_to_change(&self, slot: u32, tick: u64, tier: Tier) -> bool {
+        self.histories.get(slot as usize).is_some_and(|history| history.is_to_change(tick, tier))
+    }
+
     /// Forgets what the body that had a slot has been through.
     pub(crate) fn forget(&mut self, slot: u32) {
         if let Some(history) = self.histories.get_mut(slot as usize) {

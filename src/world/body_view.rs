@@ -141,6 +141,11 @@ impl<'a> BodyRef<'a> {
         self.record.user_data
     }
 
+    /// Whether it may be put to sleep once it is at rest.
+    pub fn may_sleep(&self) -> bool {
+        self.motion.may_sleep
+    }
+
     /// Whether it sleeps.
     pub fn is_sleeping(&self) -> bool {
         self.record.sleep_group != NONE
@@ -437,6 +442,12 @@ impl<'a> BodyMut<'a> {
         self.forcing().angular_damping = damping;
         self.wake();
         Ok(())
+    }
+
+    /// Sets whether the body may be put to sleep once it is at rest; where it may not, neither may what it touches.
+    pub fn set_may_sleep(&mut self, may_sleep: bool) {
+        self.motion().may_sleep = may_sleep;
+        self.wake();
     }
 
     /// Sets the caller's own number.

@@ -282,9 +282,8 @@ impl World {
     }
 
     fn sleep_tables(&mut self) -> (&mut Sleepers, SleepTables<'_>) {
-        let tables =
-            SleepTables { bodies: &mut self.bodies, contacts: &mut self.contacts, graph: &mut self.graph };
-        (&mut self.sleepers, tables)
+        let Self { bodies, contacts, graph, tiers, sleepers, .. } = self;
+        (sleepers, SleepTables { bodies, contacts, graph, tiers })
     }
 
     fn wake_slot(&mut self, slot: u32) {

@@ -2,7 +2,7 @@
 
 use core::fmt;
 
-use crate::body::{Mix, Number};
+use crate::body::{HORIZON, Mix, Number, RestRule};
 use crate::compute::{Lanes, MOST_THREADS};
 use crate::math::{Aabb, Vec2};
 use crate::resolution::{Scheme, SpeedLimits, TierRule};
@@ -55,7 +55,17 @@ pub struct Settings {
     /// How overlapping bodies are parted. Default [`PositionCorrection::Bias`].
     pub position_correction: PositionCorrection,
     /// Whether bodies at rest are put to sleep, which costs nothing until something wakes them. Default true.
+    ///
+    /// Bodies that touch each other sleep together, once all of them are at rest and each is held there: by contacts that
+    /// bear load, on something that does not move, or by damping. What nothing holds sleeps only if it does not move at all.
+    /// A rigid disc rolls without loss, so that a pile in which one can may never sleep: give discs angular damping, or raise
+    /// the sleep speed.
     pub sleep: bool,
+    /// What strays from its place more slowly than this is at rest, m/s, 0 to 10⁶: on average over the next ten seconds,
+    /// and of the point of the body that strays most. Default 10⁻⁴, 1 mm in ten seconds.
+    pub sleep_speed: f32,
+    /// How long bodies must have been at rest before they sleep, s, 0 to 3600. What trembles takes longer. Default 0.5.
+    pub sleep_time: f32,
     /// Slowest approach that bounces, m/s, 0 or more; 0: everything bounces. Approaches slower than the speed gained
     /// from forces in two substeps never bounce. Default 0.1.
     pub restitution_threshold: f32,
@@ -101,6 +111,8 @@ impl Default for Settings {
             recycling: true,
             position_correction: PositionCorrection::Bias,
             sleep: true,
+            sleep_speed: 1e-4,
+            sleep_time: 0.5,
             restitution_threshold: 0.1,
             hit_threshold: 1.0,
             friction_mix: Mix::Average,
@@ -156,6 +168,8 @@ impl Settings {
             ("position_correction.iterations", f64::from(projections), 1.0, 1000.0),
             ("restitution_threshold", f64::from(self.restitution_threshold), 0.0, 1e18),
             ("hit_threshold", f64::from(self.hit_threshold), 0.0, 1e18),
+            ("sleep_speed", f64::from(self.sleep_speed), 0.0, 1e6),
+            ("sleep_time", f64::from(self.sleep_time), 0.0, 3600.0),
             ("gravitational_constant", f64::from(self.gravitational_constant), 0.0, 1e12),
             ("max_speed", f64::from(self.max_speed), 1e-3, 1e6),
             ("max_spin", f64::from(self.max_spin), 1e-3, 1e6),
@@ -185,6 +199,15 @@ impl Settings {
             allows_direct: self.adaptive && self.split_kick && is_biased,
             per_substep: 1.0 / self.substep_seconds(),
             acceleration,
+        }
+    }
+
+    /// What counts as rest.
+    pub(crate) fn rest_rule(&self) -> RestRule {
+        RestRule {
+            time: self.sleep_time,
+            reach: self.sleep_speed * HORIZON,
+            tick: self.tick_seconds() as f32,
         }
     }
 

@@ -1,19 +1,17 @@
-//! Sleep: islands at rest are taken out of the step until something wakes them.
+//! Sleep: islands in equilibrium are taken out of the step until something wakes them.
 //!
-//! An island sleeps when every body in it has been nearly at rest for a while. Its bodies lose their rows,
-//! its contacts leave the constraint graph and keep manifold and impulses, so that the island wakes as it
-//! fell asleep.
+//! An island sleeps when every body in it is at rest, as its [`RestWatch`](crate::body::RestWatch) tells, and is held where
+//! it is: rest alone is not equilibrium, as what floats slowly by is as slow. A body is held by contacts that bear load, if
+//! the island stands on something that does not move, or by damping, which stops whatever still moves. What nothing holds
+//! must not have moved at all. And the solver must be done with it: a change of tier moves bodies at rest.
+//!
+//! The bodies of the island lose their rows, its contacts leave the constraint graph and keep manifold and impulses, so that
+//! the island wakes as it fell asleep.
 
-use crate::body::{Bodies, NONE};
+use crate::body::{Bodies, NONE, RestRule};
 use crate::collision::Contacts;
-use crate::resolution::{ConstraintGraph, Islands, find_island};
+use crate::resolution::{ConstraintGraph, Islands, Tiers, find_island};
 use crate::store::{BitSet, Slots};
-
-/// Below this speed of any of its points a body counts as nearly at rest, m/s: a pixel per second or two.
-pub(crate) const REST_SPEED: f32 = 0.05;
-
-/// An island sleeps after this time of rest, s: long enough for a tower at its tipping point to show it.
-pub(crate) const TIME_TO_SLEEP: f32 = 0.5;
 
 /// Islands at rest are looked for so many times a second: to look for them in each step takes a tenth of the time of a
 /// heap in which a single body cannot come to rest.
@@ -22,11 +20,6 @@ const LOOKS_PER_SECOND: f32 = 8.0;
 /// Whether islands at rest are looked for in this tick of a world.
 pub(crate) fn is_due(tick: u64, tick_rate: f32) -> bool {
     tick.is_multiple_of((tick_rate / LOOKS_PER_SECOND).max(1.0) as u64)
-}
-
-/// Whether the body in `slot` has been nearly at rest for long enough.
-fn is_still(bodies: &Bodies, slot: u32) -> bool {
-    bodies.motions[slot as usize].still_time >= TIME_TO_SLEEP
 }
 
 /// Sleeping islands, each the slots of its bodies.
@@ -45,6 +38,36 @@ pub(crate) struct SleepTables<'a> {
     pub(crate) bodies: &'a mut Bodies,
     pub(crate) contacts: &'a mut Contacts,
     pub(crate) graph: &'a mut ConstraintGraph,
+    pub(crate) tiers: &'a Tiers,
+}
+
+/// When bodies may sleep.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct SleepRule {
+    pub(crate) rest: RestRule,
+    /// The tick of the world.
+    pub(crate) tick: u64,
+}
+
+impl SleepTables<'_> {
+    /// Whether the body in `slot` is at rest, and may sleep.
+    fn is_at_rest(&self, slot: u32, rule: SleepRule) -> bool {
+        let motion = &self.bodies.motions[slot as usize];
+        motion.is_watched && motion.may_sleep && self.bodies.watches[slot as usize].is_at_rest(rule.rest)
+    }
+
+    /// Whether what still moves of the body in `slot`, which is at rest, is stopped by damping, or nothing does.
+    fn stops_by_itself(&self, slot: u32) -> bool {
+        let (forcing, state) = (&self.bodies.forcings[slot as usize], self.bodies.state(slot));
+        let turns = state.angular_velocity != 0.0;
+        let is_slowed = forcing.linear_damping > 0.0 && (forcing.angular_damping > 0.0 || !turns);
+        is_slowed || self.bodies.watches[slot as usize].is_still() && !state.is_moving()
+    }
+
+    /// Whether a contact of the body in `slot` bears load.
+    fn bears_load(&self, slot: u32) -> bool {
+        self.contacts.of_body(self.bodies, slot).any(|index| self.contacts[index].is_loaded())
+    }
 }
 
 impl Sleepers {
@@ -60,15 +83,15 @@ impl Sleepers {
         *self = Self { groups, ..Self::default() };
     }
 
-    /// Puts every island to sleep whose bodies have all been at rest for long enough.
-    pub(crate) fn put_to_sleep(&mut self, tables: &mut SleepTables<'_>) {
+    /// Puts every island to sleep that is in equilibrium.
+    pub(crate) fn put_to_sleep(&mut self, tables: &mut SleepTables<'_>, rule: SleepRule) {
         self.seen.clear();
         self.resting.clear();
         for row in 1..tables.bodies.row_count() {
             let slot = tables.bodies.slot_of_row(row);
-            let is_candidate = tables.bodies.is_dynamic(slot) && is_still(tables.bodies, slot);
+            let is_candidate = tables.bodies.is_dynamic(slot) && tables.is_at_rest(slot, rule);
             if is_candidate && !self.seen.contains(slot) {
-                self.look_at_island(slot, tables);
+                self.look_at_island(slot, tables, rule);
             }
         }
         let resting = std::mem::take(&mut self.resting);
@@ -78,17 +101,23 @@ impl Sleepers {
         self.resting = resting;
     }
 
-    /// Finds the island of the body in `slot`, and whether it is at rest, and so is what it touches.
-    fn look_at_island(&mut self, slot: u32, tables: &SleepTables<'_>) {
+    /// Finds the island of the body in `slot`, and whether it is in equilibrium: it is at rest and held there, and what it
+    /// touches is at rest.
+    fn look_at_island(&mut self, slot: u32, tables: &SleepTables<'_>, rule: SleepRule) {
         let bodies = &*tables.bodies;
-        let mut rests = true;
+        let (mut rests, mut stands) = (true, false);
         self.island.clear();
         find_island(slot, bodies, tables.contacts, &mut self.seen, &mut self.island, |_, contact| {
             // What a moving kinematic body touches stays awake.
-            let moves = |&slot: &u32| bodies.is_awake(slot) && !is_still(bodies, slot);
+            let moves = |&slot: &u32| bodies.is_awake(slot) && !tables.is_at_rest(slot, rule);
             rests &= !contact.slots.iter().any(moves);
+            stands |= contact.is_loaded() && !contact.slots.iter().all(|&slot| bodies.is_dynamic(slot));
         });
-        if rests {
+        let stays = |&slot: &u32| {
+            let is_held = tables.stops_by_itself(slot) || stands && tables.bears_load(slot);
+            is_held && !tables.tiers.is_to_change(slot, rule.tick, tables.graph.tier(slot))
+        };
+        if rests && self.island.iter().all(stays) {
             self.island.sort_unstable();
             self.resting.push(&self.island);
         }
@@ -117,7 +146,7 @@ impl Sleepers {
 
     /// Wakes the body in `slot` and its whole island, if it sleeps.
     pub(crate) fn wake(&mut self, tables: &mut SleepTables<'_>, slot: u32) {
-        tables.bodies.motions[slot as usize].still_time = 0.0;
+        tables.bodies.motions[slot as usize].is_watched = false;
         let group = tables.bodies.records[slot].sleep_group;
         if group == NONE {
             return;
@@ -125,7 +154,7 @@ impl Sleepers {
         let slots = self.groups.remove(self.groups.key_at(group)).unwrap_or_default();
         for &slot in &slots {
             tables.bodies.give_row(slot);
-            tables.bodies.motions[slot as usize].still_time = 0.0;
+            tables.bodies.motions[slot as usize].is_watched = false;
             tables.bodies.records[slot].sleep_group = NONE;
         }
         for &slot in &slots {
@@ -151,7 +180,7 @@ impl Sleepers {
             self.wake(tables, slot);
         }
         for motion in &mut tables.bodies.motions {
-            motion.still_time = 0.0;
+            motion.is_watched = false;
         }
     }
 

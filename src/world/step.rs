@@ -2,7 +2,7 @@
 
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-use crate::body::{Bodies, BodyId, BodyType, Motion, NONE};
+use crate::body::{Bodies, BodyId, BodyType, Motion, NONE, RestRule, RestWatch};
 use crate::collision::{AHEAD, Refresh, refresh};
 use crate::compute::{BodyState, Chosen, Executor};
 use crate::math::{Rot, Vec2};
@@ -11,7 +11,7 @@ use crate::world::World;
 use crate::world::attractor::Field;
 use crate::world::events::{ContactEvent, HitEvent};
 use crate::world::profile::{Counters, Stage};
-use crate::world::sleep::{self, REST_SPEED, TIME_TO_SLEEP};
+use crate::world::sleep::{self, SleepRule};
 
 /// What it costs to bring a manifold up to date that can be kept, and to move the pose and the box of a body on, ns.
 const REFRESH_COST: usize = 20;
@@ -31,7 +31,7 @@ impl World {
     /// solve     awake bodies          the substep loop: forces, impacts, contacts, motion
     /// finalize  awake bodies          adds the motion to the poses; boxes follow
     /// events    changing contacts     what began, ended, hit; what left the bounds is removed
-    /// sleep     bodies long at rest   islands at rest leave the step
+    /// sleep     bodies long at rest   islands in equilibrium leave the step
     /// ```
     ///
     /// # Panics
@@ -213,37 +213,45 @@ impl World {
         self.last_substep = settings.substep_seconds();
     }
 
-    /// Adds the motion of the step to the poses, lets boxes follow, and counts the time at rest.
+    /// Adds the motion of the step to the poses, lets boxes follow, and watches for rest.
     fn finalize(&mut self) {
         let dt = self.settings.tick_seconds() as f32;
-        let may_sleep = self.settings.sleep;
+        let rest_rule = self.settings.sleep.then(|| self.settings.rest_rule());
         let Self { bodies, broad_phase, pool, leaves_box, leaving, .. } = self;
         leaves_box.resize(bodies.awake_count(), false);
         let row_count = bodies.row_count();
-        let Bodies { states, awake, motions, forcings, shapes, .. } = bodies;
+        let Bodies { states, awake, motions, forcings, watches, shapes, .. } = bodies;
         let (motions, forcings) = (Chosen::new(motions, awake), Chosen::new(forcings, awake));
+        let watches = Chosen::new(watches, awake);
         let resting = AtomicUsize::new(0);
-        let rows = ((motions, forcings), (&mut states[1..row_count], &mut leaves_box[..]));
-        pool.run(rows, FINALIZE_COST, |((mut motions, mut forcings), (states, leaves_box))| {
-            for (place, (state, leaves_box)) in states.iter_mut().zip(leaves_box).enumerate() {
-                forcings.get_mut(place).end_step();
-                let (slot, motion) = (motions.indices()[place], motions.get_mut(place));
-                let ahead = Vec2::from(state.velocity) * dt;
-                if move_on(motion, state, dt) && may_sleep {
-                    resting.fetch_add(1, Ordering::Relaxed);
+        let rows = ((motions, (forcings, watches)), (&mut states[1..row_count], &mut leaves_box[..]));
+        pool.run(
+            rows,
+            FINALIZE_COST,
+            |((mut motions, (mut forcings, mut watches)), (states, leaves_box))| {
+                for (place, (state, leaves_box)) in states.iter_mut().zip(leaves_box).enumerate() {
+                    forcings.get_mut(place).end_step();
+                    let (slot, motion) = (motions.indices()[place], motions.get_mut(place));
+                    let ahead = Vec2::from(state.velocity) * dt;
+                    if let Some(rule) = rest_rule
+                        && watch_for_rest(motion, watches.get_mut(place), state, rule)
+                    {
+                        resting.fetch_add(1, Ordering::Relaxed);
+                    }
+                    move_on(motion, state);
+                    let aabb = |motion: &Motion| shapes[slot as usize].bounding_box(motion.pose);
+                    if motion.room > ahead.norm_1() {
+                        debug_assert!(!broad_phase.leaves_box(slot, aabb(motion), ahead), "{slot} had room");
+                        *leaves_box = false;
+                        continue;
+                    }
+                    let aabb = aabb(motion);
+                    *leaves_box = broad_phase.leaves_box(slot, aabb, ahead);
+                    let stays_long = !*leaves_box && ahead.norm_1() < SLOW_SHARE * motion.extent;
+                    motion.room = if stays_long { broad_phase.room(slot, aabb) } else { 0.0 };
                 }
-                let aabb = |motion: &Motion| shapes[slot as usize].bounding_box(motion.pose);
-                if motion.room > ahead.norm_1() {
-                    debug_assert!(!broad_phase.leaves_box(slot, aabb(motion), ahead), "{slot} had room");
-                    *leaves_box = false;
-                    continue;
-                }
-                let aabb = aabb(motion);
-                *leaves_box = broad_phase.leaves_box(slot, aabb, ahead);
-                let stays_long = !*leaves_box && ahead.norm_1() < SLOW_SHARE * motion.extent;
-                motion.room = if stays_long { broad_phase.room(slot, aabb) } else { 0.0 };
-            }
-        });
+            },
+        );
         self.resting = resting.into_inner();
         let slots = bodies.awake.iter().zip(leaves_box);
         leaving.clear();
@@ -308,9 +316,10 @@ impl World {
     }
 
     fn put_to_sleep(&mut self) {
+        let rule = SleepRule { rest: self.settings.rest_rule(), tick: self.ticks };
         let (sleepers, mut tables) = self.sleep_tables();
         let count = sleepers.len();
-        sleepers.put_to_sleep(&mut tables);
+        sleepers.put_to_sleep(&mut tables, rule);
         if self.sleepers.len() > count {
             // Pairs that are both asleep get contacts, to sleep with them.
             self.begin_contacts();
@@ -336,10 +345,22 @@ impl World {
     }
 }
 
-/// Adds the motion of a step of `dt` seconds to the pose of a body, and counts its time at rest. Returns whether it has
-/// rested for long enough to sleep.
+/// Watches a body for rest over the motion of a step. Returns whether it may sleep by that.
 #[inline(always)]
-fn move_on(motion: &mut Motion, state: &mut BodyState, dt: f32) -> bool {
+fn watch_for_rest(motion: &mut Motion, watch: &mut RestWatch, state: &BodyState, rule: RestRule) -> bool {
+    let is_dynamic = motion.inverse_mass > 0.0;
+    if !is_dynamic && state.is_moving() {
+        // However slowly a kinematic body moves, it keeps what it touches awake.
+        motion.is_watched = false;
+        return false;
+    }
+    let turn = Rot { c: state.delta_rotation.c, s: state.delta_rotation.s };
+    motion.watch(watch, state.delta_position.into(), turn, rule) && is_dynamic
+}
+
+/// Adds the motion of a step to the pose of a body.
+#[inline(always)]
+fn move_on(motion: &mut Motion, state: &mut BodyState) {
     let turn = Rot { c: state.delta_rotation.c, s: state.delta_rotation.s };
     motion.pose.center += state.delta_position.into();
     motion.pose.rotation = (turn * motion.pose.rotation).normalized();
@@ -347,9 +368,4 @@ fn move_on(motion: &mut Motion, state: &mut BodyState, dt: f32) -> bool {
     let swing = if motion.is_round { 0.0 } else { (1.0 - turn.c).abs() + turn.s.abs() + 2.0 * f32::EPSILON };
     motion.room -= Vec2::from(state.delta_position).norm_1() + swing * motion.extent;
     state.stand_still();
-    let speed = motion.top_speed(state);
-    // A kinematic body rests only when it does not move at all: it keeps what it touches awake.
-    let is_resting = if motion.inverse_mass > 0.0 { speed < REST_SPEED } else { speed == 0.0 };
-    motion.still_time = if is_resting { motion.still_time + dt } else { 0.0 };
-    motion.inverse_mass > 0.0 && motion.still_time >= TIME_TO_SLEEP
 }

@@ -66,7 +66,7 @@ mod tests {
     /// from 0.2 s on, when the boxes have settled, to 1 s, before the steepest meets its stop.
     #[test]
     fn boxes_slide_on_ramps_steeper_than_the_friction_angle() {
-        let mut world = SCENE.build(1, Settings { sleep: false, ..Settings::default() });
+        let mut world = SCENE.build(1, Settings::default());
         let sledges = SCENE.labels(&world);
         let motions = |world: &World| -> Vec<(Vec2, f32)> {
             let bodies = sledges.iter().map(|&(id, _)| world.body(id).expect("it was not removed"));

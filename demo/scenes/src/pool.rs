@@ -10,7 +10,7 @@ use crate::{Scene, View};
 pub const SCENE: Scene = Scene {
     name: "pool",
     group: "classic",
-    summary: "Discs of one size pour into a pool, jostle until each finds its place between others, and sleep.",
+    summary: "Discs of one size pour into a pool, jostle until each finds its place between others, and sleep once the last has stopped rolling.",
     view: View::above(-1.4, 0.0, 22.0, 14.4),
     build: |seed, settings| build_with(COUNT, seed, settings),
     ..Scene::PLAIN

@@ -1,5 +1,7 @@
 //! What an island has been through: how long sweeps would have done, and how often the direct solve was in vain.
 
+use crate::resolution::tier::Tier;
+
 /// An island that is not solved directly, as it is too large, its load too small, or Newton's method came to no end, is
 /// left alone for so many steps: it may have come into another state by then, and to look at it takes time.
 pub(super) const RETRY_STEPS: u64 = 10;
@@ -16,6 +18,8 @@ pub(super) struct History {
     pub(super) calm_steps: u8,
     /// The tick from which on the direct solve may be thought of.
     pub(super) quiet_until: u64,
+    /// The tick from which on the direct solve is tried again after it did not solve the island.
+    pub(super) retry_tick: u64,
     /// How many times it did not solve the island.
     pub(super) unsolved_times: u8,
 }
@@ -27,6 +31,7 @@ impl History {
         bodies.fold(none, |one, other| Self {
             calm_steps: one.calm_steps.min(other.calm_steps),
             quiet_until: one.quiet_until.max(other.quiet_until),
+            retry_tick: one.retry_tick.max(other.retry_tick),
             unsolved_times: one.unsolved_times.max(other.unsolved_times),
         })
     }
@@ -36,23 +41,44 @@ impl History {
         self.unsolved_times == MOST_UNSOLVED_TIMES
     }
 
+    /// Whether an island at rest is still to change its tier after `tick`, which moves it: the direct solve will be tried
+    /// again, or is about to end.
+    pub(super) fn is_to_change(&self, tick: u64, tier: Tier) -> bool {
+        match tier {
+            Tier::Direct => self.calm_steps > 0,
+            Tier::Swept => self.retry_tick + RETRY_STEPS > tick,
+        }
+    }
+
     /// Leaves the island alone for a while, as it could not be solved directly.
     pub(super) fn leave_alone(&mut self, tick: u64) {
-        self.quiet_until = tick + (RETRY_STEPS << self.unsolved_times);
+        self.retry_tick = tick + (RETRY_STEPS << self.unsolved_times);
+        self.quiet_until = self.retry_tick;
         self.unsolved_times = (self.unsolved_times + 1).min(MOST_UNSOLVED_TIMES);
     }
 }
 
 #[cfg(test)]
 mod tests {
-    use super::{History, MOST_UNSOLVED_TIMES, RETRY_STEPS};
+    use super::*;
 
     #[test]
     fn an_island_has_the_worst_of_its_bodies() {
-        let calm = History { calm_steps: 9, quiet_until: 3, unsolved_times: 0 };
-        let troubled = History { calm_steps: 2, quiet_until: 7, unsolved_times: 1 };
+        let calm = History { calm_steps: 9, quiet_until: 3, ..History::default() };
+        let troubled = History { calm_steps: 2, quiet_until: 7, retry_tick: 5, unsolved_times: 1 };
         let island = History::of_island([calm, troubled].into_iter());
-        assert_eq!((island.calm_steps, island.quiet_until, island.unsolved_times), (2, 7, 1));
+        assert_eq!((island.calm_steps, island.quiet_until), (2, 7));
+        assert_eq!((island.retry_tick, island.unsolved_times), (5, 1));
+    }
+
+    #[test]
+    fn an_island_changes_its_tier_while_a_retry_is_due_and_where_the_direct_solve_is_not_needed() {
+        let mut history = History::default();
+        assert!(!history.is_to_change(1000, Tier::Swept) && !history.is_to_change(1000, Tier::Direct));
+        history.leave_alone(1000);
+        assert!(history.is_to_change(history.retry_tick, Tier::Swept));
+        assert!(!history.is_to_change(history.retry_tick + RETRY_STEPS, Tier::Swept));
+        assert!(History { calm_steps: 1, ..history }.is_to_change(2000, Tier::Direct));
     }
 
     #[test]

@@ -11,8 +11,10 @@ fn base() -> Settings {
     Settings::default()
 }
 
-const FIELDS: [Field; 6] = [
+const FIELDS: [Field; 8] = [
     ("tick_rate", |v| Settings { tick_rate: v, ..base() }, &[0.0, -0.0, -60.0, 0.01, 1e7]),
+    ("sleep_speed", |v| Settings { sleep_speed: v, ..base() }, &[-1e-9, 2e6]),
+    ("sleep_time", |v| Settings { sleep_time: v, ..base() }, &[-0.1, 3601.0]),
     ("restitution_threshold", |v| Settings { restitution_threshold: v, ..base() }, &[-0.1, 1e30]),
     ("hit_threshold", |v| Settings { hit_threshold: v, ..base() }, &[-0.1, 1e30]),
     ("gravitational_constant", |v| Settings { gravitational_constant: v, ..base() }, &[-1.0, 1e30]),

@@ -16,6 +16,7 @@ fn a_removed_body_gives_back_what_it_was_and_can_be_added_again() {
         .gravity_scale(-0.5)
         .linear_damping(0.25)
         .angular_damping(0.75)
+        .may_sleep(false)
         .user_data(u64::MAX);
     for given in [body.clone().angular_velocity(-3.0), body.fixed_rotation(true)] {
         let id = add(&mut world, given.clone());

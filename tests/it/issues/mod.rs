@@ -1,5 +1,6 @@
 //! What was wrong once, one file for each bug, named by what was seen of it.
 
+mod asleep_in_motion;
 mod damping_by_count;
 mod fixed_rotation_that_spins;
 mod flying_out_of_a_direct_island;

@@ -86,15 +86,16 @@ fn body_of(shape: Shape) -> impl Strategy<Value = Body> {
 pub(crate) fn body() -> impl Strategy<Value = Body> {
     let motion = (place(), strength(), vector(), strength());
     let surface = (factor(), narrow(0.0, 1.0), prop_oneof![magnitude(-1.0, 1.0), magnitude(-12.0, 12.0)]);
-    let options = (prop::option::weighted(0.2, magnitude(-12.0, 15.0)), any::<bool>(), factor(), factor());
+    let options =
+        (prop::option::weighted(0.2, magnitude(-12.0, 15.0)), any::<[bool; 2]>(), factor(), factor());
     (shape().prop_flat_map(body_of), motion, surface, options).prop_map(|(body, motion, surface, options)| {
         let (at, angle, velocity, spin) = motion;
         let (friction, restitution, density) = surface;
-        let (mass, fixed_rotation, scale, damping) = options;
+        let (mass, [fixed_rotation, may_sleep], scale, damping) = options;
         let body = body.at(at).angle(angle).velocity(velocity).angular_velocity(spin);
         let body = body.friction(friction).restitution(restitution).density(density);
         let body = body.fixed_rotation(fixed_rotation).gravity_scale(1.0 - scale);
-        let body = body.linear_damping(damping).angular_damping(damping);
+        let body = body.linear_damping(damping).angular_damping(damping).may_sleep(may_sleep);
         if let Some(mass) = mass { body.mass(mass) } else { body }
     })
 }
@@ -127,10 +128,11 @@ pub(crate) fn settings() -> impl Strategy<Value = Settings> {
     let rate = prop_oneof![3 => Just(60.0_f32), 1 => magnitude(-0.99, 6.0), 1 => Just(0.1_f32)];
     let numbers = (rate, 1_u32..12, 1_u32..4, 1_u32..3);
     let thresholds = (factor(), factor(), magnitude(-6.0, 12.0), magnitude(-3.0, 6.0));
+    let rest = (magnitude(-6.0, 1.0), narrow(0.0, 1.0));
     let mixes =
         prop::sample::select(vec![Mix::Average, Mix::GeometricMean, Mix::Min, Mix::Max, Mix::Multiply]);
-    (any::<bool>(), any::<[bool; 7]>(), numbers, thresholds, mixes).prop_map(
-        |(classic, flags, numbers, thresholds, mix)| {
+    (any::<bool>(), any::<[bool; 7]>(), numbers, thresholds, mixes, rest).prop_map(
+        |(classic, flags, numbers, thresholds, mix, (sleep_speed, sleep_time))| {
             let [sleep, warm_starting, block_solve, recycling, projection, split_kick, adaptive] = flags;
             let (tick_rate, substeps, iterations, relax_iterations) = numbers;
             let (restitution_threshold, hit_threshold, gravitational_constant, limit) = thresholds;
@@ -138,6 +140,7 @@ pub(crate) fn settings() -> impl Strategy<Value = Settings> {
             let base = Settings { tick_rate, sleep, restitution_threshold, hit_threshold, ..base };
             let base = Settings { friction_mix: mix, restitution_mix: mix, gravitational_constant, ..base };
             let base = Settings { max_speed: limit, max_spin: limit, adaptive, ..base };
+            let base = Settings { sleep_speed, sleep_time, ..base };
             if classic {
                 return base;
             }
