@@ -115,6 +115,13 @@ impl Contact {
         }
     }
 
+    /// Deepest overlap of its points at the end of the last step, m; 0 where none overlap.
+    pub(crate) fn penetration(&self) -> f32 {
+        // Not `f32::max`, whose zeros have either sign.
+        let deeper = |deepest: f32, overlap: f32| if overlap > deepest { overlap } else { deepest };
+        self.manifold.points().iter().map(|point| -point.separation).fold(0.0, deeper)
+    }
+
     /// Whether the last step pressed the bodies together.
     pub(crate) fn is_loaded(&self) -> bool {
         self.manifold.points().iter().any(|point| point.normal_impulse > 0.0)

@@ -100,7 +100,7 @@ pub struct World {
     changed_contacts: Vec<(u32, bool)>,
 }
 
-/// How far the last step was from perfect.
+/// How far the last step was from perfect. Of bodies that sleep it is the step in which they fell asleep that counts.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct StepError {
     /// Deepest overlap of two bodies, m, along the normals of their manifolds.
@@ -212,9 +212,12 @@ impl World {
         &self.events
     }
 
-    /// How far the last step was from perfect.
+    /// How far the last step was from perfect. Takes a look at each sleeping island.
     pub fn error(&self) -> StepError {
-        StepError { penetration: self.residual.penetration, velocity_residual: self.residual.approach_speed }
+        StepError {
+            penetration: self.residual.penetration.max(self.sleepers.penetration()),
+            velocity_residual: self.residual.approach_speed,
+        }
     }
 
     /// What the last step did.

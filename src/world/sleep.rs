@@ -6,7 +6,7 @@
 //! must not have moved at all. And the solver must be done with it: a change of tier moves bodies at rest.
 //!
 //! The bodies of the island lose their rows, its contacts leave the constraint graph and keep manifold and impulses, so that
-//! the island wakes as it fell asleep.
+//! the island wakes as it fell asleep. What was left wrong of them then, [`Sleepers::penetration`], stays so.
 
 use crate::body::{Bodies, NONE, RestRule};
 use crate::collision::Contacts;
@@ -22,10 +22,19 @@ pub(crate) fn is_due(tick: u64, tick_rate: f32) -> bool {
     tick.is_multiple_of((tick_rate / LOOKS_PER_SECOND).max(1.0) as u64)
 }
 
-/// Sleeping islands, each the slots of its bodies.
+/// An island that sleeps.
+#[derive(Clone, Debug)]
+struct SleepingIsland {
+    /// Slots of its bodies.
+    slots: Vec<u32>,
+    /// Deepest overlap of its contacts, m.
+    penetration: f32,
+}
+
+/// Sleeping islands.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Sleepers {
-    groups: Slots<Vec<u32>>,
+    groups: Slots<SleepingIsland>,
     /// Scratch: slots of the bodies whose islands have been found, one of these, and those at rest.
     seen: BitSet,
     island: Vec<u32>,
@@ -83,6 +92,11 @@ impl Sleepers {
         *self = Self { groups, ..Self::default() };
     }
 
+    /// Deepest overlap of the contacts that sleep, m.
+    pub(crate) fn penetration(&self) -> f32 {
+        self.groups.iter().map(|(_, island)| island.penetration).fold(0.0, f32::max)
+    }
+
     /// Puts every island to sleep that is in equilibrium.
     pub(crate) fn put_to_sleep(&mut self, tables: &mut SleepTables<'_>, rule: SleepRule) {
         self.seen.clear();
@@ -128,9 +142,11 @@ impl Sleepers {
         for &slot in &slots {
             tables.bodies.take_row(slot);
         }
+        let mut penetration = 0.0;
         for &slot in &slots {
             let of_body: Vec<u32> = tables.contacts.of_body(tables.bodies, slot).collect();
             for index in of_body {
+                penetration = tables.contacts[index].penetration().max(penetration);
                 tables.graph.leave(tables.contacts, index);
                 let other = tables.contacts[index].other(slot);
                 if !tables.bodies.is_awake(other) {
@@ -138,8 +154,8 @@ impl Sleepers {
                 }
             }
         }
-        let key = self.groups.insert(slots);
-        for &slot in &self.groups[key.index()] {
+        let key = self.groups.insert(SleepingIsland { slots, penetration });
+        for &slot in &self.groups[key.index()].slots {
             tables.bodies.records[slot].sleep_group = key.index();
         }
     }
@@ -151,7 +167,9 @@ impl Sleepers {
         if group == NONE {
             return;
         }
-        let slots = self.groups.remove(self.groups.key_at(group)).unwrap_or_default();
+        let Some(SleepingIsland { slots, .. }) = self.groups.remove(self.groups.key_at(group)) else {
+            return;
+        };
         for &slot in &slots {
             tables.bodies.give_row(slot);
             tables.bodies.motions[slot as usize].is_watched = false;
@@ -175,7 +193,8 @@ impl Sleepers {
 
     /// Wakes everything.
     pub(crate) fn wake_all(&mut self, tables: &mut SleepTables<'_>) {
-        let firsts: Vec<u32> = self.groups.iter().filter_map(|(_, slots)| slots.first().copied()).collect();
+        let firsts: Vec<u32> =
+            self.groups.iter().filter_map(|(_, island)| island.slots.first().copied()).collect();
         for slot in firsts {
             self.wake(tables, slot);
         }

@@ -7,6 +7,7 @@ mod flying_out_of_a_direct_island;
 mod impulse_far_away;
 mod memory_of_an_emptied_world;
 mod met_in_one_corner;
+mod no_error_of_sleepers;
 mod pair_with_a_body_that_left;
 mod pair_with_a_removed_body;
 mod stale_manifold;
