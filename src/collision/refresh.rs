@@ -49,9 +49,6 @@ const STALE_SHARE: f32 = 0.01;
 /// points, s: slower than 2 cm/s, if they are not small.
 const REST_TIME: f32 = 1.0;
 
-/// And while they have moved against each other by less than this share of it, no unit: 0.5 mm.
-const REST_SHARE: f32 = 0.025;
-
 /// A corner is followed from step to step for so many, then it is found anew; sooner where others may have come near.
 const LONGEST_FOLLOWED: u8 = 15;
 
@@ -273,13 +270,12 @@ impl<'a> Pair<'a> {
             };
         }
         let keeps = contact.frozen.is_some_and(|frozen| {
-            if !contact.is_loaded() {
-                self.is_at_rest(self.predicted_motion()) && self.has_hardly_moved(&self.since(&frozen))
-            } else if contact.pivots() {
+            if contact.pivots() {
                 let was_followed = contact.follows && contact.followed_steps < LONGEST_FOLLOWED;
                 was_followed && self.strayed(&frozen) < self.near()
             } else {
-                self.stays(&self.since(&frozen))
+                let rests = contact.is_loaded() || self.is_at_rest(self.predicted_motion());
+                rests && self.stays(&self.since(&frozen))
             }
         });
         if keeps { ManifoldUpdate::Keep } else { ManifoldUpdate::FindAnew(self.predicted_motion()) }
@@ -325,13 +321,6 @@ impl<'a> Pair<'a> {
     /// Whether the bodies move so slowly that they rest beside each other.
     fn is_at_rest(&self, PredictedMotion { motion, turning }: PredictedMotion) -> bool {
         (motion.length() + turning) * REST_TIME < self.near() * self.dt
-    }
-
-    /// Whether they have moved against each other by hardly a part of that since then.
-    fn has_hardly_moved(&self, since: &Since) -> bool {
-        let [turned_a, turned_b] = since.turned;
-        let is_near = |moved: f32| moved < REST_SHARE * self.near();
-        turned_a.c.min(turned_b.c) > 0.0 && is_near(since.moved.length() + self.swung(since))
     }
 
     /// Takes over a manifold that was found anew; impulses stay with their feature.

@@ -117,9 +117,9 @@ fn follow<L: Lane, const POINTS: usize>(
     place: usize,
 ) {
     let [a, b] = states.gather::<L>(place);
-    let (geometry, stays) = geometry.geometry_in::<POINTS>(&a, &b);
+    let geometry = geometry.geometry_in::<POINTS>(&a, &b);
     let before = block.load::<L>(place);
     let mut after = before;
     after.set_geometry_in::<POINTS>(&geometry, &a, &b);
-    block.store_geometry(place, &before.with_geometry_where(L::both(moving, stays), &after));
+    block.store_geometry(place, &before.with_geometry_where(moving, &after));
 }

@@ -20,10 +20,6 @@ use crate::compute::{BodyState, Lane, LaneVec2, columns};
 use crate::math::Vec2;
 use crate::resolution::constraint::Geometry;
 
-/// A tip this many times as far from the centre of the other body as any point of its outline has left its face, no
-/// unit: what is frozen then is found anew in the next step, and no arm grows without bounds.
-const SLACK: f32 = 1.1;
-
 /// What touches at one of the (at most two) points, as the step began.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default)]
@@ -57,12 +53,10 @@ pub(crate) struct MovingGeometry<C> {
     /// Which part of the gap the contact point is away from what it stays with: half, or none on a circle that touches
     /// a face, so that the arm of friction is its radius.
     gap_part: C,
-    /// Square of the distance from the centre of the body with the face at which the point must have left it, m².
-    reach_squared: C,
     pairs: [TouchingPair<C>; 2],
 }
 
-columns!(MovingGeometry { normal, turns_with_b, is_of_circles, ends, radii, gap_part, reach_squared, pairs });
+columns!(MovingGeometry { normal, turns_with_b, is_of_circles, ends, radii, gap_part, pairs });
 
 impl MovingGeometry<f32> {
     /// The contact, whose manifold is that of now, if it is one of two circles, of a circle on a face or the corners at its
@@ -72,7 +66,7 @@ impl MovingGeometry<f32> {
         let offset = motions[1].pose.center - motions[0].pose.center;
         match motions.map(|motion| motion.is_round) {
             [true, true] => Some(Self::of_circles(contact, motions, offset)),
-            [false, false] => Self::of_corner(contact, motions),
+            [false, false] => Self::of_corner(contact),
             round => Self::of_circle_on_hull(contact, bodies, usize::from(round[1]), offset, dt),
         }
     }
@@ -85,7 +79,6 @@ impl MovingGeometry<f32> {
             is_of_circles: 1.0,
             radii: a.extent + b.extent,
             gap_part: 0.5,
-            reach_squared: f32::INFINITY,
             pairs: [pair, TouchingPair::default()],
             ..Self::default()
         }
@@ -145,13 +138,12 @@ impl MovingGeometry<f32> {
             turns_with_b: 1.0 - stays_with_b,
             ends,
             radii: radius,
-            reach_squared: f32::INFINITY,
             pairs: [pair, TouchingPair::default()],
             ..Self::default()
         })
     }
 
-    fn of_corner(contact: &Contact, motions: [&Motion; 2]) -> Option<Self> {
+    fn of_corner(contact: &Contact) -> Option<Self> {
         let manifold = &contact.manifold;
         let loaded = manifold.points().iter().find(|point| point.normal_impulse > 0.0)?;
         let face = match loaded.corner {
@@ -180,7 +172,6 @@ impl MovingGeometry<f32> {
             turns_with_b: face as f32,
             ends: [f32::NEG_INFINITY, f32::INFINITY],
             gap_part: 0.5,
-            reach_squared: (SLACK * motions[face].extent).powi(2),
             pairs,
             ..Self::default()
         })
@@ -188,20 +179,14 @@ impl MovingGeometry<f32> {
 }
 
 impl<L: Lane> MovingGeometry<L> {
-    /// Where the contacts are with their bodies in the states `a` and `b` within the step, up to so many `POINTS`, and
-    /// which of them follow: not those whose tip must have left its face.
+    /// Where the contacts are with their bodies in the states `a` and `b` within the step, up to so many `POINTS`.
     #[inline(always)]
-    pub(crate) fn geometry_in<const POINTS: usize>(
-        &self,
-        a: &BodyState<L>,
-        b: &BodyState<L>,
-    ) -> (Geometry<L>, L::Mask) {
+    pub(crate) fn geometry_in<const POINTS: usize>(&self, a: &BodyState<L>, b: &BodyState<L>) -> Geometry<L> {
         let (zero, least) = (L::splat(0.0), L::splat(f32::MIN_POSITIVE));
         let moved = b.delta_position - a.delta_position;
         let turns_with_b = self.turns_with_b.greater(zero);
         let turning = BodyState::select(turns_with_b, b, a).delta_rotation;
         let mut geometry = Geometry::of_normal(self.normal + turning.displacement(self.normal));
-        let mut follows = self.reach_squared.greater(zero);
         for index in 0..POINTS {
             let pair = &self.pairs[index];
             let [part_a, part_b] = pair.parts;
@@ -227,12 +212,10 @@ impl<L: Lane> MovingGeometry<L> {
             let anchor_a =
                 LaneVec2::select(stays_with_b, part_b + swung_b - away + offset, part_a + swung_a + away);
             let anchor_b = anchor_a - offset;
-            let of_face = LaneVec2::select(turns_with_b, anchor_b, anchor_a);
-            follows = L::both(follows, self.reach_squared.greater(of_face.dot(of_face)));
             let to = &mut geometry.points[index];
             (to.anchor_a, to.anchor_b, to.separation) = (anchor_a, anchor_b, separation);
         }
-        (geometry, follows)
+        geometry
     }
 }
 
@@ -293,8 +276,7 @@ mod tests {
     fn check((bodies, contact): &(Bodies, Contact), states: [BodyState; 2]) {
         let [a, b] = &states;
         let moving = MovingGeometry::new(contact, bodies, 0.01).expect("it can be followed");
-        let (geometry, follows) = moving.geometry_in::<2>(a, b);
-        assert!(follows);
+        let geometry = moving.geometry_in::<2>(a, b);
         let now = detected(bodies, contact, [a, b]);
         let loaded = contact.manifold.points().iter().position(|point| point.normal_impulse > 0.0).unwrap();
         let feature = contact.manifold.points()[loaded].feature;
@@ -387,19 +369,12 @@ mod tests {
         }
     }
 
-    /// A corner that slides past the end of the face, and circles with one centre: what has no direction.
+    /// Circles with one centre: what has no direction.
     #[test]
-    fn what_cannot_be_followed_stays_where_it_was() {
-        let shapes = [&Shape::obb(1.0, 0.5), &Shape::obb(1.0, 1.0)];
-        let (bodies, contact) = touching(shapes, [0.0, 0.6], Vec2::new(0.3, 0.93));
-        let moving = MovingGeometry::new(&contact, &bodies, 0.01).unwrap();
-        let gone = state([2.0, 0.0], 0.0);
-        let (_, follows) = moving.geometry_in::<2>(&BodyState::REST, &gone);
-        assert!(!follows);
-
+    fn circles_with_one_centre_keep_a_normal() {
         let (bodies, contact) = touching([&Shape::circle(0.5); 2], [0.0; 2], Vec2::new(0.25, 0.0));
         let moving = MovingGeometry::new(&contact, &bodies, 0.01).unwrap();
-        let (geometry, _) = moving.geometry_in::<1>(&BodyState::REST, &state([-0.25, 0.0], 0.0));
+        let geometry = moving.geometry_in::<1>(&BodyState::REST, &state([-0.25, 0.0], 0.0));
         assert!((geometry.normal.dot(geometry.normal) - 1.0).abs() < 1e-6, "{geometry:?}");
         assert!(geometry.points[0].separation.is_finite(), "{geometry:?}");
     }

@@ -25,22 +25,16 @@ const COMPLIANCE_SHARE_BEYOND: f32 = 0.15;
 /// Beyond this speed, m/s, the compliance does not change any more: it is within 0.3 % of what it comes to.
 const LAST_COMPLIANCE_SPEED: f32 = 1e3;
 
-/// Overlap up to `SHALLOW` is driven out at this rate, 1/s. Faster with the same compliance, and large pyramids do
-/// not come to rest; slower, and stacks sag more.
+/// Overlap is driven out at this rate, 1/s. Faster with the same compliance, and large pyramids do not come to rest;
+/// slower, and stacks sag more.
 const BIAS_RATE: f32 = 28.0;
 
 /// No more than this share of an overlap is driven out in one substep, no unit: at low tick rates `BIAS_RATE`
 /// would ask for so much that a stack overshoots and trembles.
 const LARGEST_SHARE: f32 = 0.3;
 
-/// Overlap beyond `SHALLOW` is driven out at this rate, 1/s. One rate for all depths makes bodies that are
-/// pressed together from all sides fight each other.
-const DEEP_BIAS_RATE: f32 = 9.0;
-
-/// Overlap below which a contact counts as shallow, m.
-const SHALLOW: f32 = 0.02;
-
-/// No overlap is driven out faster than this, m/s, so that bodies created in one place part without a bang.
+/// No overlap is driven out faster than this, m/s, so that bodies created in one place part without a bang: fifty boxes in
+/// one place come to 100 m/s without it.
 const PUSH_SPEED: f32 = 3.0;
 
 /// Overlap at rest under a load, m, whose impulse times k is `speed`, m/s, per substep: there the bias makes up for
@@ -51,14 +45,12 @@ pub(crate) fn sag(speed: f32, per_substep: f32) -> f32 {
 }
 
 /// Speed with which the contact wants to close (positive, while apart: it may close the gap s within one
-/// substep of length 1/`per_substep`) or to open (negative, where bodies overlap), m/s: the greatest of four straight
+/// substep of length 1/`per_substep`) or to open (negative, where bodies overlap), m/s: the greatest of three straight
 /// lines over the separation, each less steep than the one before.
 #[inline(always)]
 pub(crate) fn bias<L: Lane>(separation: L, per_substep: L) -> L {
     let rate = L::splat(BIAS_RATE).min(L::splat(LARGEST_SHARE) * per_substep);
-    let deep_rate = rate.min(L::splat(DEEP_BIAS_RATE));
-    let deep = deep_rate * separation - (rate - deep_rate) * L::splat(SHALLOW);
-    (separation * per_substep).max(separation * rate).max(deep.max(L::splat(-PUSH_SPEED)))
+    (separation * per_substep).max((separation * rate).max(L::splat(-PUSH_SPEED)))
 }
 
 /// The bias of a sweep that must not push: only the gap counts.
