@@ -348,6 +348,11 @@ impl Contacts {
         self.all.iter().map(|(key, contact)| (key.index(), contact))
     }
 
+    /// Every contact, to change it.
+    pub(crate) fn iter_mut(&mut self) -> impl Iterator<Item = &mut Contact> {
+        self.all.values_mut()
+    }
+
     /// Asks for the contact to be brought close: its place in memory has nothing to do with that of the one before
     /// it.
     #[inline(always)]

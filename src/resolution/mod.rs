@@ -18,6 +18,7 @@ mod load;
 mod moving;
 mod moving_geometry;
 mod projection;
+mod rates;
 mod scheme;
 mod softness;
 mod solve_contact;
@@ -33,6 +34,7 @@ pub(crate) use islands::{Islands, find_island};
 #[cfg(feature = "report")]
 pub(crate) use kernel::work_of_a_substep;
 pub(crate) use load::{Loads, begins_at_rest};
+pub(crate) use rates::rescale;
 pub(crate) use scheme::Scheme;
 pub(crate) use solver::{Acceleration, SolveTables, Solver, solve};
 pub use tier::Tier;

@@ -12,8 +12,6 @@ pub(crate) struct Scheme {
     /// Length of the step, s.
     pub(crate) dt: f32,
     pub(crate) substeps: u32,
-    /// Length of a substep over that of the last step's, no unit: impulses are stored per substep.
-    pub(crate) impulse_scale: f32,
     /// Sweeps before the bodies move, per substep.
     pub(crate) iterations: u32,
     /// Sweeps after the bodies have moved, per substep.

@@ -182,7 +182,7 @@ impl Solver {
     ) {
         self.prepare_kicks(scheme, tables, acceleration);
         let SolveTables { bodies, contacts, graph, executor, .. } = &mut *tables;
-        let from = Beginning { contacts, bodies, impulse_scale: scheme.impulse_scale, dt: scheme.dt };
+        let from = Beginning { contacts, bodies, dt: scheme.dt };
         graph.prepare(*executor, from);
         self.gather_special(graph);
         self.direct.clear();
@@ -279,7 +279,7 @@ impl Solver {
 }
 
 /// The part of the acceleration of the body in `slot` that stays the same during the step, m/s².
-fn steady(bodies: &Bodies, slot: u32, acceleration: &impl Acceleration) -> Vec2 {
+pub(super) fn steady(bodies: &Bodies, slot: u32, acceleration: &impl Acceleration) -> Vec2 {
     let (motion, forcing) = (&bodies.motions[slot as usize], &bodies.forcings[slot as usize]);
     acceleration.uniform() * forcing.gravity_scale + forcing.force * motion.inverse_mass
 }

@@ -148,6 +148,11 @@ impl<T> Slots<T> {
         Key { generation: self.generations[index as usize], index }
     }
 
+    /// The values by ascending place, to change them.
+    pub(crate) fn values_mut(&mut self) -> impl Iterator<Item = &mut T> {
+        self.values.iter_mut().flatten()
+    }
+
     /// Keys and values by ascending place.
     pub(crate) fn iter(&self) -> impl Iterator<Item = (Key, &T)> {
         (0..).zip(self.values.iter().zip(&self.generations)).filter_map(|(index, (value, &generation))| {

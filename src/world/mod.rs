@@ -76,8 +76,8 @@ pub struct World {
     events: Events,
     profile: Profile,
     residual: StepResidual,
-    /// Length of a substep in the last step, s; 0 before the first.
-    last_substep: f32,
+    /// Length of the substeps that the impulses of contacts are of, s; none before the first step.
+    impulses_of: Option<f32>,
     /// Awake bodies that have been at rest for long enough to sleep.
     resting: usize,
     ticks: u64,
@@ -142,7 +142,7 @@ impl World {
             events: Events::default(),
             profile: Profile::default(),
             residual: StepResidual::default(),
-            last_substep: 0.0,
+            impulses_of: None,
             resting: 0,
             ticks: 0,
             is_within_step: false,

@@ -216,13 +216,11 @@ impl Settings {
         self.tick_seconds() as f32 / self.substeps as f32
     }
 
-    /// What the solver needs to know for a step that computes with so many bodies or contacts after each other, where the
-    /// last step had substeps of length `last_substep`, s; 0 if there was none.
-    pub(crate) fn scheme(&self, sizes: impl Iterator<Item = usize>, last_substep: f32) -> Scheme {
+    /// What the solver needs to know for a step that computes with so many bodies or contacts after each other.
+    pub(crate) fn scheme(&self, sizes: impl Iterator<Item = usize>) -> Scheme {
         Scheme {
             dt: self.tick_seconds() as f32,
             substeps: self.substeps,
-            impulse_scale: if last_substep > 0.0 { self.substep_seconds() / last_substep } else { 1.0 },
             iterations: self.iterations,
             relax_iterations: self.relax_iterations,
             split_kick: self.split_kick,

@@ -6,7 +6,7 @@ use crate::body::{Bodies, BodyId, BodyType, Motion, NONE, RestRule, RestWatch};
 use crate::collision::{AHEAD, Refresh, refresh};
 use crate::compute::{BodyState, Chosen, Executor};
 use crate::math::{Rot, Vec2};
-use crate::resolution::{Impact, SolveTables, StepResidual, TierTables, begins_at_rest, solve};
+use crate::resolution::{Impact, SolveTables, StepResidual, TierTables, begins_at_rest, rescale, solve};
 use crate::world::World;
 use crate::world::attractor::Field;
 use crate::world::events::{ContactEvent, HitEvent};
@@ -205,11 +205,14 @@ impl World {
             attractors: &self.attractors,
             gravitational_constant: settings.gravitational_constant,
         };
-        let scheme = settings.scheme(graph.sizes().chain([bodies.awake_count()]), self.last_substep);
+        let scheme = settings.scheme(graph.sizes().chain([bodies.awake_count()]));
+        let (last, now) = (self.impulses_of.replace(scheme.substep_time()), scheme.substep_time());
+        if let Some(last) = last.filter(|&last| last != now) {
+            rescale(contacts, bodies, &field, [last, now]);
+        }
         let executor = Executor { pool, width: scheme.width };
         let mut tables = SolveTables { bodies, contacts, graph, loads, executor };
         self.residual = solve(&mut self.solver, &scheme, &self.tiers.direct, &mut tables, &field);
-        self.last_substep = settings.substep_seconds();
     }
 
     /// Adds the motion of the step to the poses, lets boxes follow, and watches for rest.

@@ -15,6 +15,7 @@ mod random_use;
 #[cfg(feature = "report")]
 mod report;
 mod sleep;
+mod slow_motion;
 mod stability;
 mod support;
 mod threads;

@@ -12,8 +12,6 @@ use crate::resolution::moving_geometry::MovingGeometry;
 pub(crate) struct Beginning<'a> {
     pub(crate) contacts: &'a Contacts,
     pub(crate) bodies: &'a Bodies,
-    /// Length of a substep now over that of the substep that impulses were found in, no unit: they are multiplied by it.
-    pub(crate) impulse_scale: f32,
     /// Length of the step, s.
     pub(crate) dt: f32,
 }
@@ -31,7 +29,7 @@ fn is_circle_on_ground([a, b]: [&Motion; 2]) -> bool {
 impl ContactConstraint<f32> {
     /// That of a contact between two bodies, but for the effective masses of the points that are there.
     #[inline(always)]
-    fn new(contact: &Contact, [a, b]: [&Motion; 2], impulse_scale: f32) -> Self {
+    fn new(contact: &Contact, [a, b]: [&Motion; 2]) -> Self {
         let turns = |motion: &Motion| if motion.is_round { 0.0 } else { 1.0 };
         let mut constraint = Self {
             inverse_mass_a: a.inverse_mass,
@@ -51,9 +49,9 @@ impl ContactConstraint<f32> {
                 separation: point.separation,
                 separation_now: point.separation,
                 normal_k: THERE,
-                normal_impulse: impulse_scale * point.normal_impulse,
+                normal_impulse: point.normal_impulse,
             };
-            friction.impulse = impulse_scale * point.tangent_impulse;
+            friction.impulse = point.tangent_impulse;
         }
         constraint
     }
@@ -89,11 +87,11 @@ impl ContactBlock {
         contact: &Contact,
         from: Beginning<'_>,
     ) {
-        let Beginning { bodies, impulse_scale, .. } = from;
+        let bodies = from.bodies;
         let motions = contact.slots.map(|slot| &bodies.motions[slot as usize]);
         let [a, b] = motions;
         (rows_a[place], rows_b[place]) = (a.row, b.row);
-        let constraint = ContactConstraint::new(contact, motions, impulse_scale);
+        let constraint = ContactConstraint::new(contact, motions);
         self.columns.store::<f32>(place, constraint);
         self.has_circles |= a.is_round | b.is_round;
         // A spin of 0 stays 0, and not -0, where nothing can change it.

@@ -13,3 +13,4 @@ mod pair_with_a_removed_body;
 mod stale_manifold;
 #[cfg(all(target_os = "linux", feature = "parallel"))]
 mod threads_of_many_worlds;
+mod thrown_by_slow_motion;

@@ -1,0 +1,83 @@
+//! Slow motion: another tick rate, or another number of substeps, for a while and back. Nothing is to be thrown by it, whatever
+//! collides at either change, and what rests is to stay.
+
+use rustycs::prelude::*;
+use rustycs_scenes::Scene;
+
+/// Rate, 1/s, substeps, and how many ticks they are kept: a sixtieth of a second, but where those are too many.
+const SLOW: [(f32, u32, usize); 6] =
+    [(240.0, 4, 4), (600.0, 4, 10), (6000.0, 4, 10), (1e6, 4, 10), (60.0, 256, 1), (60.0, 1, 1)];
+
+/// Ticks before, and after. Most scenes are in the midst of their collisions then.
+const BEFORE: usize = 90;
+const AFTER: usize = 10;
+
+/// Speeds and energy may differ by this share.
+const SHARE: f64 = 0.05;
+
+/// And speeds by this, m/s. What is stacked overlaps by what goes with the length of the substep, by 12 mm altogether in the
+/// tower, and comes out of it at 28 1/s.
+const SAGGING: f64 = 0.35;
+
+/// What does not hold, and why. What comes to hold is taken off the list.
+const KNOWN_FAILURES: [(&str, &str); 1] = [(
+    "pile at 60 Hz x 1",
+    "a tick of one substep leaves more overlap, and squeezes a body of 20 g out at 27 m/s, not 24",
+)];
+
+/// Greatest speed of a dynamic body, m/s.
+fn top_speed(world: &World) -> f64 {
+    let dynamic = world.bodies().filter(|(_, body)| body.body_type() == BodyType::Dynamic);
+    dynamic.map(|(_, body)| f64::from(body.velocity().length())).fold(0.0, f64::max)
+}
+
+/// Greatest speed in some ticks, m/s, and the energy after each of them, J.
+fn run(scene: &Scene, world: &mut World, ticks: usize) -> (f64, Vec<f64>) {
+    let mut energies = Vec::new();
+    let mut top = 0.0_f64;
+    for _ in 0..ticks {
+        scene.before_tick(world);
+        world.step();
+        top = top.max(top_speed(world));
+        energies.push(world.energy());
+    }
+    (top, energies)
+}
+
+/// What slow motion changes in a scene.
+fn faults(scene: &Scene) -> Vec<String> {
+    let mut world = scene.build(1, Settings::default());
+    run(scene, &mut world, BEFORE);
+    let usual = world.settings().clone();
+    // Two ticks longer: the slow part takes from none of them to one.
+    let (top, energies) = run(scene, &mut world.clone(), AFTER + 2);
+    let around = &energies[AFTER - 2..];
+    let least = around.iter().copied().fold(f64::INFINITY, f64::min);
+    let most = around.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+    let slack = SHARE * most.abs().max(least.abs());
+    let mut faults = Vec::new();
+    for (tick_rate, substeps, ticks) in SLOW {
+        let mut slowed = world.clone();
+        slowed.set_settings(Settings { tick_rate, substeps, ..usual.clone() }).unwrap();
+        run(scene, &mut slowed, ticks);
+        slowed.set_settings(usual.clone()).unwrap();
+        let (speed, energies) = run(scene, &mut slowed, AFTER);
+        let (energy, how) = (energies[AFTER - 1], format!("{} at {tick_rate} Hz x {substeps}", scene.name));
+        if speed > (1.0 + SHARE) * top + SAGGING {
+            faults.push(format!("{how}: {speed} m/s after it, {top} without"));
+        }
+        if !(least - slack..=most + slack).contains(&energy) {
+            faults.push(format!("{how}: {energy} J after it, {least} to {most} without"));
+        }
+    }
+    faults
+}
+
+#[test]
+fn slow_motion_throws_nothing_in_any_scene() {
+    let faults: Vec<String> = rustycs_scenes::all().iter().flat_map(faults).collect();
+    let is_known = |fault: &&String| KNOWN_FAILURES.iter().any(|(known, _)| fault.starts_with(known));
+    let (known, new): (Vec<&String>, Vec<&String>) = faults.iter().partition(is_known);
+    assert!(new.is_empty(), "{new:#?}");
+    assert_eq!(known.len(), KNOWN_FAILURES.len(), "only these fail still: {known:?}");
+}
