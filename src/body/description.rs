@@ -16,7 +16,7 @@ pub enum BodyType {
     Kinematic,
 }
 
-/// Largest distance from the origin, m, that a body can be given: there a step of `f64` is 0.1 mm.
+/// Largest coordinate, m, that a body can be given, or get to: there a step of `f64` is 0.1 mm.
 pub(crate) const FARTHEST: f64 = 1e12;
 /// Largest speed (m/s), spin (rad/s), force (N) or impulse (N s) that can be given: its square stays in `f32`.
 pub(crate) const STRONGEST: f64 = 1e18;

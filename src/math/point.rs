@@ -32,6 +32,12 @@ impl Point {
         Vec2::new(self.x as f32, self.y as f32)
     }
 
+    /// The nearest place whose coordinates are within ±`limit`, m.
+    #[inline(always)]
+    pub(crate) fn within(self, limit: f64) -> Self {
+        Self::new(self.x.clamp(-limit, limit), self.y.clamp(-limit, limit))
+    }
+
     /// Whether both coordinates are numbers, neither NaN nor infinite.
     pub fn is_finite(self) -> bool {
         self.x.is_finite() && self.y.is_finite()

@@ -81,6 +81,7 @@ impl EventScene<'_> {
         let moved = self.graph.moved_rows(home).into_iter().zip(after);
         for (row, mut after) in moved.filter(|&(row, _)| row != GROUND_ROW) {
             let state = &mut self.bodies.states[row as usize];
+            self.scheme.limits.cut(&mut after);
             drift_until(time, state, &mut after);
             *state = after;
         }

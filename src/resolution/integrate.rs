@@ -94,6 +94,28 @@ pub(crate) struct SpeedLimits {
     pub(crate) spin: f32,
 }
 
+impl SpeedLimits {
+    /// Cuts the velocities of a body; what is not a number becomes 0.
+    #[inline(always)]
+    pub(crate) fn cut<L: Lane>(self, state: &mut BodyState<L>) {
+        let LaneVec2 { x, y } = state.velocity;
+        state.velocity = LaneVec2 { x: clamp(x, self.speed), y: clamp(y, self.speed) };
+        state.angular_velocity = clamp(state.angular_velocity, self.spin);
+    }
+
+    /// An acceleration, m/s², that acts for `time`, s, at a time, cut to what takes a velocity from one limit to the other: a
+    /// greater one would do no more.
+    pub(crate) fn cut_acceleration(self, acceleration: Vec2, time: f32) -> Vec2 {
+        let limit = 2.0 * self.speed / time;
+        Vec2::new(clamp(acceleration.x, limit), clamp(acceleration.y, limit))
+    }
+
+    /// The same of an angular acceleration, rad/s².
+    pub(crate) fn cut_angular_acceleration(self, acceleration: f32, time: f32) -> f32 {
+        clamp(acceleration, 2.0 * self.spin / time)
+    }
+}
+
 /// What moves bodies on, in this order.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Advance {
@@ -146,6 +168,7 @@ impl Job for Integrate<'_> {
             let (column, place) = (&mut columns[first / COLUMN], first % COLUMN);
             let mut state = L::load_rows(states, first);
             if let Some(h) = drift {
+                limits.cut(&mut state);
                 self::drift(&mut state, h);
             }
             if let Some(t) = kick {
@@ -183,10 +206,9 @@ fn add_compensated<L: Lane>(
 /// v += t·a, with what rounding loses carried to the next kick.
 #[inline(always)]
 fn kick<L: Lane>(state: &mut BodyState<L>, kick: &mut Kick<L>, t: f32, limits: SpeedLimits) {
-    let sum = add_compensated(state.velocity, kick.acceleration * L::splat(t), &mut kick.compensation);
-    state.velocity = LaneVec2 { x: clamp(sum.x, limits.speed), y: clamp(sum.y, limits.speed) };
-    let w = state.angular_velocity + kick.angular_acceleration * L::splat(t);
-    state.angular_velocity = clamp(w, limits.spin);
+    state.velocity = add_compensated(state.velocity, kick.acceleration * L::splat(t), &mut kick.compensation);
+    state.angular_velocity = state.angular_velocity + kick.angular_acceleration * L::splat(t);
+    limits.cut(state);
 }
 
 /// x += h·v, and the rotation turns by exactly h·w.

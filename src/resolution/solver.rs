@@ -117,7 +117,7 @@ impl Solver {
         }
         self.integrate(scheme, tables, drift, None);
         if acceleration.varies() {
-            self.accelerate(tables, acceleration);
+            self.accelerate(scheme, tables, acceleration);
         }
         self.direct.restore_free(&mut tables.bodies.states);
         self.integrate(scheme, tables, None, kick);
@@ -194,16 +194,19 @@ impl Solver {
     fn prepare_kicks(&mut self, scheme: &Scheme, tables: &SolveTables<'_>, acceleration: &impl Acceleration) {
         let bodies = &*tables.bodies;
         let has_damping = AtomicBool::new(false);
+        let (limits, time) = (scheme.limits, scheme.kick_time());
         self.kicks.fill(tables.executor.pool, bodies.row_count(), |row| {
             let Some(slot) = bodies.dynamic_in(row) else { return Kick::default() };
             let (motion, forcing) = (&bodies.motions[slot as usize], &bodies.forcings[slot as usize]);
             if is_damped(forcing) {
                 has_damping.store(true, Ordering::Relaxed);
             }
+            let steady = steady(bodies, slot, acceleration);
+            let angular = forcing.torque * motion.inverse_inertia;
             Kick {
-                acceleration: steady(bodies, slot, acceleration).into(),
+                acceleration: limits.cut_acceleration(steady, time).into(),
                 compensation: motion.velocity_compensation.into(),
-                angular_acceleration: forcing.torque * motion.inverse_inertia,
+                angular_acceleration: limits.cut_angular_acceleration(angular, time),
             }
         });
         self.damped.clear();
@@ -213,7 +216,7 @@ impl Solver {
             self.damped.add(forcings.filter(|&(_, forcing)| is_damped(forcing)), scheme.kick_time());
         }
         if acceleration.varies() {
-            self.accelerate(tables, acceleration);
+            self.accelerate(scheme, tables, acceleration);
         }
     }
 
@@ -237,12 +240,13 @@ impl Solver {
     }
 
     /// Finds the accelerations that depend on the place anew.
-    fn accelerate(&mut self, tables: &SolveTables<'_>, acceleration: &impl Acceleration) {
+    fn accelerate(&mut self, scheme: &Scheme, tables: &SolveTables<'_>, acceleration: &impl Acceleration) {
         let bodies = &*tables.bodies;
         self.kicks.accelerate(tables.executor.pool, |row| {
             let slot = bodies.dynamic_in(row)?;
             let varying = acceleration.at(bodies, slot, bodies.states[row].delta_position.into());
-            Some(steady(bodies, slot, acceleration) + varying)
+            let sum = steady(bodies, slot, acceleration) + varying;
+            Some(scheme.limits.cut_acceleration(sum, scheme.kick_time()))
         });
     }
 

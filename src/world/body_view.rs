@@ -254,7 +254,8 @@ impl<'a> BodyMut<'a> {
         self.world.wake_neighbours(slot);
     }
 
-    /// Sets the velocity of the centre of mass, m/s. Fixed bodies stay at rest.
+    /// Sets the velocity of the centre of mass, m/s, cut to [`Settings::max_speed`](crate::Settings::max_speed). Fixed bodies stay
+    /// at rest.
     ///
     /// # Errors
     /// [`BodyError`], if a component is not finite or beyond 10¹⁸ m/s.
@@ -265,12 +266,13 @@ impl<'a> BodyMut<'a> {
         if let Some(state) = self.state() {
             state.velocity = velocity.into();
         }
+        self.world.cut_velocity(self.slot());
         self.world.update_box(self.slot());
         Ok(())
     }
 
-    /// Sets the angular velocity, rad/s. Fixed bodies, axis-aligned boxes and bodies with
-    /// [fixed rotation](Body::fixed_rotation) do not turn.
+    /// Sets the angular velocity, rad/s, cut to [`Settings::max_spin`](crate::Settings::max_spin). Fixed bodies, axis-aligned
+    /// boxes and bodies with [fixed rotation](Body::fixed_rotation) do not turn.
     ///
     /// # Errors
     /// [`BodyError`], if it is not finite or beyond 10¹⁸ rad/s.
@@ -282,6 +284,7 @@ impl<'a> BodyMut<'a> {
         if let Some(state) = self.state() {
             state.angular_velocity = angular_velocity;
         }
+        self.world.cut_velocity(self.slot());
         Ok(())
     }
 
@@ -325,13 +328,10 @@ impl<'a> BodyMut<'a> {
 
     fn add_velocity(&mut self, impulse: Vec2, angular_impulse: f32) {
         let (inverse_mass, inverse_inertia) = (self.motion().inverse_mass, self.motion().inverse_inertia);
-        let limits = (self.world.settings.max_speed, self.world.settings.max_spin);
         let Some(state) = self.state() else { return };
-        let velocity = Vec2::from(state.velocity) + impulse * inverse_mass;
-        state.velocity.x = velocity.x.clamp(-limits.0, limits.0);
-        state.velocity.y = velocity.y.clamp(-limits.0, limits.0);
-        let spin = state.angular_velocity + angular_impulse * inverse_inertia;
-        state.angular_velocity = spin.clamp(-limits.1, limits.1);
+        state.velocity = (Vec2::from(state.velocity) + impulse * inverse_mass).into();
+        state.angular_velocity += angular_impulse * inverse_inertia;
+        self.world.cut_velocity(self.slot());
         self.world.update_box(self.slot());
     }
 

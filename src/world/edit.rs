@@ -16,6 +16,7 @@ impl World {
         body.validate()?;
         let id = self.bodies.insert(&body);
         let slot = id.0.index();
+        self.cut_velocity(slot);
         self.broad_phase.add(slot, body.body_type != BodyType::Fixed, self.bodies.aabb(slot));
         self.update_box(slot);
         Ok(id)
@@ -24,11 +25,15 @@ impl World {
     /// Lets the fat box of a body follow an edit of its pose or velocity: it must hold where the body will be
     /// after the next step, or what is fast would pass through what is near.
     pub(in crate::world) fn update_box(&mut self, slot: u32) {
-        let (limit, velocity) = (self.settings.max_speed, Vec2::from(self.bodies.state(slot).velocity));
-        let cut = velocity.max(Vec2::splat(-limit)).min(Vec2::splat(limit));
-        let motion = cut * self.settings.tick_seconds() as f32;
+        let motion = Vec2::from(self.bodies.state(slot).velocity) * self.settings.tick_seconds() as f32;
         self.bodies.motions[slot as usize].room = 0.0;
         self.broad_phase.update(slot, self.bodies.aabb(slot), motion);
+    }
+
+    /// Cuts the velocities of a body that were set by hand, so that all that is computed with them is finite.
+    pub(in crate::world) fn cut_velocity(&mut self, slot: u32) {
+        let row = self.bodies.motions[slot as usize].row;
+        self.settings.speed_limits().cut(&mut self.bodies.states[row as usize]);
     }
 
     /// Removes a body and returns its description as of now, or `None` if it was removed before. Other ids

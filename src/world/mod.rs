@@ -175,6 +175,8 @@ impl World {
         if mix_changed {
             self.mix_all();
         }
+        let limits = self.settings.speed_limits();
+        self.bodies.states.iter_mut().for_each(|state| limits.cut(state));
         self.wake_all();
         Ok(())
     }

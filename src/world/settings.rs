@@ -81,9 +81,9 @@ pub struct Settings {
     /// [reported](crate::Events::left). Default `None`: a world has no bounds, and what flies away costs next to
     /// nothing.
     pub bounds: Option<Aabb>,
-    /// Components of velocities are cut to this speed, m/s, up to 10⁶. Default 10⁵.
+    /// Components of velocities are cut to this speed, m/s, up to 10⁶, as soon as they are set or come about. Default 10⁵.
     pub max_speed: f32,
-    /// Angular velocities are cut to this, rad/s, up to 10⁶. Default 10⁵.
+    /// Angular velocities are cut to this, rad/s, up to 10⁶, likewise. Default 10⁵.
     pub max_spin: f32,
     /// How many contacts are solved at a time. No bit of a result depends on it. Default [`Lanes::Auto`].
     pub lanes: Lanes,
@@ -216,6 +216,11 @@ impl Settings {
         self.tick_seconds() as f32 / self.substeps as f32
     }
 
+    /// What velocities are cut to.
+    pub(crate) fn speed_limits(&self) -> SpeedLimits {
+        SpeedLimits { speed: self.max_speed, spin: self.max_spin }
+    }
+
     /// What the solver needs to know for a step that computes with so many bodies or contacts after each other.
     pub(crate) fn scheme(&self, sizes: impl Iterator<Item = usize>) -> Scheme {
         Scheme {
@@ -232,7 +237,7 @@ impl Settings {
                 PositionCorrection::Projection { iterations } => Some(iterations),
             },
             restitution_threshold: self.restitution_threshold,
-            limits: SpeedLimits { speed: self.max_speed, spin: self.max_spin },
+            limits: self.speed_limits(),
             width: self.lanes.width_for(sizes),
             fitted_kernels: self.fitted_kernels,
         }

@@ -2,6 +2,7 @@
 
 use std::sync::atomic::{AtomicUsize, Ordering};
 
+use crate::body::description::FARTHEST;
 use crate::body::{Bodies, BodyId, BodyType, Motion, NONE, RestRule, RestWatch};
 use crate::collision::{AHEAD, Refresh, refresh};
 use crate::compute::{BodyState, Chosen, Executor};
@@ -219,6 +220,7 @@ impl World {
     fn finalize(&mut self) {
         let dt = self.settings.tick_seconds() as f32;
         let rest_rule = self.settings.sleep.then(|| self.settings.rest_rule());
+        let limits = self.settings.speed_limits();
         let Self { bodies, broad_phase, pool, leaves_box, leaving, .. } = self;
         leaves_box.resize(bodies.awake_count(), false);
         let row_count = bodies.row_count();
@@ -233,6 +235,7 @@ impl World {
             |((mut motions, (mut forcings, mut watches)), (states, leaves_box))| {
                 for (place, (state, leaves_box)) in states.iter_mut().zip(leaves_box).enumerate() {
                     forcings.get_mut(place).end_step();
+                    limits.cut(state);
                     let (slot, motion) = (motions.indices()[place], motions.get_mut(place));
                     let ahead = Vec2::from(state.velocity) * dt;
                     if let Some(rule) = rest_rule
@@ -364,7 +367,8 @@ fn watch_for_rest(motion: &mut Motion, watch: &mut RestWatch, state: &BodyState,
 #[inline(always)]
 fn move_on(motion: &mut Motion, state: &mut BodyState) {
     let turn = Rot { c: state.delta_rotation.c, s: state.delta_rotation.s };
-    motion.pose.center += state.delta_position.into();
+    // The world ends there: a place that is farther would be refused when it is given back.
+    motion.pose.center = (motion.pose.center + state.delta_position.into()).within(FARTHEST);
     motion.pose.rotation = (turn * motion.pose.rotation).normalized();
     // Rotations round in their last digit.
     let swing = if motion.is_round { 0.0 } else { (1.0 - turn.c).abs() + turn.s.abs() + 2.0 * f32::EPSILON };

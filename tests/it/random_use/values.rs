@@ -60,18 +60,18 @@ fn ring(corners: u32, width: f32, height: f32) -> impl Iterator<Item = [f32; 2]>
 }
 
 /// Flat ones may be refused.
-fn polygon() -> impl Strategy<Value = Shape> {
-    (3_u32..=8, length(), length()).prop_map(|(corners, width, height)| {
+fn polygon(length: impl Strategy<Value = f32> + Clone) -> impl Strategy<Value = Shape> {
+    (3_u32..=8, length.clone(), length).prop_map(|(corners, width, height)| {
         Shape::polygon(ring(corners, width, height)).unwrap_or(Shape::circle(width))
     })
 }
 
-pub(crate) fn shape() -> impl Strategy<Value = Shape> {
+fn shape(length: impl Strategy<Value = f32> + Clone + 'static) -> impl Strategy<Value = Shape> {
     prop_oneof![
-        length().prop_map(Shape::circle),
-        (length(), length()).prop_map(|(width, height)| Shape::aabb(width, height)),
-        (length(), length()).prop_map(|(width, height)| Shape::obb(width, height)),
-        polygon(),
+        length.clone().prop_map(Shape::circle),
+        (length.clone(), length.clone()).prop_map(|(width, height)| Shape::aabb(width, height)),
+        (length.clone(), length.clone()).prop_map(|(width, height)| Shape::obb(width, height)),
+        polygon(length),
     ]
 }
 
@@ -84,20 +84,69 @@ fn body_of(shape: Shape) -> impl Strategy<Value = Body> {
 }
 
 pub(crate) fn body() -> impl Strategy<Value = Body> {
-    let motion = (place(), strength(), vector(), strength());
+    body_with(length(), coordinate(), strength())
+}
+
+/// A length, over all that is accepted.
+fn any_length() -> impl Strategy<Value = f32> + Clone {
+    prop_oneof![2 => magnitude(-4.9, 7.9), 1 => magnitude(-4.9, -2.0), 2 => narrow(0.1, 2.0)]
+}
+
+/// A coordinate near `base`, on any scale, m: so that bodies of all sizes meet.
+pub(crate) fn coordinate_near(base: f64) -> impl Strategy<Value = f64> + Clone {
+    let scales = (between(-6.0, 7.0), any::<bool>());
+    let offset =
+        scales.prop_map(|(exponent, negative)| 10.0_f64.powf(exponent) * if negative { -1.0 } else { 1.0 });
+    prop_oneof![3 => offset, 2 => between(-3e-5, 3e-5), 1 => Just(0.0)].prop_map(move |offset| base + offset)
+}
+
+/// A component of a velocity, force or impulse: the greatest that are accepted, or usual ones.
+pub(crate) fn great_strength() -> impl Strategy<Value = f32> + Clone {
+    prop_oneof![2 => Just(0.0_f32), 3 => narrow(-10.0, 10.0), 3 => signed(-3.0, 18.0), 1 => Just(1e18_f32)]
+}
+
+/// A body of any size near `base`.
+pub(crate) fn extreme_body(base: f64) -> impl Strategy<Value = Body> {
+    body_with(any_length(), coordinate_near(base), great_strength())
+}
+
+/// Where the bodies of a program are: as far as is accepted.
+pub(crate) fn base() -> impl Strategy<Value = f64> + Clone {
+    prop_oneof![2 => Just(0.0), 1 => between(0.0, 11.99).prop_map(|exponent| -(10.0_f64.powf(exponent)))]
+}
+
+/// Settings with any number of substeps, at any rate.
+pub(crate) fn extreme_settings() -> impl Strategy<Value = Settings> {
+    let substeps = magnitude(0.0, 2.408).prop_map(|count| count as u32);
+    let rate = prop_oneof![1 => Just(60.0_f32), 2 => magnitude(-0.99, 6.0), 1 => Just(0.1_f32)];
+    (settings(), rate, substeps, any::<bool>()).prop_map(|(settings, tick_rate, substeps, is_default)| {
+        let base = if is_default { Settings::default() } else { settings };
+        Settings { tick_rate, substeps, ..base }
+    })
+}
+
+fn body_with(
+    length: impl Strategy<Value = f32> + Clone + 'static,
+    coordinate: impl Strategy<Value = f64> + Clone,
+    strength: impl Strategy<Value = f32> + Clone,
+) -> impl Strategy<Value = Body> {
+    let (place, vector) = ([coordinate.clone(), coordinate], [strength.clone(), strength.clone()]);
+    let motion = (place, strength.clone(), vector, strength);
     let surface = (factor(), narrow(0.0, 1.0), prop_oneof![magnitude(-1.0, 1.0), magnitude(-12.0, 12.0)]);
     let options =
         (prop::option::weighted(0.2, magnitude(-12.0, 15.0)), any::<[bool; 2]>(), factor(), factor());
-    (shape().prop_flat_map(body_of), motion, surface, options).prop_map(|(body, motion, surface, options)| {
-        let (at, angle, velocity, spin) = motion;
-        let (friction, restitution, density) = surface;
-        let (mass, [fixed_rotation, may_sleep], scale, damping) = options;
-        let body = body.at(at).angle(angle).velocity(velocity).angular_velocity(spin);
-        let body = body.friction(friction).restitution(restitution).density(density);
-        let body = body.fixed_rotation(fixed_rotation).gravity_scale(1.0 - scale);
-        let body = body.linear_damping(damping).angular_damping(damping).may_sleep(may_sleep);
-        if let Some(mass) = mass { body.mass(mass) } else { body }
-    })
+    (shape(length).prop_flat_map(body_of), motion, surface, options).prop_map(
+        |(body, motion, surface, options)| {
+            let (at, angle, velocity, spin) = motion;
+            let (friction, restitution, density) = surface;
+            let (mass, [fixed_rotation, may_sleep], scale, damping) = options;
+            let body = body.at(at).angle(angle).velocity(velocity).angular_velocity(spin);
+            let body = body.friction(friction).restitution(restitution).density(density);
+            let body = body.fixed_rotation(fixed_rotation).gravity_scale(1.0 - scale);
+            let body = body.linear_damping(damping).angular_damping(damping).may_sleep(may_sleep);
+            if let Some(mass) = mass { body.mass(mass) } else { body }
+        },
+    )
 }
 
 /// A body as games have it, somewhere in a pool of 10 m.
