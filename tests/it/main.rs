@@ -2,6 +2,7 @@
 
 mod allocation;
 mod bad_input;
+mod closed_worlds;
 mod determinism;
 mod golden;
 mod house;
