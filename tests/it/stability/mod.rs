@@ -29,7 +29,7 @@ const KNOWN_FAILURES: &[(&str, &str)] = &[
     ("leaning-inside", "in the first steps, before the load has come up, the upper nine boxes begin to turn"),
     ("crowd-of-50", "each of 49 others pushes a box as if it were alone"),
     (
-        "gravel-edge",
+        "gravel-middle",
         "sweeps leave a hundredth of a stone of overlap in some such heaps, as chance will have it",
     ),
 ];
