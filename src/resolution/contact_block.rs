@@ -45,8 +45,8 @@ pub(crate) struct BlockMarks {
     pub(crate) moving: Marks,
     /// Those whose geometry moves within the step, and not in closed form.
     pub(crate) found_anew: Marks,
-    /// At the end of the step: those that would sag too far under sweeps.
-    pub(crate) sagging: Marks,
+    /// At the end of the step: those under lasting load.
+    pub(crate) lasting: Marks,
     /// At the end of the step: those that may have begun or ceased to touch.
     pub(crate) changing: Marks,
 }

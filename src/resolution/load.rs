@@ -1,7 +1,7 @@
-//! Which contacts sag, told at the end of each step.
+//! What the contacts of an island bear, told at the end of each step.
 //!
-//! A load is told by the overlap that sweeps leave under it at rest, see [`sag`], as a share of the width of the thinner
-//! body.
+//! A load is told by the overlap that sweeps leave under it, see [`sag`], as a share of the width
+//! of the thinner body. Contacts without a lasting load cost one comparison.
 
 use crate::body::Bodies;
 use crate::collision::Contact;
@@ -10,15 +10,32 @@ use crate::resolution::softness::sag;
 /// Overlap at rest, as a share of the width of the thinner body, from which an island is solved directly.
 pub(super) const DIRECT_SHARE: f32 = 0.0125;
 
-/// Substeps per second that sags are told for, if there are no fewer, 1/s: told for more, stacks at high rates lean until
-/// they fall.
+/// Substeps per second that sags are told for, if there are no fewer, 1/s.
 pub(super) const USUAL_RATE: f32 = 240.0;
 
-/// What a step says of how the islands are to be solved in the next.
+/// A contact must be under such a load for so many steps: a blow is over sooner.
+pub(super) const LASTING_STEPS: u8 = 4;
+
+/// An island goes back to sweeps only when the load is below this share of what asked for more, so that it does not go
+/// to and fro.
+pub(super) const CALM_SHARE: f32 = 0.7;
+
+/// The load of a contact.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct ContactLoad {
+    /// For how many steps it has been great.
+    steps: u8,
+    /// The overlap that sweeps would leave under it, as a share of the width of the thinner body.
+    sag: f32,
+}
+
+/// The contacts under lasting load, found at the end of a step.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Loads {
-    /// Indices of the contacts that would sag too far under sweeps.
-    pub(crate) sagging: Vec<u32>,
+    /// By index of a contact.
+    pub(crate) of_contact: Vec<ContactLoad>,
+    /// Indices of the contacts.
+    pub(crate) lasting: Vec<u32>,
     /// Contacts that begin between bodies at rest, see [`begins_at_rest`].
     pub(crate) begun_at_rest: Vec<u32>,
     /// Slots of the bodies of islands that the direct solve could not solve.
@@ -26,16 +43,24 @@ pub(crate) struct Loads {
 }
 
 impl Loads {
+    /// Forgets the load of the contact that had an index; makes room for one that begins.
+    pub(crate) fn begin_contact(&mut self, index: u32) {
+        let end = index as usize + 1;
+        self.of_contact.resize(self.of_contact.len().max(end), ContactLoad::default());
+        self.of_contact[index as usize] = ContactLoad::default();
+    }
+
     /// Forgets what is beyond so many contacts and slots of bodies.
     pub(crate) fn trim(&mut self, contacts: usize, slots: usize) {
-        self.sagging.retain(|&index| (index as usize) < contacts);
+        self.of_contact.truncate(contacts);
+        self.lasting.retain(|&index| (index as usize) < contacts);
         self.begun_at_rest.retain(|&index| (index as usize) < contacts);
         self.unsolved.retain(|&slot| (slot as usize) < slots);
     }
 
     /// Begins a step.
     pub(crate) fn clear(&mut self) {
-        self.sagging.clear();
+        self.lasting.clear();
         self.begun_at_rest.clear();
         self.unsolved.clear();
     }
@@ -58,11 +83,34 @@ impl LoadMeasure {
         Self { per_substep: usual, factor: if loads_matter { per_substep / usual } else { 0.0 } }
     }
 
-    /// Whether a contact, whose greatest k λ is `speed`, m/s, would sag too far under sweeps. What slides or turns has no
-    /// lasting load.
+    /// Takes note of the load of a contact, whose greatest k λ is `speed`, m/s. Returns whether it lasts.
     #[inline(always)]
-    pub(crate) fn sags(self, contact: &Contact, speed: f32) -> bool {
-        contact.holds_still && sag(self.factor * speed, self.per_substep) > DIRECT_SHARE * contact.thickness
+    pub(crate) fn is_lasting(self, contact: &Contact, load: &mut ContactLoad, speed: f32) -> bool {
+        let sag = sag(self.factor * speed, self.per_substep);
+        if !contact.holds_still || sag <= CALM_SHARE * DIRECT_SHARE * contact.thickness {
+            load.steps = 0;
+            return false;
+        }
+        *load = ContactLoad { steps: load.steps.saturating_add(1), sag: sag / contact.thickness };
+        load.steps >= LASTING_STEPS
+    }
+}
+
+/// The load of the contacts of an island.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Load {
+    /// Largest sag, as a share of the thickness.
+    pub(super) largest: f32,
+    /// Whether one of those that sag too far has not done so for long.
+    pub(super) is_recent: bool,
+}
+
+impl Load {
+    pub(super) fn add(&mut self, load: ContactLoad) {
+        if load.steps >= LASTING_STEPS {
+            self.largest = self.largest.max(load.sag);
+            self.is_recent |= load.sag > DIRECT_SHARE && load.steps < u8::MAX;
+        }
     }
 }
 
@@ -97,22 +145,29 @@ mod tests {
     }
 
     #[test]
-    fn more_substeps_do_not_change_what_sags() {
-        let contact = contact();
-        for factor in [1.0, 2.0, 10.0] {
-            let measure = LoadMeasure::new(true, factor * USUAL_RATE);
-            for (share, sags) in [(0.99, false), (1.01, true)] {
-                let speed = speed_for(share * DIRECT_SHARE) / factor;
-                assert_eq!(measure.sags(&contact, speed), sags, "{share} with {factor} times the substeps");
-            }
-        }
+    fn a_load_lasts_when_it_was_great_for_some_steps_and_ends_at_once() {
+        let (measure, contact, mut load) =
+            (LoadMeasure::new(true, USUAL_RATE), contact(), ContactLoad::default());
+        let great = speed_for(DIRECT_SHARE);
+        let lasts: Vec<bool> = (0..6).map(|_| measure.is_lasting(&contact, &mut load, great)).collect();
+        assert_eq!(lasts, (1..=6).map(|step| step >= LASTING_STEPS).collect::<Vec<_>>());
+        let mut island = Load::default();
+        island.add(load);
+        assert!((island.largest / DIRECT_SHARE - 1.0).abs() < 1e-6, "{island:?}");
+        assert!(!measure.is_lasting(&contact, &mut load, speed_for(0.5 * CALM_SHARE * DIRECT_SHARE)));
+        assert!(!measure.is_lasting(&contact, &mut load, great), "a new load has to last anew");
     }
 
     #[test]
-    fn nothing_sags_that_moves_or_where_loads_do_not_matter() {
-        let (mut contact, great) = (contact(), speed_for(2.0 * DIRECT_SHARE));
-        assert!(!LoadMeasure::new(false, USUAL_RATE).sags(&contact, great));
-        contact.holds_still = false;
-        assert!(!LoadMeasure::new(true, USUAL_RATE).sags(&contact, great));
+    fn more_substeps_do_not_change_what_a_load_is() {
+        let (contact, great) = (contact(), speed_for(DIRECT_SHARE));
+        for factor in [1.0, 2.0, 10.0] {
+            let (measure, mut load) = (LoadMeasure::new(true, factor * USUAL_RATE), ContactLoad::default());
+            measure.is_lasting(&contact, &mut load, great / factor);
+            assert!(
+                (load.sag / DIRECT_SHARE - 1.0).abs() < 1e-6,
+                "{load:?} with {factor} times the substeps"
+            );
+        }
     }
 }

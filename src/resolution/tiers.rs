@@ -2,9 +2,9 @@
 //!
 //! What sweeps leave wrong at rest is known beforehand: a contact sags under an impulse λ to where the bias makes up
 //! for the compliance, which is 14 % of k λ (see [`softness`](super::softness)). Where that is more than an eightieth
-//! of the thinner body, in a contact whose bodies hardly move against each other, the island is solved directly, if that is
-//! little work. This ends some time after the load does, or when the direct solve does not solve the island: that is tried
-//! again later. Only the state decides, never a clock: a clone is solved as its original.
+//! of the thinner body, in a contact whose bodies hardly move against each other, for a few steps, the island is solved
+//! directly, if that is little work. This ends when the load does, or when the direct solve does not solve the island: that
+//! is tried again later, if much would sag. Only the state decides, never a clock: a clone is solved as its original.
 //!
 //! A heap of great weight that begins at rest is solved directly from its first step on: its loads have yet to build up,
 //! and it would fall meanwhile.
@@ -17,7 +17,9 @@ use crate::body::{Bodies, NONE};
 use crate::collision::{Contact, Contacts};
 use crate::resolution::constraint_graph::ConstraintGraph;
 use crate::resolution::islands::{Islands, find_island};
-use crate::resolution::load::{DIRECT_SHARE, Loads, USUAL_RATE, begins_at_rest};
+use crate::resolution::load::{
+    CALM_SHARE, DIRECT_SHARE, LASTING_STEPS, Load, Loads, USUAL_RATE, begins_at_rest,
+};
 use crate::resolution::softness::sag;
 use crate::resolution::tier::Tier;
 use crate::resolution::tiers::history::{History, RETRY_STEPS};
@@ -39,6 +41,11 @@ const FACTORIZATION_OF_BODY: u64 = 27;
 /// An island that is too much work is left alone for so many steps. To find it every ten steps, and to order it, takes 7 % of
 /// the step of a drum; a heap that comes apart waits for no longer than two seconds.
 const TOO_LARGE_STEPS: u64 = 120;
+
+/// What the direct solve has not solved is not tried again unless a contact sags by more than this share of the width of
+/// the thinner body, no unit: it would be lifted out of its sag, and fall back. Where it is tried again all the same, piles
+/// at rest move again and card houses of five levels fall.
+const UNSOLVED_SHARE: f32 = 0.05;
 
 /// When islands may be solved directly.
 #[derive(Clone, Copy, Debug)]
@@ -134,7 +141,7 @@ impl Tiers {
         }
     }
 
-    /// Decides for the next step, from the contacts that the last one found to sag.
+    /// Decides for the next step, from the contacts under lasting load that the last one found.
     pub(crate) fn decide(&mut self, tick: u64, rule: TierRule, loads: &Loads, mut tables: TierTables<'_>) {
         self.direct.clear();
         for &slot in &loads.unsolved {
@@ -143,7 +150,7 @@ impl Tiers {
                 self.histories[slot as usize].leave_alone(tick);
             }
         }
-        let has_work = !(loads.sagging.is_empty() && loads.begun_at_rest.is_empty());
+        let has_work = !(loads.lasting.is_empty() && loads.begun_at_rest.is_empty());
         if !has_work && !tables.graph.solves_directly() {
             return;
         }
@@ -157,44 +164,48 @@ impl Tiers {
                 }
             }
         }
-        for &index in &loads.sagging {
+        for &index in &loads.lasting {
             for slot in tables.slots(index) {
-                self.decide_island(slot, tick, rule, true, &mut tables);
+                self.decide_island(slot, tick, rule, loads, &mut tables);
             }
         }
         if tables.graph.solves_directly() {
             for row in 1..tables.bodies.row_count() {
                 let slot = tables.bodies.slot_of_row(row);
                 if tables.graph.is_direct(slot) {
-                    self.decide_island(slot, tick, rule, false, &mut tables);
+                    self.decide_island(slot, tick, rule, loads, &mut tables);
                 }
             }
         }
     }
 
-    /// Decides for the island of the body in `slot`, if that was not done yet. `sags` says whether one of its contacts does.
+    /// Decides for the island of the body in `slot`, if that was not done yet.
     fn decide_island(
         &mut self,
         slot: u32,
         tick: u64,
         rule: TierRule,
-        sags: bool,
+        loads: &Loads,
         tables: &mut TierTables<'_>,
     ) {
         let was_direct = tables.graph.is_direct(slot);
         if self.seen.contains(slot) || (!was_direct && self.histories[slot as usize].quiet_until > tick) {
             return;
         }
-        self.island.clear();
-        find_island(slot, tables.bodies, tables.contacts, &mut self.seen, &mut self.island, |_, _| ());
+        let mut load = Load::default();
+        self.find_island(slot, tables, |index, _| load.add(loads.of_contact[index as usize]));
         let was_direct = self.island.iter().any(|&slot| tables.graph.is_direct(slot));
         let history = History::of_island(self.island.iter().map(|&slot| self.histories[slot as usize]));
-        let is_quiet = history.quiet_until > tick || !was_direct && history.is_given_up();
+        let is_hopeless = !was_direct
+            && (history.is_given_up() && !load.is_recent
+                || history.unsolved_times > 0 && load.largest <= UNSOLVED_SHARE);
+        let is_quiet = history.quiet_until > tick || is_hopeless;
         let is_too_large = rule.allows_direct && !is_quiet && !self.is_little_work(tables);
         let may_be_direct = rule.allows_direct && !is_quiet && !is_too_large;
-        let is_calm = was_direct && may_be_direct && !sags;
+        let share = if was_direct { CALM_SHARE * DIRECT_SHARE } else { DIRECT_SHARE };
+        let is_calm = was_direct && may_be_direct && load.largest <= share;
         let stays = is_calm && history.calm_steps < CALM_STEPS;
-        let is_direct = may_be_direct && (sags || stays);
+        let is_direct = may_be_direct && (load.largest > share || stays);
         let calm_steps = if is_calm { history.calm_steps.saturating_add(1) } else { 0 };
         self.give(if is_direct { Tier::Direct } else { Tier::Swept }, calm_steps, tables);
         if !is_direct {
@@ -229,8 +240,15 @@ impl Tiers {
             for &slot in &self.island {
                 self.seen.insert(slot);
             }
-            self.give(Tier::Direct, 0, tables);
+            // Until it is known what the contacts bear, and no longer if that is little.
+            self.give(Tier::Direct, CALM_STEPS - LASTING_STEPS - 1, tables);
         }
+    }
+
+    /// Finds the island of the body in `slot`, and looks at its contacts.
+    fn find_island(&mut self, slot: u32, tables: &TierTables<'_>, look_at: impl FnMut(u32, &Contact)) {
+        self.island.clear();
+        find_island(slot, tables.bodies, tables.contacts, &mut self.seen, &mut self.island, look_at);
     }
 
     /// Gives the island a tier.

@@ -47,7 +47,7 @@ pub(crate) struct SleepTables<'a> {
     pub(crate) bodies: &'a mut Bodies,
     pub(crate) contacts: &'a mut Contacts,
     pub(crate) graph: &'a mut ConstraintGraph,
-    pub(crate) tiers: &'a mut Tiers,
+    pub(crate) tiers: &'a Tiers,
 }
 
 /// When bodies may sleep.
@@ -141,7 +141,6 @@ impl Sleepers {
     fn lay_down(&mut self, tables: &mut SleepTables<'_>, slots: Vec<u32>) {
         for &slot in &slots {
             tables.bodies.take_row(slot);
-            tables.tiers.forget(slot);
         }
         let mut penetration = 0.0;
         for &slot in &slots {

@@ -101,6 +101,7 @@ impl World {
             let (a, b) = pairs[place];
             let (friction, restitution) = self.mixed(a, b);
             let index = self.contacts.begin(&mut self.bodies, [a, b], friction, restitution);
+            self.loads.begin_contact(index);
             if self.bodies.is_awake(a) || self.bodies.is_awake(b) {
                 self.contacts.set_awake(index);
             }

@@ -5,13 +5,15 @@
 use std::sync::Mutex;
 
 use crate::collision::{ChosenContacts, Contacts};
-use crate::compute::{self, BlocksOver, BodyState, ByColumn, COLUMN, Executor, Job, Lane, RowPairs, lock};
+use crate::compute::{
+    self, BlocksOver, BodyState, ByColumn, COLUMN, Chosen, Executor, Job, Lane, RowPairs, lock,
+};
 use crate::resolution::constraint::StepResidual;
 use crate::resolution::constraint_graph::colour::{Colour, DIRECT, OVERFLOW};
 use crate::resolution::constraint_graph::{ConstraintGraph, Used};
 use crate::resolution::contact_block::{Beginning, ContactBlock, Residuals};
 use crate::resolution::kernel::Kernel;
-use crate::resolution::load::{LoadMeasure, Loads};
+use crate::resolution::load::{ContactLoad, LoadMeasure, Loads};
 
 /// What it costs to make sixteen constraints, to sweep over them once, and to write them back, ns.
 const PREPARE_COST: usize = 300;
@@ -53,16 +55,17 @@ impl ConstraintGraph {
         for colour in self.colours.iter_mut().filter(|colour| !colour.is_empty()) {
             let residual = &residual;
             let contacts = ByColumn(contacts.chosen(&colour.contacts));
-            let parts = (contacts, colour.blocks.all_mut());
-            executor.run(parts, FINISH_COST, |(contacts, (rows, blocks))| {
-                let contacts = contacts.0;
-                Finish { contacts, rows, blocks, states, measure, residual }
+            let loads = ByColumn(Chosen::new(&mut loads.of_contact, &colour.contacts));
+            let parts = ((contacts, loads), colour.blocks.all_mut());
+            executor.run(parts, FINISH_COST, |((contacts, loads), (rows, blocks))| {
+                let (contacts, loads) = (contacts.0, loads.0);
+                Finish { contacts, loads, rows, blocks, states, measure, residual }
             });
         }
         for colour in self.colours.iter().filter(|colour| !colour.is_empty()) {
             for (number, block) in colour.blocks.all().1.iter().enumerate() {
                 let indices = &colour.contacts[number * COLUMN..];
-                block.marks.sagging.for_each(|place| loads.sagging.push(indices[place]));
+                block.marks.lasting.for_each(|place| loads.lasting.push(indices[place]));
                 block.marks.changing.for_each(|place| contacts.note_change(indices[place]));
             }
         }
@@ -195,6 +198,7 @@ impl Job for Prepare<'_> {
 /// Writes a step back into the contacts of some blocks of a colour.
 struct Finish<'a> {
     contacts: ChosenContacts<'a>,
+    loads: Chosen<'a, ContactLoad>,
     rows: &'a [RowPairs],
     blocks: &'a mut [ContactBlock],
     states: &'a [BodyState],
@@ -209,10 +213,11 @@ impl Job for Finish<'_> {
         let mut residuals = Residuals::default();
         for (number, (rows, block)) in self.rows.iter().zip(self.blocks).enumerate() {
             let contacts = self.contacts.skipping(number * COLUMN);
+            let loads = self.loads.skipping(number * COLUMN);
             for place in (0..COLUMN.min(contacts.len())).step_by(L::WIDTH) {
                 block.end::<L>(place, &rows.gather(self.states, place), &mut residuals);
             }
-            write_back(block, &residuals, contacts, self.measure);
+            write_back(block, &residuals, contacts, loads, self.measure);
         }
         let mut residual = lock(self.residual);
         *residual = residual.max(residuals.greatest());
@@ -226,13 +231,15 @@ fn write_back(
     block: &mut ContactBlock,
     residuals: &Residuals,
     mut contacts: ChosenContacts<'_>,
+    mut loads: Chosen<'_, ContactLoad>,
     measure: LoadMeasure,
 ) {
     for place in 0..COLUMN.min(contacts.len()) {
         contacts.prefetch_written(place);
         let contact = contacts.get_mut(place);
         block.write_back(place, contact);
-        block.marks.sagging.set(place, measure.sags(contact, residuals.load.get(place)));
+        let is_lasting = measure.is_lasting(contact, loads.get_mut(place), residuals.load.get(place));
+        block.marks.lasting.set(place, is_lasting);
         let touches = contact.has_bounced || residuals.touching.get(place);
         debug_assert_eq!(touches, contact.has_touched());
         block.marks.changing.set(place, touches != contact.is_touching);
