@@ -47,6 +47,9 @@ const TOO_LARGE_STEPS: u64 = 120;
 /// at rest move again and card houses of five levels fall.
 const UNSOLVED_SHARE: f32 = 0.05;
 
+/// A body that touches more others is a hub: ordered as any other, a plate on 200 balls takes 1.5 times as long.
+const HUB_NEIGHBOURS: usize = 12;
+
 /// When islands may be solved directly.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct TierRule {
@@ -108,6 +111,8 @@ pub(crate) struct Tiers {
     histories: Vec<History>,
     /// Scratch.
     island: Vec<u32>,
+    found: Vec<u32>,
+    hubs: Vec<u32>,
     to_move: Vec<u32>,
     seen: BitSet,
     begun: BitSet,
@@ -267,13 +272,26 @@ impl Tiers {
         }
     }
 
-    /// Brings the bodies of the island in an order in which neighbours are near each other: from a far end on, by distance.
+    /// Brings the bodies of the island in an order in which neighbours are near each other: from a far end on, by
+    /// distance. Those that touch many others come last, where they fill a row of the matrix and no more.
     fn order(&mut self, tables: &TierTables<'_>) {
-        let Some(&far_end) = self.island.last() else { return };
+        std::mem::swap(&mut self.found, &mut self.island);
         self.island.clear();
         self.ordered.clear();
-        find_island(far_end, tables.bodies, tables.contacts, &mut self.ordered, &mut self.island, |_, _| ());
+        let is_hub = |&slot: &u32| tables.neighbours(slot).nth(HUB_NEIGHBOURS).is_some();
+        self.hubs.clear();
+        self.hubs.extend(self.found.iter().copied().filter(is_hub));
+        for &slot in &self.hubs {
+            self.ordered.insert(slot);
+        }
+        for &slot in self.found.iter().rev() {
+            if !self.ordered.contains(slot) {
+                let (seen, island) = (&mut self.ordered, &mut self.island);
+                find_island(slot, tables.bodies, tables.contacts, seen, island, |_, _| ());
+            }
+        }
         self.island.reverse();
+        self.island.extend(&self.hubs);
     }
 
     /// Whether the island is small enough to be solved directly; then it is in the order of the matrix.
