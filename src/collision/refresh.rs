@@ -9,7 +9,7 @@
 //!   the trembling, which is what lets tall stacks stand.
 //! - **On a single corner** a body topples: its arm decides whether and when. The solver follows it from substep to substep,
 //!   and it is kept until others may have come near.
-//! - **Without load** it is kept while the bodies rest beside each other, which saves the detection.
+//! - **Without load** it is kept likewise while the bodies rest beside each other, which saves the detection.
 //! - **With a circle** the manifold is never kept: its normal turns as it rolls. A normal that is late is a force that is late,
 //!   and feeds every swing: late by half a step, as one of the step's begin is, it lets the energy of a swing of angular
 //!   frequency ω grow by ω² dt/2 per second. Where it moves slowly it is found where the bodies will be halfway through the

@@ -15,7 +15,7 @@ use crate::collision::Contacts;
 use crate::compute::{BodyState, GROUND_ROW};
 use crate::math::Vec2;
 use crate::resolution::constraint_graph::{ConstraintGraph, GraphIndex};
-use crate::resolution::events::approach::RESTING_SUBSTEPS;
+use crate::resolution::events::approach::bounce_threshold;
 pub(crate) use crate::resolution::events::impacts::{Impact, Impacts};
 use crate::resolution::events::meeting::Meeting;
 pub(crate) use crate::resolution::events::seams::Seams;
@@ -67,10 +67,10 @@ impl EventScene<'_> {
         states
     }
 
-    /// Slowest approach along a normal that bounces, m/s: by the setting, or what support makes up for anyway.
+    /// Slowest approach along a normal that bounces, m/s.
     fn bounce_threshold(&self, normal: Vec2, rows: [u32; 2]) -> f32 {
         let acceleration = normal.dot(self.acceleration(rows)).abs();
-        self.scheme.restitution_threshold.max(RESTING_SUBSTEPS * self.h() * acceleration)
+        bounce_threshold(self.scheme.restitution_threshold, acceleration, self.h())
     }
 
     /// Lets two bodies collide that meet at a time within the substep, s, and moves them by what their drift will miss. The

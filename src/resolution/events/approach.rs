@@ -11,7 +11,14 @@ use crate::store::places_of;
 /// An approach slower than this many substeps' gain of speed, by forces or by the load of the contact, is no
 /// impact: a body that rests gains half a substep's before its support is applied, and a bounce that slow would
 /// be over within the substep.
-pub(super) const RESTING_SUBSTEPS: f32 = 2.0;
+const RESTING_SUBSTEPS: f32 = 2.0;
+
+/// Slowest approach that bounces, m/s: the `setting`, or what support makes up for anyway under an `acceleration` along the
+/// normal, m/s² and not negative, in a substep of length `h`, s.
+#[inline(always)]
+pub(super) fn bounce_threshold<L: Lane>(setting: f32, acceleration: L, h: f32) -> L {
+    L::splat(setting).max(acceleration * L::splat(RESTING_SUBSTEPS * h))
+}
 
 /// Speed of a point along the normal, m/s, and whether it approaches fast enough to bounce: faster than `threshold`,
 /// m/s, and than the load makes up for.
@@ -107,7 +114,7 @@ impl Substep<'_> {
             accelerations.store::<f32>(first + place, (b - a).into());
         }
         let acceleration = constraint.normal.dot(accelerations.load::<L>(first)).abs();
-        let threshold = threshold.max(acceleration * L::splat(RESTING_SUBSTEPS * self.h));
+        let threshold = bounce_threshold(self.restitution_threshold, acceleration, self.h);
         let (zero, h, [a, b]) = (L::splat(0.0), L::splat(self.h), rows.gather::<L>(self.states, first));
         let mut found = Found::default();
         for index in 0..POINTS {

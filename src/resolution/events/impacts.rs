@@ -211,10 +211,7 @@ impl Impacts {
         constraint.set_manifold_in(&manifold, &there[0], &there[1]);
         let gained = manifold.normal.dot(scene.acceleration(rows)) * (time - 0.5 * scene.h());
         let threshold = scene.bounce_threshold(manifold.normal, rows);
-        let mut gaps = [f32::INFINITY; 2];
-        for (gap, point) in gaps.iter_mut().zip(manifold.points()) {
-            *gap = point.separation;
-        }
+        let gaps = [0, 1].map(|index| manifold.points().get(index).map(|point| point.separation));
         let meeting = Meeting::new(constraint, gaps, &there, gained, threshold, scene.h());
         let Some(meeting) = meeting else { return };
         if !meeting.is_now() {

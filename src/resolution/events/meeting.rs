@@ -25,28 +25,34 @@ pub(super) struct Meeting {
 }
 
 impl Meeting {
-    /// Of a contact with its bodies in the states of that time. The `gaps` are those of its points, m, infinite for one that
-    /// is not there; their speeds have `gained`, m/s, since the middle of the substep of length `h`, s. `None` if no point
-    /// approaches faster than the `threshold`, m/s.
+    /// Of a contact with its bodies in the states of that time. The `gaps` are those of its points, m, if these are there;
+    /// their speeds have `gained`, m/s, since the middle of the substep of length `h`, s. `None` if no point approaches
+    /// faster than the `threshold`, m/s.
     pub(super) fn new(
         constraint: ContactConstraint<f32>,
-        gaps: [f32; 2],
+        gaps: [Option<f32>; 2],
         [a, b]: &[BodyState; 2],
         gained: f32,
         threshold: f32,
         h: f32,
     ) -> Option<Self> {
-        let speeds = [0, 1].map(|index| {
-            let velocity = constraint.points[index].relative_velocity(a, b);
+        let approaches = [0, 1].map(|index| {
+            let (gap, velocity) = (gaps[index]?, constraint.points[index].relative_velocity(a, b));
             let speed = constraint.normal.dot(velocity) + gained;
-            (gaps[index].is_finite() && speed < -threshold).then_some(speed)
+            (speed < -threshold).then_some((gap, speed))
         });
-        let closed = |index: usize| speeds[index].map_or(f32::INFINITY, |_| gaps[index]);
-        let gap = closed(0).min(closed(1));
-        let speed = -speeds.into_iter().flatten().fold(0.0, f32::min);
+        let all = || approaches.into_iter().flatten();
+        let gap = all().map(|(gap, _)| gap).reduce(f32::min)?;
+        let speed = -all().fold(0.0, |least: f32, (_, speed)| least.min(speed));
         let tolerance = TOLERANCE * speed * h;
-        let speeds = [0, 1].map(|index| speeds[index].filter(|_| gaps[index] <= gap + tolerance));
-        (speed > 0.0).then_some(Self { constraint, speeds, gap, speed, tolerance })
+        let takes_part = |(of_point, speed)| (of_point <= gap + tolerance).then_some(speed);
+        Some(Self {
+            constraint,
+            speeds: approaches.map(|point| point.and_then(takes_part)),
+            gap,
+            speed,
+            tolerance,
+        })
     }
 
     /// Whether they have met.

@@ -183,7 +183,7 @@ impl Piece {
             return false;
         };
         scene.graph.set_geometry(home, &constraint);
-        let gaps = [gap - self.level, f32::INFINITY];
+        let gaps = [Some(gap - self.level), None];
         let meeting = Meeting::new(constraint, gaps, &there, 0.0, 0.0, scene.h());
         let Some(meeting) = meeting.filter(Meeting::is_now) else { return false };
         self.be_ahead(false, scene.graph);
