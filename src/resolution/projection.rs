@@ -28,13 +28,11 @@ impl Project {
             let [mut a, mut b] = states.gather::<f32>(place);
             let separation = constraint.separation(point, &a, &b);
             let correction = (SHARE * (separation + SLOP)).clamp(-LARGEST_CORRECTION, 0.0);
-            // The part that each body has in k comes first: the impulse on bodies of 10³⁰ kg is beyond `f32`.
-            let share = |inverse: f32| -correction * (inverse / point.normal_k);
-            let [arm_a, arm_b] = point.moments(constraint.normal);
-            a.delta_position = a.delta_position - constraint.normal * share(constraint.inverse_mass_a);
-            turn(&mut a, -share(constraint.inverse_inertia_a * arm_a));
-            b.delta_position = b.delta_position + constraint.normal * share(constraint.inverse_mass_b);
-            turn(&mut b, share(constraint.inverse_inertia_b * arm_b));
+            let impulse = constraint.normal * (-correction / point.normal_k);
+            a.delta_position = a.delta_position - impulse * constraint.inverse_mass_a;
+            turn(&mut a, -constraint.inverse_inertia_a * point.anchor_a.cross(impulse));
+            b.delta_position = b.delta_position + impulse * constraint.inverse_mass_b;
+            turn(&mut b, constraint.inverse_inertia_b * point.anchor_b.cross(impulse));
             states.scatter_one(place, &[a, b]);
         }
     }
