@@ -43,7 +43,6 @@ const LARGEST_FACTOR: f64 = 1e6;
 ///
 /// Nothing is checked here: [`World::add`](crate::World::add) checks all of it at once.
 #[derive(Clone, Debug, PartialEq)]
-#[must_use = "a description does nothing until it is added to a world"]
 pub struct Body {
     pub(crate) body_type: BodyType,
     pub(crate) shape: Shape,
@@ -82,33 +81,39 @@ impl Body {
     }
 
     /// A body that forces and contacts move.
+    #[must_use]
     pub fn dynamic(shape: Shape) -> Self {
         Self::new(BodyType::Dynamic, shape)
     }
 
     /// A body that never moves: ground, walls.
+    #[must_use]
     pub fn fixed(shape: Shape) -> Self {
         Self::new(BodyType::Fixed, shape)
     }
 
     /// A body that moves with the velocity it is told: lifts, paddles.
+    #[must_use]
     pub fn kinematic(shape: Shape) -> Self {
         Self::new(BodyType::Kinematic, shape)
     }
 
     /// Place of the centre of mass, m.
+    #[must_use]
     pub fn at(mut self, center: impl Into<Point>) -> Self {
         self.center = center.into();
         self
     }
 
     /// Angle, rad, counter-clockwise. Axis-aligned boxes ignore it.
+    #[must_use]
     pub fn angle(mut self, angle: f32) -> Self {
         self.angle = angle;
         self
     }
 
     /// Velocity, m/s. Fixed bodies ignore it.
+    #[must_use]
     pub fn velocity(mut self, velocity: impl Into<Vec2>) -> Self {
         self.velocity = velocity.into();
         self
@@ -116,74 +121,85 @@ impl Body {
 
     /// Angular velocity, rad/s, counter-clockwise. Fixed bodies, axis-aligned boxes and bodies with
     /// [fixed rotation](Self::fixed_rotation) ignore it.
+    #[must_use]
     pub fn angular_velocity(mut self, angular_velocity: f32) -> Self {
         self.angular_velocity = angular_velocity;
         self
     }
 
     /// Density, friction and restitution together.
+    #[must_use]
     pub fn material(mut self, material: Material) -> Self {
         self.material = material;
         self
     }
 
     /// Mass per area, kg/m², instead of the material's.
+    #[must_use]
     pub fn density(mut self, density: f32) -> Self {
         self.material.density = density;
         self
     }
 
     /// Coefficient of friction instead of the material's.
+    #[must_use]
     pub fn friction(mut self, friction: f32) -> Self {
         self.material.friction = friction;
         self
     }
 
     /// Coefficient of restitution, 0 to 1, instead of the material's.
+    #[must_use]
     pub fn restitution(mut self, restitution: f32) -> Self {
         self.material.restitution = restitution;
         self
     }
 
     /// Mass, kg, instead of density times area; the moment of inertia scales with it.
+    #[must_use]
     pub fn mass(mut self, mass: f32) -> Self {
         self.mass = Some(mass);
         self
     }
 
-    /// Whether the body never turns: it keeps the angle it is given, and its angular velocity is 0. Its moment of inertia
-    /// is infinite, so that a spin would never run down: a motor that takes its energy from nowhere. A kinematic body is
-    /// such a motor, and the one to use.
+    /// Whether the body never turns: it keeps the angle it is given, and a spin that it is given is ignored. For something that
+    /// turns whatever it touches, use a kinematic body.
+    #[must_use]
     pub fn fixed_rotation(mut self, fixed: bool) -> Self {
         self.fixed_rotation = fixed;
         self
     }
 
     /// Factor on the world's forces (not on attractors); 0 floats, -1 rises.
+    #[must_use]
     pub fn gravity_scale(mut self, scale: f32) -> Self {
         self.gravity_scale = scale;
         self
     }
 
     /// Linear damping, 1/s: left alone, the velocity falls by the factor e in 1/damping seconds.
+    #[must_use]
     pub fn linear_damping(mut self, damping: f32) -> Self {
         self.linear_damping = damping;
         self
     }
 
     /// Angular damping, 1/s: left alone, the angular velocity falls by the factor e in 1/damping seconds.
+    #[must_use]
     pub fn angular_damping(mut self, damping: f32) -> Self {
         self.angular_damping = damping;
         self
     }
 
     /// Whether the body may be put to sleep once it is at rest; where it may not, neither may what it touches. Default true.
+    #[must_use]
     pub fn may_sleep(mut self, may_sleep: bool) -> Self {
         self.may_sleep = may_sleep;
         self
     }
 
     /// A number of the caller's own, which the engine keeps and never reads.
+    #[must_use]
     pub fn user_data(mut self, user_data: u64) -> Self {
         self.user_data = user_data;
         self

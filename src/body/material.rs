@@ -12,15 +12,15 @@ pub struct Material {
 }
 
 impl Material {
-    /// The default material: light and bouncy.
+    /// The default material, light and bouncy: density 0.1 kg/m², friction 0.6, restitution 0.5.
     pub const DEFAULT: Self = Self { density: 0.1, friction: 0.6, restitution: 0.5 };
-    /// Grips and bounces.
+    /// Grips and bounces: density 0.9 kg/m², friction 0.8, restitution 0.6.
     pub const RUBBER: Self = Self { density: 0.9, friction: 0.8, restitution: 0.6 };
-    /// A little heavier, bounces well.
+    /// A little heavier, bounces well: density 1.2 kg/m², friction 0.6, restitution 0.5.
     pub const PLASTIC: Self = Self { density: 1.2, friction: 0.6, restitution: 0.5 };
-    /// Heavy and dull.
+    /// Heavy and dull: density 2.5 kg/m², friction 0.4, restitution 0.2.
     pub const STONE: Self = Self { density: 2.5, friction: 0.4, restitution: 0.2 };
-    /// Heaviest, slides easily.
+    /// Heaviest, slides easily: density 7.8 kg/m², friction 0.2, restitution 0.1.
     pub const METAL: Self = Self { density: 7.8, friction: 0.2, restitution: 0.1 };
 }
 

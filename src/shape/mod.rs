@@ -24,12 +24,12 @@ pub(crate) use hull::Hull;
 
 use crate::math::{Aabb, Pose, Vec2};
 
-/// Smallest size of a shape, m. Its moment of inertia is then about 1e-21 kg m² at a density of 1 kg/m²; the
-/// inverse, and its product with an arm squared, stay within `f32`.
+/// Smallest size of a shape, m. What moves has limits of mass and moment of inertia besides, see
+/// [`World::add`](crate::World::add): of 1 kg/m² a box has to be larger than 50 µm.
 pub const MIN_SIZE: f32 = 1e-5;
 
-/// Largest size of a shape, m. Its moment of inertia, up to 2e32 kg m² at a density of 1 kg/m², stays within
-/// `f32` up to a density of 1e6 kg/m².
+/// Largest size of a shape, m. What moves has limits of mass and moment of inertia besides, see
+/// [`World::add`](crate::World::add): of 1 kg/m² a box has to be smaller than 2,700 km.
 pub const MAX_SIZE: f32 = 1e8;
 
 /// The geometry of a body, about its centre of mass.

@@ -87,7 +87,8 @@ impl<'a> BodyRef<'a> {
         if self.is_dynamic() { self.record.mass } else { f32::INFINITY }
     }
 
-    /// Moment of inertia about the centre of mass, kg m²; infinite for bodies that contacts cannot turn.
+    /// Moment of inertia about the centre of mass, kg m²; infinite for bodies that no contact turns: fixed and kinematic
+    /// ones, axis-aligned boxes, and those of fixed rotation.
     pub fn inertia(&self) -> f32 {
         if self.motion.inverse_inertia > 0.0 { self.record.inertia } else { f32::INFINITY }
     }
@@ -235,7 +236,7 @@ impl<'a> BodyMut<'a> {
     /// Turns the body to `angle`, rad. Axis-aligned boxes stay as they are.
     ///
     /// # Errors
-    /// [`BodyError`], if the angle is not finite.
+    /// [`BodyError`], if the angle is not finite or beyond 10¹⁸ rad.
     pub fn set_angle(&mut self, angle: f32) -> Result<(), BodyError> {
         check_strength("the angle", angle, "rad")?;
         if self.view().shape().can_rotate() {
