@@ -16,33 +16,23 @@ const SPEED: f32 = 6.0;
 fn main() -> Result<(), BodyError> {
     let mut world = World::new(Settings::default());
     let ship = world.add(Body::dynamic(Shape::circle(0.5)).velocity([SPEED, 0.0]))?;
-    let tick = world.settings().tick_seconds();
-    let place = |world: &World| world.body(ship).expect("nobody removes the ship").position().x;
 
-    let (mut before, mut shown_before, mut time) = (place(&world), None::<f32>, 0.0);
+    let (mut shown_before, mut time) = (None::<f64>, 0.0);
     println!("  frame  ticks  alpha   at the tick   shown");
     for seconds in FRAMES {
-        // In pieces of at most a tick, each of which makes at most one tick: `before` is then always the place
-        // before the last one.
-        let (mut left, mut ticks) = (seconds, 0);
-        while left > 0.0 {
-            let here = place(&world);
-            if world.advance(left.min(tick)) == 1 {
-                (before, ticks) = (here, ticks + 1);
-            }
-            left -= tick;
-        }
-        let now = place(&world);
-        let shown = before + (now - before) * world.alpha();
+        let ticks = world.advance(seconds);
+        let ship = world.body(ship).expect("nobody removes the ship");
+        let now = ship.position().x;
+        let shown = ship.interpolated_pose(world.alpha()).center.x;
         time += seconds;
         println!("{:4.0} ms  {ticks:5}  {:5.2}  {now:10.3} m  {shown:.3} m", seconds * 1e3, world.alpha());
 
         // From the first tick on, what is shown moves by speed × length of the frame, to rounding.
         if let Some(shown_before) = shown_before {
-            let expected: f32 = SPEED * seconds as f32;
+            let expected = f64::from(SPEED) * seconds;
             assert!((shown - shown_before - expected).abs() < 1e-5);
         }
-        shown_before = (time > tick).then_some(shown);
+        shown_before = (time > world.settings().tick_seconds()).then_some(shown);
     }
     Ok(())
 }

@@ -110,6 +110,8 @@ pub(crate) struct Bodies {
     pub(crate) shapes: Vec<Shape>,
     /// By row: the ground, then every awake body that can move; and rows at rest that are no body's, to whole columns.
     pub(crate) states: Vec<BodyState>,
+    /// By row: the pose before the last tick, or since when the body is there; that of the ground has no meaning.
+    pub(crate) previous: Vec<Pose>,
     /// The slots of the bodies with rows, in their order, from the row after the ground's on.
     pub(crate) awake: DistinctIndices,
 }
@@ -123,6 +125,7 @@ impl Default for Bodies {
             watches: Vec::new(),
             shapes: Vec::new(),
             states: vec![BodyState::REST; COLUMN],
+            previous: vec![Pose::default()],
             awake: DistinctIndices::default(),
         }
     }
@@ -242,6 +245,7 @@ impl Bodies {
         }
         self.awake.push(slot);
         self.motions[slot as usize].row = row;
+        self.previous.push(self.motions[slot as usize].pose);
         row
     }
 
@@ -254,6 +258,7 @@ impl Bodies {
         let last = self.row_count() - 1;
         self.states.swap(row as usize, last);
         self.states[last] = BodyState::REST;
+        self.previous.swap_remove(row as usize);
         self.awake.swap_remove(row as usize - 1);
         if let Some(&moved) = self.awake.get(row as usize - 1) {
             self.motions[moved as usize].row = row;
@@ -264,6 +269,19 @@ impl Bodies {
     #[inline(always)]
     pub(crate) fn state(&self, slot: u32) -> &BodyState {
         &self.states[self.motions[slot as usize].row as usize]
+    }
+
+    /// Where the body in `slot` was before the last tick.
+    pub(crate) fn previous_pose(&self, slot: u32) -> Pose {
+        let motion = &self.motions[slot as usize];
+        // What has no row has not moved.
+        if motion.row == GROUND_ROW { motion.pose } else { self.previous[motion.row as usize] }
+    }
+
+    /// The same, to change it; `None` where the body has no row.
+    pub(crate) fn previous_pose_mut(&mut self, slot: u32) -> Option<&mut Pose> {
+        let row = self.motions[slot as usize].row;
+        (row != GROUND_ROW).then(|| &mut self.previous[row as usize])
     }
 
     /// The slot of the dynamic body in a row; `None` where that of something else is, or the ground's.

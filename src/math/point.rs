@@ -1,6 +1,7 @@
 //! A place in the world in `f64`.
 
-use core::ops::{Add, AddAssign, Sub};
+use core::fmt;
+use core::ops::{Add, AddAssign, Sub, SubAssign};
 
 use crate::math::Vec2;
 
@@ -25,6 +26,22 @@ impl Point {
     /// The place (x, y), m.
     pub const fn new(x: f64, y: f64) -> Self {
         Self { x, y }
+    }
+
+    /// Distance of another place, m.
+    pub fn distance(self, other: impl Into<Self>) -> f64 {
+        let other = other.into();
+        let (x, y) = (other.x - self.x, other.y - self.y);
+        (x * x + y * y).sqrt()
+    }
+
+    /// The place on the straight way from this one (`t` = 0) to `other` (1); both ends are exact.
+    #[must_use]
+    pub fn lerp(self, other: impl Into<Self>, t: f32) -> Self {
+        let (other, t) = (other.into(), f64::from(t));
+        let between =
+            |from: f64, to: f64| if t < 0.5 { from + (to - from) * t } else { to - (to - from) * (1.0 - t) };
+        Self::new(between(self.x, other.x), between(self.y, other.y))
     }
 
     /// The place rounded to `f32`, as seen from the origin, m.
@@ -60,6 +77,39 @@ impl Add<Vec2> for Point {
     }
 }
 
+impl Sub<Vec2> for Point {
+    type Output = Self;
+    /// The place that `offset` leads from to this one.
+    #[inline(always)]
+    fn sub(self, offset: Vec2) -> Self {
+        Self::new(self.x - f64::from(offset.x), self.y - f64::from(offset.y))
+    }
+}
+
+impl Sub<Point> for Vec2 {
+    type Output = Self;
+    /// The vector from a place to the one at `self`, seen from the origin: `body.position() - target`.
+    #[inline(always)]
+    fn sub(self, from: Point) -> Self {
+        Point::from(self) - from
+    }
+}
+
+impl Add<Point> for Vec2 {
+    type Output = Point;
+    #[inline(always)]
+    fn add(self, place: Point) -> Point {
+        place + self
+    }
+}
+
+impl SubAssign<Vec2> for Point {
+    #[inline(always)]
+    fn sub_assign(&mut self, offset: Vec2) {
+        *self = *self - offset;
+    }
+}
+
 impl AddAssign<Vec2> for Point {
     #[inline(always)]
     fn add_assign(&mut self, offset: Vec2) {
@@ -70,6 +120,24 @@ impl AddAssign<Vec2> for Point {
 impl From<Vec2> for Point {
     fn from(vector: Vec2) -> Self {
         Self::new(f64::from(vector.x), f64::from(vector.y))
+    }
+}
+
+/// Rounds to `f32`: far from the origin the difference of two points keeps what this loses.
+impl From<Point> for Vec2 {
+    fn from(point: Point) -> Self {
+        point.to_vec2()
+    }
+}
+
+/// (x, y) in metres; a precision is that of both: `{:.2}`.
+impl fmt::Display for Point {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("(")?;
+        self.x.fmt(f)?;
+        f.write_str(", ")?;
+        self.y.fmt(f)?;
+        f.write_str(")")
     }
 }
 
@@ -100,5 +168,56 @@ impl From<(f32, f32)> for Point {
 impl From<Point> for [f64; 2] {
     fn from(point: Point) -> Self {
         [point.x, point.y]
+    }
+}
+
+impl From<Point> for (f64, f64) {
+    fn from(point: Point) -> Self {
+        (point.x, point.y)
+    }
+}
+
+/// Rounds to `f32`, as drawing wants it.
+impl From<Point> for [f32; 2] {
+    fn from(point: Point) -> Self {
+        point.to_vec2().into()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// 2²⁵ + 1 is no `f32`; differences of such places are exact all the same.
+    #[test]
+    fn places_and_vectors_add_and_subtract_in_any_order() {
+        let far = Point::new(33_554_433.0, 2.0);
+        let offset = Vec2::new(0.5, -1.0);
+        assert_eq!(far + offset, offset + far);
+        assert_eq!((far + offset) - offset, far);
+        assert_eq!((far + offset) - far, offset);
+        assert_eq!(Vec2::new(4.0, 4.0) - Point::new(1.0, 2.0), Vec2::new(3.0, 2.0));
+        let mut place = far;
+        place += offset;
+        place -= offset;
+        assert_eq!(place, far);
+        assert_eq!(Vec2::from(far), Vec2::new(33_554_432.0, 2.0));
+        assert_eq!((<[f64; 2]>::from(far), <(f64, f64)>::from(far)), ([far.x, 2.0], (far.x, 2.0)));
+        assert_eq!(<[f32; 2]>::from(Point::new(0.5, 2.0)), [0.5, 2.0]);
+    }
+
+    #[test]
+    fn the_ends_of_a_way_are_exact_and_its_middle_is_halfway() {
+        let (from, to) = (Point::new(0.1, -3.0), Point::new(0.7, 1e9 + 0.3));
+        assert_eq!((from.lerp(to, 0.0), from.lerp(to, 1.0)), (from, to));
+        assert_eq!(from.lerp(from, 0.3), from);
+        assert_eq!(Point::ORIGIN.lerp([4.0, -2.0], 0.5), Point::new(2.0, -1.0));
+        assert_eq!(Point::ORIGIN.distance([3.0, 4.0]), 5.0);
+    }
+
+    #[test]
+    fn a_place_is_shown_with_the_precision_that_is_asked_for() {
+        let place = Point::new(1.25, -2.0);
+        assert_eq!((format!("{place}"), format!("{place:.1}")), ("(1.25, -2)".into(), "(1.2, -2.0)".into()));
     }
 }

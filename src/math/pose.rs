@@ -22,6 +22,13 @@ impl Pose {
         Self { center: center.into(), rotation: Rot::IDENTITY }
     }
 
+    /// The pose on the way from this one (`t` = 0) to `other` (1): the centre in a straight line, the rotation the
+    /// [shorter way](Rot::lerp).
+    #[must_use]
+    pub fn lerp(self, other: Self, t: f32) -> Self {
+        Self { center: self.center.lerp(other.center, t), rotation: self.rotation.lerp(other.rotation, t) }
+    }
+
     /// The world's place of a point of the body's frame (m from its centre).
     #[inline]
     pub fn to_world(self, local: Vec2) -> Point {

@@ -48,6 +48,15 @@ impl Rot {
         Self { c: self.c, s: -self.s }
     }
 
+    /// The rotation on the way from this one (`t` = 0) to `other` (1), at a constant rate and the shorter way round.
+    #[must_use]
+    pub fn lerp(self, other: Self, t: f32) -> Self {
+        if t == 1.0 || self == other {
+            return other;
+        }
+        Self::from_angle(t * (self.inverse() * other).angle()) * self
+    }
+
     /// The same rotation with c² + s² = 1 again; a product of many drifts from it by rounding.
     #[inline(always)]
     #[must_use]

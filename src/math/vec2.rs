@@ -1,6 +1,10 @@
 //! A vector of the plane in `f32`: offsets, directions, velocities, forces.
 
-use core::ops::{Add, AddAssign, Div, Mul, MulAssign, Neg, Sub, SubAssign};
+use core::fmt;
+use core::iter::Sum;
+use core::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
+
+use crate::math::trig;
 
 /// A vector of the plane: an offset (m), a velocity (m/s), a force (N) or a direction.
 ///
@@ -18,6 +22,10 @@ pub struct Vec2 {
 impl Vec2 {
     /// The vector of length 0.
     pub const ZERO: Self = Self::new(0.0, 0.0);
+    /// The vector of length 1 to the right.
+    pub const X: Self = Self::new(1.0, 0.0);
+    /// The vector of length 1 upward.
+    pub const Y: Self = Self::new(0.0, 1.0);
 
     /// The vector (x, y).
     pub const fn new(x: f32, y: f32) -> Self {
@@ -27,6 +35,24 @@ impl Vec2 {
     /// Both components equal to `value`.
     pub const fn splat(value: f32) -> Self {
         Self::new(value, value)
+    }
+
+    /// The vector of length 1 at `angle`, rad, counter-clockwise from [`X`](Self::X).
+    pub fn from_angle(angle: f32) -> Self {
+        let (s, c) = trig::sin_cos(angle);
+        Self::new(c, s)
+    }
+
+    /// The angle from [`X`](Self::X) to this vector, rad, in (-π, π], counter-clockwise; 0 for the vector of length 0.
+    pub fn angle(self) -> f32 {
+        trig::atan2(self.y, self.x)
+    }
+
+    /// The vector turned by `angle`, rad, counter-clockwise. A [`Rot`](crate::Rot) turns many by the same angle.
+    #[must_use]
+    pub fn rotated(self, angle: f32) -> Self {
+        let Self { x: c, y: s } = Self::from_angle(angle);
+        Self::new(c * self.x - s * self.y, s * self.x + c * self.y)
     }
 
     /// Scalar product: |a|·|b|·cos of the angle between them.
@@ -60,6 +86,19 @@ impl Vec2 {
         self.length_squared().sqrt()
     }
 
+    /// Length of the difference.
+    pub fn distance(self, other: impl Into<Self>) -> f32 {
+        (other.into() - self).length()
+    }
+
+    /// The vector on the straight way from this one (`t` = 0) to `other` (1); both ends are exact.
+    #[must_use]
+    pub fn lerp(self, other: impl Into<Self>, t: f32) -> Self {
+        let other = other.into();
+        let way = other - self;
+        if t < 0.5 { self + way * t } else { other - way * (1.0 - t) }
+    }
+
     /// The sum of the sizes of both components: at least the length, at most 1.42 times as much, and without a root.
     #[inline(always)]
     pub(crate) fn norm_1(self) -> f32 {
@@ -75,6 +114,19 @@ impl Vec2 {
         } else {
             None
         }
+    }
+
+    /// [`normalized`](Self::normalized), or the vector of length 0 where the direction is lost.
+    #[must_use]
+    pub fn normalized_or_zero(self) -> Self {
+        self.normalized().unwrap_or(Self::ZERO)
+    }
+
+    /// The vector, shortened to `longest` where it is longer; `longest` is 0 or more.
+    #[must_use]
+    pub fn clamp_length(self, longest: f32) -> Self {
+        let length = self.length();
+        if length > longest { self * (longest / length) } else { self }
     }
 
     /// Smaller of each component.
@@ -173,6 +225,36 @@ impl MulAssign<f32> for Vec2 {
     }
 }
 
+impl DivAssign<f32> for Vec2 {
+    #[inline(always)]
+    fn div_assign(&mut self, divisor: f32) {
+        *self = *self / divisor;
+    }
+}
+
+impl Sum for Vec2 {
+    fn sum<I: Iterator<Item = Self>>(vectors: I) -> Self {
+        vectors.fold(Self::ZERO, Add::add)
+    }
+}
+
+impl<'a> Sum<&'a Self> for Vec2 {
+    fn sum<I: Iterator<Item = &'a Self>>(vectors: I) -> Self {
+        vectors.copied().sum()
+    }
+}
+
+/// (x, y); a precision is that of both: `{:.2}`.
+impl fmt::Display for Vec2 {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("(")?;
+        self.x.fmt(f)?;
+        f.write_str(", ")?;
+        self.y.fmt(f)?;
+        f.write_str(")")
+    }
+}
+
 impl From<[f32; 2]> for Vec2 {
     fn from([x, y]: [f32; 2]) -> Self {
         Self::new(x, y)
@@ -206,5 +288,54 @@ impl From<Vec2> for [f32; 2] {
 impl From<Vec2> for (f32, f32) {
     fn from(vector: Vec2) -> Self {
         (vector.x, vector.y)
+    }
+}
+
+impl From<Vec2> for [f64; 2] {
+    fn from(vector: Vec2) -> Self {
+        [f64::from(vector.x), f64::from(vector.y)]
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn sums_quotients_and_constants_are_those_of_the_components() {
+        let all = [Vec2::X, 2.0 * Vec2::Y, Vec2::new(-3.0, 0.5)];
+        let sum = Vec2::new(-2.0, 2.5);
+        assert_eq!((all.iter().sum::<Vec2>(), all.into_iter().sum::<Vec2>()), (sum, sum));
+        let mut half = sum;
+        half /= 2.0;
+        assert_eq!(half, Vec2::new(-1.0, 1.25));
+        assert_eq!((<[f64; 2]>::from(sum), sum.to_string()), ([-2.0, 2.5], "(-2, 2.5)".into()));
+    }
+
+    #[test]
+    fn the_ends_of_a_way_are_exact_and_its_middle_is_halfway() {
+        let (from, to) = (Vec2::new(0.1, 1e9), Vec2::new(0.7, -3.3));
+        assert_eq!((from.lerp(to, 0.0), from.lerp(to, 1.0), from.lerp(from, 0.3)), (from, to, from));
+        assert_eq!(Vec2::ZERO.lerp([4.0, -2.0], 0.5), Vec2::new(2.0, -1.0));
+        assert_eq!(Vec2::ZERO.distance([3.0, 4.0]), 5.0);
+    }
+
+    /// Sine, cosine and arctangent are right to 1e-6.
+    #[test]
+    fn angles_lead_there_and_back() {
+        for step in -31..=31_i16 {
+            let angle = 0.1 * f32::from(step);
+            assert!((Vec2::from_angle(angle).angle() - angle).abs() < 2e-6, "{angle}");
+            assert!(Vec2::X.rotated(angle).distance(Vec2::from_angle(angle)) < 1e-6, "{angle}");
+        }
+        assert!(Vec2::Y.rotated(core::f32::consts::FRAC_PI_2).distance(-Vec2::X) < 1e-6);
+    }
+
+    #[test]
+    fn what_is_too_long_is_shortened_and_what_has_no_direction_stays_none() {
+        assert_eq!(Vec2::new(6.0, 8.0).clamp_length(5.0), Vec2::new(3.0, 4.0));
+        assert_eq!(Vec2::new(3.0, 4.0).clamp_length(5.0), Vec2::new(3.0, 4.0));
+        assert_eq!((Vec2::ZERO.clamp_length(0.0), Vec2::ZERO.normalized_or_zero()), (Vec2::ZERO, Vec2::ZERO));
+        assert_eq!(Vec2::new(0.0, -7.0).normalized_or_zero(), -Vec2::Y);
     }
 }

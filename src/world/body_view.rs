@@ -8,6 +8,7 @@ use crate::body::{Body, BodyError, BodyId, BodyType, Forcing, Material, Motion, 
 use crate::compute::BodyState;
 use crate::math::{Aabb, Point, Pose, Rot, Vec2};
 use crate::shape::Shape;
+use crate::world::held_forces::{Forced, TickForce};
 use crate::world::{Tier, World};
 
 /// A read-only view of a body.
@@ -18,6 +19,7 @@ pub struct BodyRef<'a> {
     motion: &'a Motion,
     forcing: &'a Forcing,
     state: &'a BodyState,
+    previous: Pose,
     shape: &'a Shape,
     tier: Tier,
 }
@@ -32,6 +34,7 @@ impl<'a> BodyRef<'a> {
             motion: &world.bodies.motions[slot as usize],
             forcing: &world.bodies.forcings[slot as usize],
             state: world.bodies.state(slot),
+            previous: world.bodies.previous_pose(slot),
             shape: &world.bodies.shapes[slot as usize],
             tier: world.graph.tier(slot),
         })
@@ -65,6 +68,20 @@ impl<'a> BodyRef<'a> {
     /// Centre of mass and rotation.
     pub fn pose(&self) -> Pose {
         self.motion.pose
+    }
+
+    /// The pose before the last tick. That of a body which was added, woken or put somewhere since is the pose now: it is
+    /// not drawn on its way there.
+    pub fn previous_pose(&self) -> Pose {
+        self.previous
+    }
+
+    /// Where to draw the body: `alpha` of the way, 0 to 1, from the pose before the last tick to the pose now.
+    ///
+    /// With [`World::alpha`] it moves smoothly at any number of frames per second, up to a tick late. It takes the
+    /// shorter way round: what turns by more than half a turn per tick is seen to turn the other way.
+    pub fn interpolated_pose(&self, alpha: f32) -> Pose {
+        self.previous.lerp(self.motion.pose, alpha)
     }
 
     /// Velocity of the centre of mass, m/s.
@@ -182,6 +199,7 @@ impl<'a> BodyMut<'a> {
             motion: &bodies.motions[slot as usize],
             forcing: &bodies.forcings[slot as usize],
             state: bodies.state(slot),
+            previous: bodies.previous_pose(slot),
             shape: &bodies.shapes[slot as usize],
             tier: self.world.graph.tier(slot),
         }
@@ -199,6 +217,11 @@ impl<'a> BodyMut<'a> {
     fn motion(&mut self) -> &mut Motion {
         let slot = self.slot();
         &mut self.world.bodies.motions[slot as usize]
+    }
+
+    fn previous_pose(&mut self) -> Option<&mut Pose> {
+        let slot = self.slot();
+        self.world.bodies.previous_pose_mut(slot)
     }
 
     fn forcing(&mut self) -> &mut Forcing {
@@ -230,6 +253,9 @@ impl<'a> BodyMut<'a> {
         check_place(center)?;
         self.motion().pose.center = center;
         self.moved();
+        if let Some(previous) = self.previous_pose() {
+            previous.center = center;
+        }
         Ok(())
     }
 
@@ -240,8 +266,12 @@ impl<'a> BodyMut<'a> {
     pub fn set_angle(&mut self, angle: f32) -> Result<(), BodyError> {
         check_strength("the angle", angle, "rad")?;
         if self.view().shape().can_rotate() {
-            self.motion().pose.rotation = Rot::from_angle(angle);
+            let rotation = Rot::from_angle(angle);
+            self.motion().pose.rotation = rotation;
             self.moved();
+            if let Some(previous) = self.previous_pose() {
+                previous.rotation = rotation;
+            }
         }
         Ok(())
     }
@@ -336,7 +366,13 @@ impl<'a> BodyMut<'a> {
         self.world.update_box(self.slot());
     }
 
-    /// Applies a force, N, at the centre of mass during the next step. Forces of several calls add up.
+    /// Applies a force, N, at the centre of mass during the next step, or for as long as the next
+    /// [`advance`](World::advance) is. Forces of several calls add up; a force of 0 does not even wake the body. Only dynamic
+    /// bodies respond.
+    ///
+    /// The force is held over the whole tick. One that depends on where the body is, such as a spring's or the water's, is
+    /// half a tick late by that, and gains energy without end: give it as an impulse before each tick,
+    /// `apply_impulse(force * tick_seconds)` in [`advance_with`](World::advance_with), which keeps the energy.
     ///
     /// # Errors
     /// [`BodyError`], if a component is not finite or beyond 10¹⁸ N.
@@ -347,7 +383,7 @@ impl<'a> BodyMut<'a> {
         Ok(())
     }
 
-    /// Applies a force, N, at `place`, m, during the next step. Forces of several calls add up.
+    /// Applies a force, N, at `place`, m, in the way of [`apply_force`](Self::apply_force).
     ///
     /// # Errors
     /// [`BodyError`], if a number is not finite, a force beyond 10¹⁸ N or a place beyond 10¹² m.
@@ -364,7 +400,7 @@ impl<'a> BodyMut<'a> {
         Ok(())
     }
 
-    /// Applies a torque, N m, during the next step. Torques of several calls add up.
+    /// Applies a torque, N m, in the way of [`apply_force`](Self::apply_force). Only dynamic bodies that can turn respond.
     ///
     /// # Errors
     /// [`BodyError`], if it is not finite or beyond 10¹⁸ N m.
@@ -375,12 +411,10 @@ impl<'a> BodyMut<'a> {
     }
 
     fn add_force(&mut self, force: Vec2, torque: f32) {
-        self.wake();
-        let forcing = self.forcing();
-        let cut = |value: f32| value.clamp(-STRONGEST_SUM, STRONGEST_SUM);
-        let sum = forcing.force + force;
-        forcing.force = Vec2::new(cut(sum.x), cut(sum.y));
-        forcing.torque = cut(forcing.torque + torque);
+        let force = TickForce { body: self.id, force, torque, wakes: true };
+        if self.world.add_force_to(force) {
+            self.world.forced.push(Forced { body: self.id, wakes: force.wakes });
+        }
     }
 
     /// Sets the coefficient of friction, 0 or more.
@@ -461,6 +495,3 @@ impl<'a> BodyMut<'a> {
         self.world.bodies.describe(self.id.0)
     }
 }
-
-/// Forces (N) and torques (N m) of one step add up to at most this: over the smallest mass it stays in `f32`.
-const STRONGEST_SUM: f32 = 1e20;

@@ -22,8 +22,9 @@ pub struct HitEvent {
     pub speed: f32,
 }
 
-/// What happened in the last step: slices, valid until the next step. Each is sorted by the ids of the bodies, and so the
-/// same in every run.
+/// What happened in the last [`step`](crate::World::step), or in all ticks of the last
+/// [`advance`](crate::World::advance): slices, valid until the next. Each is sorted by tick, and within a tick by the ids of
+/// the bodies, and so the same in every run.
 #[derive(Clone, Debug, Default)]
 pub struct Events {
     pub(crate) began: Vec<ContactEvent>,
@@ -32,6 +33,8 @@ pub struct Events {
     pub(crate) left: Vec<BodyId>,
     /// Contacts that ended because of an edit and are still to be reported, by this step or the next.
     pub(crate) ended_by_edit: Vec<ContactEvent>,
+    /// Where those of the current tick begin in `began`, `ended` and `hits`.
+    tick_begins: [usize; 3],
 }
 
 impl Events {
@@ -55,19 +58,25 @@ impl Events {
         &self.left
     }
 
-    /// Begins a step: forgets the last one, takes over what edits have ended since.
-    pub(crate) fn begin_step(&mut self) {
+    /// Forgets what was reported.
+    pub(crate) fn clear(&mut self) {
         self.began.clear();
+        self.ended.clear();
         self.hits.clear();
         self.left.clear();
-        self.ended.clear();
+    }
+
+    /// Begins a tick: takes over what edits have ended since the last.
+    pub(crate) fn begin_tick(&mut self) {
+        self.tick_begins = [self.began.len(), self.ended.len(), self.hits.len()];
         self.ended.append(&mut self.ended_by_edit);
     }
 
-    /// Brings the events of a step into an order that does not depend on how it was computed.
+    /// Brings the events of the current tick into an order that does not depend on how it was computed.
     pub(crate) fn sort(&mut self) {
-        self.began.sort_unstable_by_key(|event| (event.a, event.b));
-        self.ended.sort_unstable_by_key(|event| (event.a, event.b));
-        self.hits.sort_unstable_by_key(|event| (event.a, event.b));
+        let [began, ended, hits] = self.tick_begins;
+        self.began[began..].sort_unstable_by_key(|event| (event.a, event.b));
+        self.ended[ended..].sort_unstable_by_key(|event| (event.a, event.b));
+        self.hits[hits..].sort_unstable_by_key(|event| (event.a, event.b));
     }
 }

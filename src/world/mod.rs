@@ -9,6 +9,7 @@ mod edit;
 mod events;
 mod force;
 mod hash;
+mod held_forces;
 mod memory;
 mod profile;
 mod query;
@@ -36,6 +37,7 @@ use crate::math::{Aabb, Vec2};
 use crate::resolution::{ConstraintGraph, Loads, Solver, StepResidual, Tiers, find_island};
 use crate::store::{BitSet, Slots};
 use crate::world::attractor::Field;
+use crate::world::held_forces::{Forced, HeldForces};
 use crate::world::memory::MemoryUse;
 use crate::world::sleep::{SleepTables, Sleepers};
 
@@ -81,10 +83,17 @@ pub struct World {
     /// Awake bodies that have been at rest for long enough to sleep.
     resting: usize,
     ticks: u64,
+    /// The tick from which on the tick rate has been as it is, and when that was, s.
+    rate_since: (u64, f64),
     /// Whether a step has begun and not ended: between steps it has only where one panicked.
     is_within_step: bool,
     /// Time that `advance` was given and no tick has used yet, s.
     unused_time: f64,
+    /// Time that `advance` was given and has dropped, s.
+    dropped_time: f64,
+    /// Bodies that were given a force for the next tick; some may be in it more than once.
+    forced: Vec<Forced>,
+    held_forces: HeldForces,
     pool: ThreadPool,
     memory_use: MemoryUse,
     /// Scratch of the step.
@@ -145,8 +154,12 @@ impl World {
             impulses_of: None,
             resting: 0,
             ticks: 0,
+            rate_since: (0, 0.0),
             is_within_step: false,
             unused_time: 0.0,
+            dropped_time: 0.0,
+            forced: Vec::new(),
+            held_forces: HeldForces::default(),
             pool: ThreadPool::default(),
             memory_use: MemoryUse::default(),
             new_pairs: Vec::new(),
@@ -171,6 +184,9 @@ impl World {
         settings.validate()?;
         let mixes = |settings: &Settings| (settings.friction_mix, settings.restitution_mix);
         let mix_changed = mixes(&settings) != mixes(&self.settings);
+        if settings.tick_rate != self.settings.tick_rate {
+            self.rate_since = (self.ticks, self.time());
+        }
         self.settings = settings;
         if mix_changed {
             self.mix_all();
@@ -209,7 +225,7 @@ impl World {
             .map(|(index, contact)| ContactRef::new(self, index, contact))
     }
 
-    /// What happened in the last step.
+    /// What happened in the last [`step`](Self::step), or in all ticks of the last [`advance`](Self::advance).
     pub fn events(&self) -> &Events {
         &self.events
     }
@@ -237,9 +253,10 @@ impl World {
         self.ticks
     }
 
-    /// Simulated time since the world began, s: ticks times the current length of a tick.
+    /// Simulated time since the world began, s: the sum of all ticks, each as long as it was.
     pub fn time(&self) -> f64 {
-        self.ticks as f64 * self.settings.tick_seconds()
+        let (first, began) = self.rate_since;
+        began + (self.ticks - first) as f64 * self.settings.tick_seconds()
     }
 
     /// How many bodies are awake: those that the next step moves.

@@ -32,6 +32,9 @@ pub enum PositionCorrection {
 pub struct Settings {
     /// Ticks per second of simulated time, 1/s, 0.1 to 10⁶. Default 60.
     pub tick_rate: f32,
+    /// Most ticks that one [`advance`](crate::World::advance) takes, 1 to 10⁶: time beyond them is dropped, so that the world
+    /// falls behind in a slow frame instead of making the next one slower still. Default 8.
+    pub max_ticks_per_advance: u32,
     /// Substeps per tick, 1 to 256. The error of contacts falls as their number grows. Default 4.
     ///
     /// How far bodies sag into each other at rest depends on the length of a substep, so that a change of it lifts or lowers
@@ -105,6 +108,7 @@ impl Default for Settings {
     fn default() -> Self {
         Self {
             tick_rate: 60.0,
+            max_ticks_per_advance: 8,
             substeps: 4,
             adaptive: true,
             iterations: 1,
@@ -166,6 +170,7 @@ impl Settings {
         };
         for (field, value, min, max) in [
             ("tick_rate", f64::from(self.tick_rate), 0.1, 1e6),
+            ("max_ticks_per_advance", f64::from(self.max_ticks_per_advance), 1.0, 1e6),
             ("substeps", f64::from(self.substeps), 1.0, 256.0),
             ("iterations", f64::from(self.iterations), 1.0, 1000.0),
             ("relax_iterations", f64::from(self.relax_iterations), 0.0, 1000.0),

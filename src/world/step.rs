@@ -39,10 +39,16 @@ impl World {
     /// If a step of this world has panicked before, as it may where a [`Clock`](crate::Clock) does: the panic is passed on,
     /// threads rest, and the world, halfway through a step, can be looked at but not stepped.
     pub fn step(&mut self) {
+        self.events.clear();
+        self.tick();
+    }
+
+    /// Takes one tick, whose events come after those that are there.
+    pub(in crate::world) fn tick(&mut self) {
         assert!(!self.is_within_step, "an earlier step of this world panicked halfway");
         self.is_within_step = true;
         let mut profile = std::mem::take(&mut self.profile);
-        self.events.begin_step();
+        self.events.begin_tick();
         let size = self.bodies.awake_count() + self.candidates.len() + self.contacts.awake().len();
         let at_work = self.pool.begin_step(self.settings.threads, size);
         if self.bodies.awake_count() == 0 {
@@ -58,11 +64,13 @@ impl World {
         profile.run_stage(Stage::Finalize, self.bodies.awake_count(), || self.finalize());
         profile.run_stage(Stage::Events, self.changing_count(), || self.report_events());
         self.remove_those_that_left();
+        self.events.sort();
         let resting = if sleep::is_due(self.ticks, self.settings.tick_rate) { self.resting } else { 0 };
         profile.run_stage(Stage::Sleep, resting, || self.put_to_sleep());
         self.pool.end_step(at_work);
         profile.counters = self.count();
         self.profile = profile;
+        self.forced.clear();
         self.ticks += 1;
         self.is_within_step = false;
         self.give_back_memory();
@@ -225,16 +233,18 @@ impl World {
         let Self { bodies, broad_phase, pool, leaves_box, leaving, .. } = self;
         leaves_box.resize(bodies.awake_count(), false);
         let row_count = bodies.row_count();
-        let Bodies { states, awake, motions, forcings, watches, shapes, .. } = bodies;
+        let Bodies { states, previous, awake, motions, forcings, watches, shapes, .. } = bodies;
         let (motions, forcings) = (Chosen::new(motions, awake), Chosen::new(forcings, awake));
         let watches = Chosen::new(watches, awake);
         let resting = AtomicUsize::new(0);
-        let rows = ((motions, (forcings, watches)), (&mut states[1..row_count], &mut leaves_box[..]));
+        let of_rows = (&mut states[1..row_count], &mut previous[1..row_count]);
+        let rows = ((motions, (forcings, watches)), (of_rows, &mut leaves_box[..]));
         pool.run(
             rows,
             FINALIZE_COST,
-            |((mut motions, (mut forcings, mut watches)), (states, leaves_box))| {
-                for (place, (state, leaves_box)) in states.iter_mut().zip(leaves_box).enumerate() {
+            |((mut motions, (mut forcings, mut watches)), ((states, previous), leaves_box))| {
+                let of_rows = states.iter_mut().zip(previous).zip(leaves_box);
+                for (place, ((state, previous), leaves_box)) in of_rows.enumerate() {
                     forcings.get_mut(place).end_step();
                     limits.cut(state);
                     let (slot, motion) = (motions.indices()[place], motions.get_mut(place));
@@ -244,6 +254,7 @@ impl World {
                     {
                         resting.fetch_add(1, Ordering::Relaxed);
                     }
+                    *previous = motion.pose;
                     move_on(motion, state);
                     let aabb = |motion: &Motion| shapes[slot as usize].bounding_box(motion.pose);
                     if motion.room > ahead.norm_1() {
@@ -306,7 +317,6 @@ impl World {
             }
         }
         self.contacts.clear_changing(changing);
-        self.events.sort();
     }
 
     /// Removes the bodies that left the bounds, oldest place first.
@@ -314,9 +324,10 @@ impl World {
         let Some(bounds) = self.settings.bounds else { return };
         let bodies = &self.bodies;
         let outside = bodies.awake.iter().filter(|&&slot| !bounds.contains_point(bodies.center(slot)));
+        let first = self.events.left.len();
         self.events.left.extend(outside.map(|&slot| BodyId(bodies.records.key_at(slot))));
-        self.events.left.sort_unstable();
-        for place in 0..self.events.left.len() {
+        self.events.left[first..].sort_unstable();
+        for place in first..self.events.left.len() {
             self.remove(self.events.left[place]);
         }
     }

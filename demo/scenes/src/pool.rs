@@ -1,6 +1,6 @@
 //! A pool that fills with discs.
 
-use rustycs::{Body, Material, Settings, Shape, World};
+use rustycs::{Body, Material, Settings, Shape, Vec2, World};
 
 use crate::parts::{grid, put, put_pool, world_with_gravity};
 use crate::random::Random;
@@ -37,7 +37,7 @@ pub fn build_with(count: usize, seed: u64, settings: Settings) -> World {
     for index in 0..count {
         let place = grid(index, columns, PITCH, [0.0, 1.0].into());
         let shift = [random.between(-0.06, 0.06), random.between(-0.06, 0.06)];
-        let disc = Body::dynamic(Shape::circle(RADIUS)).at(place + shift.into());
+        let disc = Body::dynamic(Shape::circle(RADIUS)).at(place + Vec2::from(shift));
         put(&mut world, disc.material(Material::PLASTIC).restitution(0.2));
     }
     world

@@ -2,6 +2,7 @@
 
 mod contacts;
 mod edit;
+mod frames;
 mod time;
 
 use rustycs::prelude::*;
