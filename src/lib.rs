@@ -57,6 +57,17 @@
 //! Same calls, same bits: on every machine and build profile, at every width of lanes, on any number of threads, in
 //! every clone. The library reads no clock, draws no random number and uses no trigonometry but its own.
 //!
+//! # Errors
+//!
+//! - What is built from data (shapes, bodies, settings, and changes of them) returns a `Result`. Its error is a sentence that
+//!   says what to change, and nothing has changed.
+//! - What a game does every frame (velocities, impulses, forces, see [`BodyMut`]) returns nothing that must be looked at. A
+//!   number that is not finite or out of range is refused, and nothing changes: a debug build panics at the line of the call,
+//!   a release build reports it in [`Events::refused`].
+//! - An id of what was removed gives `None`.
+//! - A constructor that panics says so, names the line of its caller, and has a twin `try_` that does not.
+//! - [`World::step`] never fails, and no NaN gets in or out.
+//!
 //! # Features
 //!
 //! `report`: error against run time, without a dependency. `parallel`: several threads for the steps of large worlds,
@@ -83,8 +94,8 @@ pub use math::{Aabb, Point, Pose, Rot, Vec2};
 pub use shape::{Shape, ShapeError};
 pub use world::{
     Attractor, AttractorError, AttractorId, BodyMut, BodyRef, Clock, ContactEvent, ContactRef, Counters,
-    Events, Force, ForceError, ForceId, HitEvent, Lanes, PositionCorrection, Profile, RayHit, Settings,
-    SettingsError, Stage, StageReport, StepError, Tier, World,
+    Events, Force, ForceError, ForceId, HitEvent, Lanes, PositionCorrection, Profile, RayHit, Refusal,
+    Settings, SettingsError, Stage, StageReport, StepError, Tier, World,
 };
 
 /// Everything a program needs by name.
@@ -92,9 +103,9 @@ pub mod prelude {
     pub use crate::{
         Aabb, Attractor, AttractorError, AttractorId, Body, BodyError, BodyId, BodyMut, BodyRef, BodyType,
         Clock, ContactEvent, ContactRef, Counters, Events, FeatureId, Force, ForceError, ForceId, HitEvent,
-        Lanes, Manifold, ManifoldPoint, Material, Mix, Point, Pose, PositionCorrection, Profile, RayHit, Rot,
-        Settings, SettingsError, Shape, ShapeError, Stage, StageReport, StepError, Tier, Vec2, World,
-        collision,
+        Lanes, Manifold, ManifoldPoint, Material, Mix, Point, Pose, PositionCorrection, Profile, RayHit,
+        Refusal, Rot, Settings, SettingsError, Shape, ShapeError, Stage, StageReport, StepError, Tier, Vec2,
+        World, collision,
     };
 }
 

@@ -51,8 +51,10 @@ impl Spring {
         let strength = mass / (1.0 + 2.0 * w * h + w * w * h * h);
         let force = (apart * (w * w) - velocity * (2.0 * w)) * strength;
         if let Some(mut body) = world.body_mut(self.body) {
-            // Refused only where the mouse is absurdly far away; then the spring does not pull.
-            body.apply_force_at(force, held).ok();
+            // The mouse, or the body, may be farther away than a place can be given.
+            if force.length() < 1e18 && held.distance(Point::ORIGIN) < 1e12 {
+                body.apply_force_at(force, held);
+            }
         }
     }
 }

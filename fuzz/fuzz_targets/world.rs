@@ -85,12 +85,12 @@ fuzz_target!(|uses: Vec<Use>| {
             Use::Remove(number) => drop(id(number).and_then(|id| world.remove(id))),
             Use::Push(number, impulse, at) => {
                 if let Some(mut body) = id(number).and_then(|id| world.body_mut(id)) {
-                    _ = body.apply_impulse_at(*impulse, *at);
+                    body.apply_impulse_at(*impulse, *at);
                 }
             }
             Use::Turn(number, spin) => {
                 if let Some(mut body) = id(number).and_then(|id| world.body_mut(id)) {
-                    _ = body.set_angular_velocity(*spin);
+                    body.set_angular_velocity(*spin);
                 }
             }
             Use::Move(number, place) => {

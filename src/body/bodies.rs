@@ -58,6 +58,17 @@ pub(crate) struct Motion {
 const _: () = assert!(size_of::<Motion>() == 64);
 
 impl Motion {
+    /// Takes mass and size from a description.
+    fn fit(&mut self, body: &Body) {
+        let MassProperties { mass, inertia } = body.mass_properties();
+        let is_dynamic = body.body_type == BodyType::Dynamic;
+        self.inverse_mass = if is_dynamic { 1.0 / mass } else { 0.0 };
+        self.inverse_inertia = if is_dynamic && body.can_turn() { 1.0 / inertia } else { 0.0 };
+        self.extent = body.shape.extent();
+        self.thickness = body.shape.thickness();
+        self.is_round = matches!(body.shape, Shape::Circle(_));
+    }
+
     /// Watches the body for rest over a step that has moved it `by` and turned it by `turn`. Returns whether it may sleep.
     #[inline(always)]
     pub(crate) fn watch(&mut self, watch: &mut RestWatch, by: Vec2, turn: Rot, rule: RestRule) -> bool {
@@ -146,20 +157,20 @@ impl Bodies {
             first_contact: NONE,
             sleep_group: NONE,
         };
-        let is_dynamic = body.body_type == BodyType::Dynamic;
-        let motion = Motion {
+        let mut motion = Motion {
             pose: body.pose(),
-            inverse_mass: if is_dynamic { 1.0 / mass } else { 0.0 },
-            inverse_inertia: if is_dynamic && body.can_turn() { 1.0 / inertia } else { 0.0 },
+            inverse_mass: 0.0,
+            inverse_inertia: 0.0,
             velocity_compensation: Vec2::ZERO,
-            extent: body.shape.extent(),
-            thickness: body.shape.thickness(),
+            extent: 0.0,
+            thickness: 0.0,
             room: 0.0,
             row: GROUND_ROW,
-            is_round: matches!(body.shape, Shape::Circle(_)),
+            is_round: false,
             may_sleep: body.may_sleep,
             is_watched: false,
         };
+        motion.fit(body);
         let forcing = Forcing {
             force: Vec2::ZERO,
             torque: 0.0,
@@ -190,7 +201,8 @@ impl Bodies {
 
     /// Takes the body out of every table and gives back its description.
     pub(crate) fn remove(&mut self, key: Key) -> Option<Body> {
-        let description = self.describe(key)?;
+        self.records.get(key)?;
+        let description = self.describe(key.index());
         self.take_row(key.index());
         self.records.remove(key);
         Some(description)
@@ -212,13 +224,12 @@ impl Bodies {
         self.records.place_count()
     }
 
-    /// The description of the body as it is now.
-    pub(crate) fn describe(&self, key: Key) -> Option<Body> {
-        let record = self.records.get(key)?;
-        let slot = key.index();
+    /// The description of the body in `slot` as it is now.
+    pub(crate) fn describe(&self, slot: u32) -> Body {
+        let record = &self.records[slot];
         let (motion, state) = (&self.motions[slot as usize], self.state(slot));
         let forcing = &self.forcings[slot as usize];
-        Some(Body {
+        Body {
             body_type: record.body_type,
             shape: self.shapes[slot as usize],
             center: motion.pose.center,
@@ -233,7 +244,38 @@ impl Bodies {
             angular_damping: forcing.angular_damping,
             may_sleep: motion.may_sleep,
             user_data: record.user_data,
-        })
+        }
+    }
+
+    /// Makes the body in `slot` what a validated description says, but for its pose and velocity.
+    pub(crate) fn redescribe(&mut self, slot: u32, body: &Body) {
+        let record = &mut self.records[slot];
+        let old_type = core::mem::replace(&mut record.body_type, body.body_type);
+        let masses = body.mass_properties();
+        (record.mass, record.inertia) = (masses.mass, masses.inertia);
+        (record.material, record.mass_override) = (body.material, body.mass);
+        record.fixed_rotation = body.fixed_rotation;
+        let motion = &mut self.motions[slot as usize];
+        motion.fit(body);
+        motion.velocity_compensation = Vec2::ZERO;
+        if !body.shape.can_rotate() {
+            motion.pose.rotation = Rot::IDENTITY;
+        }
+        self.shapes[slot as usize] = body.shape;
+        if body.body_type != BodyType::Dynamic {
+            self.forcings[slot as usize].end_step();
+        }
+        match (old_type, body.body_type) {
+            (BodyType::Fixed, BodyType::Fixed) => {}
+            (BodyType::Fixed, _) => _ = self.give_row(slot),
+            (_, BodyType::Fixed) => self.take_row(slot),
+            _ => {}
+        }
+        if !body.can_turn() && body.body_type != BodyType::Fixed {
+            let row = self.motions[slot as usize].row;
+            self.states[row as usize].angular_velocity = 0.0;
+            self.previous[row as usize].rotation = self.motions[slot as usize].pose.rotation;
+        }
     }
 
     /// Gives the body at rest in `slot` a row of its own, so that the solver moves it; returns the row.

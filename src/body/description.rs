@@ -1,8 +1,10 @@
 //! The description of a body, from which a world makes one.
 
+use core::fmt;
+
 use crate::body::error::check_range;
 use crate::body::{BodyError, Material};
-use crate::math::{Point, Pose, Vec2};
+use crate::math::{Point, Pose, Rot, Vec2};
 use crate::shape::{MassProperties, Shape};
 
 /// How a body takes part in the motion.
@@ -14,6 +16,16 @@ pub enum BodyType {
     Fixed,
     /// Moves with the velocity it is told, whatever it meets; as if its mass were infinite.
     Kinematic,
+}
+
+impl fmt::Display for BodyType {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Dynamic => "dynamic",
+            Self::Fixed => "fixed",
+            Self::Kinematic => "kinematic",
+        })
+    }
 }
 
 /// Largest coordinate, m, that a body can be given, or get to: there a step of `f64` is 0.1 mm.
@@ -41,7 +53,8 @@ const LARGEST_FACTOR: f64 = 1e6;
 /// # world.add(crate_of_stone).unwrap();
 /// ```
 ///
-/// Nothing is checked here: [`World::add`](crate::World::add) checks all of it at once.
+/// Nothing is checked here: [`World::add`](crate::World::add) checks all of it at once, each number that was given, whether
+/// or not a body of this kind has a use for it. What a body ignores is said at each method.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Body {
     pub(crate) body_type: BodyType,
@@ -134,7 +147,7 @@ impl Body {
         self
     }
 
-    /// Mass per area, kg/m², instead of the material's.
+    /// Mass per area, kg/m², instead of the material's. Fixed and kinematic bodies have no use for it, and take 0 too.
     #[must_use]
     pub fn density(mut self, density: f32) -> Self {
         self.material.density = density;
@@ -155,7 +168,8 @@ impl Body {
         self
     }
 
-    /// Mass, kg, instead of density times area; the moment of inertia scales with it.
+    /// Mass, kg, instead of density times area; the moment of inertia scales with it. Fixed and kinematic bodies have no use
+    /// for it before they become dynamic.
     #[must_use]
     pub fn mass(mut self, mass: f32) -> Self {
         self.mass = Some(mass);
@@ -170,7 +184,7 @@ impl Body {
         self
     }
 
-    /// Factor on the world's forces (not on attractors); 0 floats, -1 rises.
+    /// Factor on the world's forces (not on attractors); 0 floats, -1 rises. Only dynamic bodies are moved by them.
     #[must_use]
     pub fn gravity_scale(mut self, scale: f32) -> Self {
         self.gravity_scale = scale;
@@ -205,6 +219,77 @@ impl Body {
         self
     }
 
+    /// What the body was told to be: dynamic, fixed or kinematic. This and the following tell what was given, or what holds
+    /// where nothing was; `get_`, as the methods that give it have the plain names.
+    pub fn get_body_type(&self) -> BodyType {
+        self.body_type
+    }
+
+    /// Its shape.
+    pub fn get_shape(&self) -> &Shape {
+        &self.shape
+    }
+
+    /// Place of the centre of mass, m.
+    pub fn get_position(&self) -> Point {
+        self.center
+    }
+
+    /// Angle, rad.
+    pub fn get_angle(&self) -> f32 {
+        self.angle
+    }
+
+    /// Velocity, m/s.
+    pub fn get_velocity(&self) -> Vec2 {
+        self.velocity
+    }
+
+    /// Angular velocity, rad/s.
+    pub fn get_angular_velocity(&self) -> f32 {
+        self.angular_velocity
+    }
+
+    /// Density, friction and restitution.
+    pub fn get_material(&self) -> Material {
+        self.material
+    }
+
+    /// The mass that was given, kg; `None` where it follows from density and area.
+    pub fn get_mass(&self) -> Option<f32> {
+        self.mass
+    }
+
+    /// Whether it never turns.
+    pub fn get_fixed_rotation(&self) -> bool {
+        self.fixed_rotation
+    }
+
+    /// Factor on the world's forces.
+    pub fn get_gravity_scale(&self) -> f32 {
+        self.gravity_scale
+    }
+
+    /// Linear damping, 1/s.
+    pub fn get_linear_damping(&self) -> f32 {
+        self.linear_damping
+    }
+
+    /// Angular damping, 1/s.
+    pub fn get_angular_damping(&self) -> f32 {
+        self.angular_damping
+    }
+
+    /// Whether it may be put to sleep.
+    pub fn get_may_sleep(&self) -> bool {
+        self.may_sleep
+    }
+
+    /// The caller's own number.
+    pub fn get_user_data(&self) -> u64 {
+        self.user_data
+    }
+
     /// Whether the body can turn.
     pub(crate) fn can_turn(&self) -> bool {
         self.shape.can_rotate() && !self.fixed_rotation
@@ -234,13 +319,19 @@ impl Body {
         check_strength("the angle", self.angle, "rad")?;
         check_vector("the velocity", self.velocity, "m/s")?;
         check_strength("the angular velocity", self.angular_velocity, "rad/s")?;
-        check_range("the density", f64::from(self.material.density), [1e-12, 1e12], "kg/m²")?;
+        // What does not move may weigh nothing.
+        let is_dynamic = self.body_type == BodyType::Dynamic;
+        let least_density = if is_dynamic { 1e-12 } else { 0.0 };
+        check_range("the density", f64::from(self.material.density), [least_density, 1e12], "kg/m²")?;
+        if let Some(mass) = self.mass {
+            check_range("the mass", f64::from(mass), MASSES, "kg")?;
+        }
         check_friction(self.material.friction)?;
         check_restitution(self.material.restitution)?;
         check_gravity_scale(self.gravity_scale)?;
         check_damping("the linear damping", self.linear_damping)?;
         check_damping("the angular damping", self.angular_damping)?;
-        if self.body_type == BodyType::Dynamic {
+        if is_dynamic {
             let MassProperties { mass, inertia } = self.mass_properties();
             check_range("the mass", f64::from(mass), MASSES, "kg")?;
             check_range("the moment of inertia", f64::from(inertia), INERTIAS, "kg m²")?;
@@ -252,6 +343,12 @@ impl Body {
 pub(crate) fn check_place(center: Point) -> Result<(), BodyError> {
     check_range("the x of the position", center.x, [-FARTHEST, FARTHEST], "m")?;
     check_range("the y of the position", center.y, [-FARTHEST, FARTHEST], "m")
+}
+
+/// Checks that the two numbers are cosine and sine of an angle.
+pub(crate) fn check_rotation(Rot { c, s }: Rot) -> Result<(), BodyError> {
+    let square = f64::from(c) * f64::from(c) + f64::from(s) * f64::from(s);
+    check_range("the c² + s² of the rotation", square, [0.999, 1.001], "")
 }
 
 pub(crate) fn check_strength(
@@ -268,15 +365,15 @@ pub(crate) fn check_vector(quantity: &'static str, value: Vec2, unit: &'static s
 }
 
 pub(crate) fn check_friction(friction: f32) -> Result<(), BodyError> {
-    check_range("the friction", f64::from(friction), [0.0, LARGEST_FACTOR], "(no unit)")
+    check_range("the friction", f64::from(friction), [0.0, LARGEST_FACTOR], "")
 }
 
 pub(crate) fn check_restitution(restitution: f32) -> Result<(), BodyError> {
-    check_range("the restitution", f64::from(restitution), [0.0, 1.0], "(no unit)")
+    check_range("the restitution", f64::from(restitution), [0.0, 1.0], "")
 }
 
 pub(crate) fn check_gravity_scale(scale: f32) -> Result<(), BodyError> {
-    check_range("the gravity scale", f64::from(scale), [-LARGEST_FACTOR, LARGEST_FACTOR], "(no unit)")
+    check_range("the gravity scale", f64::from(scale), [-LARGEST_FACTOR, LARGEST_FACTOR], "")
 }
 
 pub(crate) fn check_damping(quantity: &'static str, damping: f32) -> Result<(), BodyError> {

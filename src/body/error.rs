@@ -2,6 +2,7 @@
 
 use core::fmt;
 
+use crate::body::BodyType;
 use crate::shape::ShapeError;
 
 /// Why a body, or a change to one, was refused. The world is as it was before.
@@ -20,8 +21,13 @@ pub enum BodyError {
         min: f64,
         /// Largest number allowed.
         max: f64,
-        /// Unit of the three numbers.
+        /// Unit of the three numbers; empty for a number without one.
         unit: &'static str,
+    },
+    /// A body that is not kinematic was to be moved to a pose.
+    NotKinematic {
+        /// What it is.
+        body_type: BodyType,
     },
 }
 
@@ -31,8 +37,16 @@ impl fmt::Display for BodyError {
             Self::Shape(error) => write!(f, "the body's shape cannot be used: {error}"),
             Self::OutOfRange { quantity, value, min, max, unit } => {
                 let [value, min, max] = [*value, *min, *max].map(Number);
-                write!(f, "{quantity} is {value} {unit}; give a finite number from {min} to {max} {unit}")
+                let space = if unit.is_empty() { "" } else { " " };
+                write!(
+                    f,
+                    "{quantity} is {value}{space}{unit}; give a finite number from {min} to {max}{space}{unit}"
+                )
             }
+            Self::NotKinematic { body_type } => write!(
+                f,
+                "a body that is {body_type} cannot be moved to a pose; give it one by set_pose, or make it kinematic"
+            ),
         }
     }
 }
@@ -41,7 +55,7 @@ impl std::error::Error for BodyError {
     fn source(&self) -> Option<&(dyn std::error::Error + 'static)> {
         match self {
             Self::Shape(error) => Some(error),
-            Self::OutOfRange { .. } => None,
+            Self::OutOfRange { .. } | Self::NotKinematic { .. } => None,
         }
     }
 }
@@ -52,15 +66,21 @@ impl From<ShapeError> for BodyError {
     }
 }
 
-/// A number in an error: as the caller wrote it, 0.1 and not the 0.10000000149 that its `f32` is, 1e18 and not
-/// nineteen digits.
+/// A number in an error: as the caller wrote it, 0.1 and not the 0.10000000149 that its `f32` is, 60 and not 60.0, 1e18 and
+/// not nineteen digits.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Number(pub(crate) f64);
 
 impl fmt::Display for Number {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let narrow = self.0 as f32;
-        if f64::from(narrow) == self.0 { write!(f, "{narrow:?}") } else { write!(f, "{:?}", self.0) }
+        let is_plain = self.0 == 0.0 || (1e-4..1e6).contains(&self.0.abs()) || !self.0.is_finite();
+        match (is_plain, f64::from(narrow) == self.0) {
+            (true, true) => write!(f, "{narrow}"),
+            (true, false) => write!(f, "{}", self.0),
+            (false, true) => write!(f, "{narrow:e}"),
+            (false, false) => write!(f, "{:e}", self.0),
+        }
     }
 }
 

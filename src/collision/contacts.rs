@@ -152,6 +152,13 @@ impl Contact {
     }
 }
 
+/// Width of the thinner of two bodies, m, and whether one is a circle that the other does not find flat.
+fn sizes(bodies: &Bodies, slots: [u32; 2]) -> (f32, bool) {
+    let [a, b] = slots.map(|slot| &bodies.motions[slot as usize]);
+    let is_flat = is_flat([a, b].map(|motion| (motion.is_round, motion.extent)));
+    (a.thickness.min(b.thickness), (a.is_round || b.is_round) && !is_flat)
+}
+
 /// Some contacts, each of them once.
 pub(crate) type ChosenContacts<'a> = ChosenSlots<'a, Contact>;
 
@@ -221,21 +228,20 @@ impl Contacts {
         restitution: f32,
     ) -> u32 {
         let first = slots.map(|slot| bodies.records[slot].first_contact);
-        let [a, b] = slots.map(|slot| &bodies.motions[slot as usize]);
-        let is_flat = is_flat([a, b].map(|motion| (motion.is_round, motion.extent)));
+        let (thickness, has_circle) = sizes(bodies, slots);
         let key = self.all.insert(Contact {
             slots,
             manifold: Manifold::default(),
             frozen: None,
             friction,
             restitution,
-            thickness: a.thickness.min(b.thickness),
+            thickness,
             is_touching: false,
             holds_still: false,
             has_bounced: false,
             approach_speed: 0.0,
             follows: false,
-            has_circle: (a.is_round || b.is_round) && !is_flat,
+            has_circle,
             followed_steps: 0,
             awake_place: NONE,
             links: first.map(|next| Link { previous: NONE, next }),
@@ -381,6 +387,23 @@ impl Contacts {
             let contact = &mut self[index];
             contact.frozen = None;
             index = contact.links[contact.side(slot)].next;
+        }
+    }
+
+    /// Takes note that a body of the contact, which is in no graph, has another shape or mass: its manifold is to be found
+    /// anew, and only a share of what it bears is left.
+    pub(crate) fn fit_to_bodies(&mut self, bodies: &Bodies, index: u32, share: f32) {
+        let (thickness, has_circle) = sizes(bodies, self[index].slots);
+        let contact = &mut self[index];
+        if contact.has_circle != has_circle {
+            contact.manifold = Manifold::default();
+        }
+        (contact.thickness, contact.has_circle) = (thickness, has_circle);
+        (contact.frozen, contact.follows, contact.holds_still, contact.followed_steps) =
+            (None, false, false, 0);
+        for point in contact.manifold.points_mut() {
+            point.normal_impulse *= share;
+            point.tangent_impulse *= share;
         }
     }
 

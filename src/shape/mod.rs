@@ -101,12 +101,18 @@ impl Shape {
         Self::Circle(Circle { radius })
     }
 
-    /// A box of full `width` and `height`, m, that never turns.
+    /// A box of full `width` and `height`, m, that turns with its body.
+    pub fn rectangle(width: f32, height: f32) -> Self {
+        Self::obb(width, height)
+    }
+
+    /// An axis-aligned box of full `width` and `height`, m: its sides stay parallel to the axes of the world, whatever angle
+    /// or spin its body is given. One that can turn is a [`rectangle`](Self::rectangle).
     pub fn aabb(width: f32, height: f32) -> Self {
         Self::Aabb(Rectangle::new(width, height))
     }
 
-    /// A box of full `width` and `height`, m, that turns with its body.
+    /// An oriented box of full `width` and `height`, m, that turns with its body: a [`rectangle`](Self::rectangle).
     pub fn obb(width: f32, height: f32) -> Self {
         Self::Obb(Rectangle::new(width, height))
     }

@@ -11,6 +11,13 @@ macro_rules! id_type {
         pub struct $name(pub(crate) $crate::store::Key);
 
         impl $name {
+            /// The place of the thing: below how many there ever were at once, and no other has it as long as the thing is
+            /// there. For a table beside the world, `things[id.index()]`; a place is used again after the thing was
+            /// removed, which the id as a whole tells.
+            pub fn index(self) -> usize {
+                self.0.index() as usize
+            }
+
             /// The id as one number, for keeping outside; [`from_bits`](Self::from_bits) brings it back.
             pub fn to_bits(self) -> u64 {
                 self.0.to_bits()

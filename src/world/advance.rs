@@ -21,7 +21,7 @@ impl World {
     /// # let draw = |_: Pose| ();
     /// // Sixty frames of a second. 60 N on 1 kg give 60 m/s, at any number of frames.
     /// for _ in 0..60 {
-    ///     world.body_mut(ship).unwrap().apply_force([60.0, 0.0])?;
+    ///     world.body_mut(ship).unwrap().apply_force([60.0, 0.0]);
     ///     world.advance(1.0 / 60.0);
     ///     for hit in world.events().hits() {
     ///         println!("{:?} hit {:?}", hit.a, hit.b); // of all ticks of this frame
@@ -58,8 +58,8 @@ impl World {
     /// let tick = world.settings().tick_seconds() as f32;
     /// let ticks = world.advance_with(0.1, |world| {
     ///     let mut ball = world.body_mut(ball).unwrap();
-    ///     let force = -20.0 * ball.view().position();
-    ///     ball.apply_impulse(force * tick).unwrap();
+    ///     let force = -20.0 * ball.position();
+    ///     ball.apply_impulse(force * tick);
     /// });
     /// assert_eq!(ticks, 6);
     /// # Ok::<(), BodyError>(())

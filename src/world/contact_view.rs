@@ -1,21 +1,72 @@
 //! A contact, as the caller sees it.
 
+use core::fmt;
+
 use crate::body::BodyId;
 use crate::collision::{Contact, Manifold, ManifoldPoint};
 use crate::math::{Point, Vec2};
 use crate::world::World;
 
 /// Two bodies that touch or are about to, as of the end of the last step.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy)]
 pub struct ContactRef<'a> {
     world: &'a World,
     index: u32,
     contact: &'a Contact,
 }
 
+impl World {
+    /// Every contact with points: bodies that touch, or are about to.
+    pub fn contacts(&self) -> impl Iterator<Item = ContactRef<'_>> {
+        self.contacts.iter().filter_map(|(index, contact)| ContactRef::new(self, index, contact))
+    }
+
+    /// The contacts with points of one body, the latest first; none for one that was removed. It takes time for the bodies
+    /// that are close to this one, and not for the others.
+    ///
+    /// ```
+    /// # use rustycs::prelude::*;
+    /// # let mut world = World::new(Settings::default());
+    /// # world.add_force(Force::EARTH_GRAVITY);
+    /// # world.add(Body::fixed(Shape::aabb(20.0, 1.0)))?;
+    /// # let player = world.add(Body::dynamic(Shape::circle(0.5)).at([0.0, 1.0]))?;
+    /// # world.step();
+    /// // Is there something below that bears the player?
+    /// let is_on_ground = world
+    ///     .contacts_of(player)
+    ///     .any(|contact| contact.is_touching() && contact.normal_on(player).y > 0.7);
+    /// assert!(is_on_ground);
+    /// # Ok::<(), BodyError>(())
+    /// ```
+    pub fn contacts_of(&self, body: BodyId) -> impl Iterator<Item = ContactRef<'_>> {
+        let slot = self.bodies.records.get(body.0).map(|_| body.0.index());
+        let indices = slot.into_iter().flat_map(|slot| self.contacts.of_body(&self.bodies, slot));
+        indices.filter_map(|index| ContactRef::new(self, index, &self.contacts[index]))
+    }
+
+    /// The contact with points of two bodies, whichever is named first; `None` where they are not about to touch, or one was
+    /// removed. It takes time for the bodies that are close to the one that fewer are close to.
+    pub fn contact_between(&self, one: BodyId, other: BodyId) -> Option<ContactRef<'_>> {
+        self.bodies.records.get(one.0).and(self.bodies.records.get(other.0))?;
+        let [one, other] = [one, other].map(|id| id.0.index());
+        // Their contact is in the lists of both: it is found when the shorter one is through, or there is none.
+        let of_both =
+            self.contacts.of_body(&self.bodies, one).zip(self.contacts.of_body(&self.bodies, other));
+        let found = of_both.into_iter().find_map(|(of_one, of_other)| {
+            if self.contacts[of_one].other(one) == other {
+                Some(of_one)
+            } else {
+                (self.contacts[of_other].other(other) == one).then_some(of_other)
+            }
+        })?;
+        ContactRef::new(self, found, &self.contacts[found])
+    }
+}
+
 impl<'a> ContactRef<'a> {
-    pub(in crate::world) fn new(world: &'a World, index: u32, contact: &'a Contact) -> Self {
-        Self { world, index, contact }
+    /// The view of a contact, if it has points.
+    fn new(world: &'a World, index: u32, contact: &'a Contact) -> Option<Self> {
+        (!contact.manifold.points().is_empty()).then_some(Self { world, index, contact })
     }
 
     /// The body that the normal points away from.
@@ -26,6 +77,24 @@ impl<'a> ContactRef<'a> {
     /// The body that the normal points to.
     pub fn b(&self) -> BodyId {
         BodyId(self.world.bodies.records.key_at(self.contact.slots[1]))
+    }
+
+    /// The body that `body` is in contact with; `None` if `body` is neither of the two.
+    pub fn other(&self, body: BodyId) -> Option<BodyId> {
+        let (a, b) = (self.a(), self.b());
+        if body == a { Some(b) } else { (body == b).then_some(a) }
+    }
+
+    /// Direction in which the contact pushes `body`, away from the other: the normal as it is seen from this body, of
+    /// length 1. A body that is neither of the two is not pushed, and has the vector of length 0.
+    pub fn normal_on(&self, body: BodyId) -> Vec2 {
+        if body == self.b() {
+            self.normal()
+        } else if body == self.a() {
+            -self.normal()
+        } else {
+            Vec2::ZERO
+        }
     }
 
     /// Whether the two touch, rather than being about to.
@@ -68,5 +137,14 @@ impl<'a> ContactRef<'a> {
     /// Coefficient of restitution of the contact.
     pub fn restitution(&self) -> f32 {
         self.contact.restitution
+    }
+}
+
+impl fmt::Debug for ContactRef<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let (a, b, is_touching) = (self.a(), self.b(), self.is_touching());
+        let mut shown = f.debug_struct("ContactRef");
+        shown.field("a", &a).field("b", &b).field("is_touching", &is_touching);
+        shown.field("manifold", self.manifold()).finish_non_exhaustive()
     }
 }

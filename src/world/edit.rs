@@ -3,7 +3,7 @@
 use crate::body::{Body, BodyError, BodyId, BodyType};
 use crate::math::Vec2;
 use crate::world::events::ContactEvent;
-use crate::world::{Attractor, AttractorId, Force, ForceId, Tier, World};
+use crate::world::{Attractor, AttractorId, BodyRef, Force, ForceId, Tier, World};
 
 impl World {
     /// Adds a body.
@@ -59,6 +59,26 @@ impl World {
             self.give_back_memory();
         }
         removed
+    }
+
+    /// Removes all bodies. Settings, forces and attractors stay, and so does the time.
+    pub fn clear(&mut self) {
+        self.retain(|_| false);
+    }
+
+    /// Removes the bodies for which `keeps` is false, in the order of [`bodies`](Self::bodies). What they touched wakes.
+    ///
+    /// ```
+    /// # use rustycs::prelude::*;
+    /// # let mut world = World::new(Settings::default());
+    /// world.retain(|body| body.position().y > -100.0);
+    /// ```
+    pub fn retain(&mut self, mut keeps: impl FnMut(BodyRef<'_>) -> bool) {
+        let goes = self.bodies().filter(|&(_, body)| !keeps(body));
+        let gone: Vec<BodyId> = goes.map(|(id, _)| id).collect();
+        for id in gone {
+            self.remove(id);
+        }
     }
 
     /// Ends a contact everywhere: graph, lists, pair set.

@@ -1,6 +1,6 @@
 //! What happened in the last step.
 
-use crate::body::BodyId;
+use crate::body::{BodyError, BodyId};
 
 /// Two bodies began or ceased to touch.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -22,6 +22,16 @@ pub struct HitEvent {
     pub speed: f32,
 }
 
+/// A change to a body that was refused, as a game makes them every frame.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct Refusal {
+    /// The body, which is as it was.
+    pub body: BodyId,
+    /// Why.
+    pub error: BodyError,
+}
+
 /// What happened in the last [`step`](crate::World::step), or in all ticks of the last
 /// [`advance`](crate::World::advance): slices, valid until the next. Each is sorted by tick, and within a tick by the ids of
 /// the bodies, and so the same in every run.
@@ -33,6 +43,9 @@ pub struct Events {
     pub(crate) left: Vec<BodyId>,
     /// Contacts that ended because of an edit and are still to be reported, by this step or the next.
     pub(crate) ended_by_edit: Vec<ContactEvent>,
+    refused: Vec<Refusal>,
+    /// What was refused since the last tick.
+    refused_by_edit: Vec<Refusal>,
     /// Where those of the current tick begin in `began`, `ended` and `hits`.
     tick_begins: [usize; 3],
 }
@@ -58,18 +71,31 @@ impl Events {
         &self.left
     }
 
+    /// What was refused of [`BodyMut`](crate::BodyMut) since the step before: velocities, impulses and forces with numbers that
+    /// are not finite or out of range. In a debug build the call panics instead.
+    pub fn refused(&self) -> &[Refusal] {
+        &self.refused
+    }
+
+    /// Takes note of a change that was refused.
+    pub(crate) fn refuse(&mut self, refusal: Refusal) {
+        self.refused_by_edit.push(refusal);
+    }
+
     /// Forgets what was reported.
     pub(crate) fn clear(&mut self) {
         self.began.clear();
         self.ended.clear();
         self.hits.clear();
         self.left.clear();
+        self.refused.clear();
     }
 
     /// Begins a tick: takes over what edits have ended since the last.
     pub(crate) fn begin_tick(&mut self) {
         self.tick_begins = [self.began.len(), self.ended.len(), self.hits.len()];
         self.ended.append(&mut self.ended_by_edit);
+        self.refused.append(&mut self.refused_by_edit);
     }
 
     /// Brings the events of the current tick into an order that does not depend on how it was computed.

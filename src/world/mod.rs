@@ -2,6 +2,8 @@
 
 mod advance;
 mod attractor;
+mod body_change;
+mod body_mut;
 mod body_view;
 mod conserved;
 mod contact_view;
@@ -21,9 +23,10 @@ mod validate;
 pub use crate::compute::Lanes;
 pub use crate::resolution::Tier;
 pub use attractor::{Attractor, AttractorError, AttractorId};
-pub use body_view::{BodyMut, BodyRef};
+pub use body_mut::BodyMut;
+pub use body_view::BodyRef;
 pub use contact_view::ContactRef;
-pub use events::{ContactEvent, Events, HitEvent};
+pub use events::{ContactEvent, Events, HitEvent, Refusal};
 pub use force::{Force, ForceError, ForceId};
 pub use profile::{Clock, Counters, Profile, Stage, StageReport};
 pub use query::RayHit;
@@ -94,6 +97,8 @@ pub struct World {
     /// Bodies that were given a force for the next tick; some may be in it more than once.
     forced: Vec<Forced>,
     held_forces: HeldForces,
+    /// Kinematic bodies that are on their way to a pose, where they stop at the end of the tick.
+    arriving: Vec<BodyId>,
     pool: ThreadPool,
     memory_use: MemoryUse,
     /// Scratch of the step.
@@ -107,6 +112,13 @@ pub struct World {
     leaving: Vec<u32>,
     /// Scratch of the step: index, and whether the bodies are still close.
     changed_contacts: Vec<(u32, bool)>,
+}
+
+impl Default for World {
+    /// An empty world with the default [`Settings`].
+    fn default() -> Self {
+        Self::new(Settings::default())
+    }
 }
 
 /// How far the last step was from perfect. Of bodies that sleep it is the step in which they fell asleep that counts.
@@ -160,6 +172,7 @@ impl World {
             dropped_time: 0.0,
             forced: Vec::new(),
             held_forces: HeldForces::default(),
+            arriving: Vec::new(),
             pool: ThreadPool::default(),
             memory_use: MemoryUse::default(),
             new_pairs: Vec::new(),
@@ -175,13 +188,15 @@ impl World {
         &self.settings
     }
 
-    /// Puts other settings in force from the next step on, and wakes all bodies.
+    /// Puts other settings in force from the next step on. Wakes all bodies, unless they are those it has, or differ only in
+    /// what does not move a body: `max_ticks_per_advance`, `hit_threshold`, `bounds`, `lanes`, `threads`, `fitted_kernels`.
     ///
     /// # Errors
     /// [`SettingsError`], if `settings` holds a number that [`Settings::validate`] refuses; the world keeps
     /// those it has.
     pub fn set_settings(&mut self, settings: Settings) -> Result<(), SettingsError> {
         settings.validate()?;
+        let moves_nothing = settings.moves_bodies_like(&self.settings);
         let mixes = |settings: &Settings| (settings.friction_mix, settings.restitution_mix);
         let mix_changed = mixes(&settings) != mixes(&self.settings);
         if settings.tick_rate != self.settings.tick_rate {
@@ -191,38 +206,34 @@ impl World {
         if mix_changed {
             self.mix_all();
         }
-        let limits = self.settings.speed_limits();
-        self.bodies.states.iter_mut().for_each(|state| limits.cut(state));
-        self.wake_all();
+        if !moves_nothing {
+            let limits = self.settings.speed_limits();
+            self.bodies.states.iter_mut().for_each(|state| limits.cut(state));
+            self.wake_all();
+        }
         Ok(())
     }
 
     /// The body with this id, or `None` if it has been removed.
     pub fn body(&self, id: BodyId) -> Option<BodyRef<'_>> {
-        BodyRef::new(self, id)
+        self.bodies.records.get(id.0)?;
+        Some(BodyRef::new(self, id))
     }
 
     /// The body with this id, for changing it, or `None` if it has been removed. Changes wake the body.
     pub fn body_mut(&mut self, id: BodyId) -> Option<BodyMut<'_>> {
-        BodyMut::new(self, id)
+        self.bodies.records.get(id.0)?;
+        Some(BodyMut::new(self, id))
     }
 
     /// Every body, by ascending place; a removed body's place is used again.
     pub fn bodies(&self) -> impl Iterator<Item = (BodyId, BodyRef<'_>)> {
-        self.bodies.records.iter().filter_map(|(key, _)| Some((BodyId(key), self.body(BodyId(key))?)))
+        self.bodies.records.iter().map(|(key, _)| (BodyId(key), BodyRef::new(self, BodyId(key))))
     }
 
     /// How many bodies there are.
     pub fn body_count(&self) -> usize {
         self.bodies.records.len()
-    }
-
-    /// Every contact with points: bodies that touch, or are about to.
-    pub fn contacts(&self) -> impl Iterator<Item = ContactRef<'_>> {
-        self.contacts
-            .iter()
-            .filter(|(_, contact)| !contact.manifold.points().is_empty())
-            .map(|(index, contact)| ContactRef::new(self, index, contact))
     }
 
     /// What happened in the last [`step`](Self::step), or in all ticks of the last [`advance`](Self::advance).

@@ -153,6 +153,15 @@ impl Settings {
         }
     }
 
+    /// Whether bodies move by these settings as they do by `others`.
+    pub(crate) fn moves_bodies_like(&self, others: &Self) -> bool {
+        let Self { max_ticks_per_advance, hit_threshold, bounds, lanes, threads, fitted_kernels, .. } = *self;
+        let rest = others.clone();
+        let same =
+            Self { max_ticks_per_advance, hit_threshold, bounds, lanes, threads, fitted_kernels, ..rest };
+        *self == same
+    }
+
     /// Length of a tick, s.
     pub fn tick_seconds(&self) -> f64 {
         1.0 / f64::from(self.tick_rate)

@@ -138,7 +138,7 @@ impl Sleepers {
     }
 
     /// Puts the bodies in `slots` to sleep as one group.
-    fn lay_down(&mut self, tables: &mut SleepTables<'_>, slots: Vec<u32>) {
+    pub(crate) fn lay_down(&mut self, tables: &mut SleepTables<'_>, slots: Vec<u32>) {
         for &slot in &slots {
             tables.bodies.take_row(slot);
         }

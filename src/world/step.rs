@@ -3,7 +3,7 @@
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use crate::body::description::FARTHEST;
-use crate::body::{Bodies, BodyId, BodyType, Motion, NONE, RestRule, RestWatch};
+use crate::body::{Bodies, BodyId, BodyType, Motion, NONE, Record, RestRule, RestWatch};
 use crate::collision::{AHEAD, Refresh, refresh};
 use crate::compute::{BodyState, Chosen, Executor};
 use crate::math::{Rot, Vec2};
@@ -64,6 +64,7 @@ impl World {
         profile.run_stage(Stage::Finalize, self.bodies.awake_count(), || self.finalize());
         profile.run_stage(Stage::Events, self.changing_count(), || self.report_events());
         self.remove_those_that_left();
+        self.stop_those_that_arrived();
         self.events.sort();
         let resting = if sleep::is_due(self.ticks, self.settings.tick_rate) { self.resting } else { 0 };
         profile.run_stage(Stage::Sleep, resting, || self.put_to_sleep());
@@ -77,7 +78,7 @@ impl World {
     }
 
     /// Takes up each new pair of bodies whose fat boxes overlap.
-    fn find_pairs(&mut self) {
+    pub(in crate::world) fn find_pairs(&mut self) {
         // A new body may have the place of one that was removed.
         self.candidates.forget_removed(&mut self.broad_phase);
         let bodies = &self.bodies;
@@ -98,7 +99,7 @@ impl World {
     }
 
     /// Begins a contact for each pair of bodies that come within reach of each other, or sleep.
-    fn begin_contacts(&mut self) {
+    pub(in crate::world) fn begin_contacts(&mut self) {
         // Some leave the bounds in the step in which others fall asleep.
         self.candidates.forget_removed(&mut self.broad_phase);
         let mut pairs = std::mem::take(&mut self.new_pairs);
@@ -317,6 +318,17 @@ impl World {
             }
         }
         self.contacts.clear_changing(changing);
+    }
+
+    /// Stops the kinematic bodies that were to get somewhere in this tick.
+    fn stop_those_that_arrived(&mut self) {
+        for id in self.arriving.drain(..) {
+            let is_kinematic = |record: &Record| record.body_type == BodyType::Kinematic;
+            if self.bodies.records.get(id.0).is_some_and(is_kinematic) {
+                let row = self.bodies.motions[id.0.index() as usize].row;
+                self.bodies.states[row as usize] = BodyState::REST;
+            }
+        }
     }
 
     /// Removes the bodies that left the bounds, oldest place first.

@@ -155,8 +155,7 @@ fn shoot(world: &mut World, id: BodyId, place: usize) {
     if let Some(mut ball) = world.body_mut(id) {
         // Numbers of a scene are within what a body can be given.
         _ = ball.set_position(entry);
-        _ = ball.set_velocity([-3.0 * side, 1.0]);
-        _ = ball.set_angular_velocity(0.0);
+        ball.set_velocity([-3.0 * side, 1.0]).set_angular_velocity(0.0);
     }
 }
 

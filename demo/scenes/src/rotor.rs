@@ -53,8 +53,8 @@ pub(crate) fn steer(world: &mut World, id: BodyId, pivot: Vec2, machine: Rot, sp
     let behind = (machine * Rot::from_angle(seat.angle) * now.inverse()).angle();
     // Speeds of scenes are far within what a body can be given; a part that was dragged away may not be.
     let speed = |way: f64| ((way as f32) / dt).clamp(-FASTEST, FASTEST);
-    _ = part.set_velocity([speed(way[0]), speed(way[1])]);
-    _ = part.set_angular_velocity((spin + behind / dt).clamp(-FASTEST, FASTEST));
+    part.set_velocity([speed(way[0]), speed(way[1])]);
+    part.set_angular_velocity((spin + behind / dt).clamp(-FASTEST, FASTEST));
 }
 
 /// Fastest that a part is steered, m/s and rad/s: above what any scene needs; a part that was moved by hand

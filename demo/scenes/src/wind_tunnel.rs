@@ -99,8 +99,7 @@ fn recycle(world: &mut World) {
         if let Some(mut grain) = world.body_mut(id) {
             // Numbers of a scene are within what a body can be given.
             _ = grain.set_position(entry);
-            _ = grain.set_velocity([WIND, 0.0]);
-            _ = grain.set_angular_velocity(0.0);
+            grain.set_velocity([WIND, 0.0]).set_angular_velocity(0.0);
         }
     }
 }

@@ -159,7 +159,7 @@ fn bodies_that_part_end_their_contact_once() {
         let floor = add_floor(&mut world, 0.6);
         let id = add(&mut world, unit_box(0.0, 0.5));
         run(&mut world, 0.5);
-        world.body_mut(id).unwrap().set_velocity([0.0, speed]).unwrap();
+        world.body_mut(id).unwrap().set_velocity([0.0, speed]);
         let mut ended = Vec::new();
         for tick in 0..5 {
             world.step();
@@ -219,4 +219,47 @@ fn error_and_counts_are_those_of_the_last_step_and_no_other() {
     let counters = world.profile().counters();
     assert_eq!((counters.impacts, counters.bouncy_contacts, counters.contacts), (0, 0, 0));
     assert!(!world.profile().stage(Stage::Solve).ran);
+}
+
+/// The contacts of each body and of each pair are those that a look at all of them finds.
+#[test]
+fn contacts_of_a_body_and_of_a_pair_are_those_among_all() {
+    let mut world = rustycs_scenes::find("pile").unwrap().build(1, Settings::default());
+    run(&mut world, 3.0);
+    let key = |contact: ContactRef<'_>| (contact.a(), contact.b());
+    let all: Vec<(BodyId, BodyId)> = world.contacts().map(key).collect();
+    assert!(all.len() > 100, "{} contacts", all.len());
+    let ids: Vec<BodyId> = world.bodies().map(|(id, _)| id).collect();
+    for &id in &ids {
+        let mut of_body: Vec<_> = world.contacts_of(id).map(key).collect();
+        of_body.sort_unstable();
+        let mut among_all: Vec<_> = all.iter().copied().filter(|&(a, b)| a == id || b == id).collect();
+        among_all.sort_unstable();
+        assert_eq!(of_body, among_all);
+    }
+    for (&one, &other) in ids.iter().zip(&ids[1..]).chain(all.iter().map(|(a, b)| (a, b))) {
+        let among_all = all.iter().copied().find(|&pair| pair == (one, other) || pair == (other, one));
+        for found in [world.contact_between(one, other), world.contact_between(other, one)] {
+            assert_eq!(found.map(key), among_all);
+        }
+    }
+    assert!(world.contact_between(ids[0], ids[0]).is_none());
+}
+
+/// Each of the two is pushed away from the other, and who is neither is not.
+#[test]
+fn a_contact_is_seen_from_either_body() {
+    let mut world = earth();
+    let ball = add(&mut world, Body::dynamic(Shape::circle(0.5)).at([0.0, 0.5]));
+    let floor = add_floor(&mut world, 0.6);
+    let other = add(&mut world, unit_box(9.0, 9.0));
+    world.step();
+    for (id, from, up) in [(ball, floor, 1.0), (floor, ball, -1.0)] {
+        let contact = world.contacts_of(id).next().unwrap();
+        assert_eq!((contact.other(id), contact.other(other)), (Some(from), None));
+        assert_eq!(contact.normal_on(id), Vec2::new(0.0, up));
+        assert_eq!(contact.normal_on(other), Vec2::ZERO);
+    }
+    world.remove(ball);
+    assert_eq!((world.contacts_of(ball).count(), world.contact_between(ball, floor).is_none()), (0, true));
 }

@@ -52,9 +52,9 @@ fn applied_forces_and_impulses_change_momentum_by_their_amount() {
     let mut world = space();
     let body = add(&mut world, Body::dynamic(Shape::obb(2.0, 1.0)).mass(3.0));
     let mut handle = world.body_mut(body).unwrap();
-    handle.apply_force([6.0, 0.0]).unwrap();
-    handle.apply_force([0.0, 3.0]).unwrap();
-    handle.apply_torque(2.0).unwrap();
+    handle.apply_force([6.0, 0.0]);
+    handle.apply_force([0.0, 3.0]);
+    handle.apply_torque(2.0);
     let inertia = f64::from(world.body(body).unwrap().inertia());
     assert_relative(inertia, 3.0 * (4.0 + 1.0) / 12.0, 1e-6, "inertia of a rectangle");
     world.step();
@@ -63,11 +63,11 @@ fn applied_forces_and_impulses_change_momentum_by_their_amount() {
     assert_relative(velocity(&world, body)[1], 1.0 / 60.0, 1e-6, "force / mass for one step");
     assert_relative(crate::support::spin(&world, body), 2.0 / inertia / 60.0, 1e-6, "torque / inertia");
     let mut handle = world.body_mut(body).unwrap();
-    handle.set_velocity([0.0, 0.0]).unwrap();
-    handle.set_angular_velocity(0.0).unwrap();
+    handle.set_velocity([0.0, 0.0]);
+    handle.set_angular_velocity(0.0);
     let corner = handle.view().pose().to_world(Vec2::new(1.0, 0.5));
     let turned = f64::from(handle.view().angle());
-    handle.apply_impulse_at([0.0, 3.0], corner).unwrap();
+    handle.apply_impulse_at([0.0, 3.0], corner);
     let arm = turned.cos() - 0.5 * turned.sin();
     assert_relative(velocity(&world, body)[1], 1.0, 1e-6, "impulse / mass");
     assert_relative(crate::support::spin(&world, body), 3.0 * arm / inertia, 1e-5, "arm × impulse / inertia");

@@ -5,7 +5,7 @@ use rustycs::prelude::*;
 
 use super::values::{
     attractor, body, coordinate, coordinate_near, extreme_body, extreme_settings, factor, great_strength,
-    narrow, place, settings, strength, usual_body, vector,
+    magnitude, narrow, place, settings, strength, usual_body, vector,
 };
 
 /// One use of the API. Bodies, forces and attractors are named by a number, modulo how many there were.
@@ -35,15 +35,23 @@ pub(crate) enum Operation {
 pub(crate) enum Change {
     Position([f64; 2]),
     Angle(f32),
+    Pose([f64; 2], f32),
     Velocity([f32; 2]),
     Spin(f32),
     Impulse([f32; 2], [f64; 2]),
     AngularImpulse(f32),
     Force([f32; 2], [f64; 2]),
     Torque(f32),
+    QuietPush([f32; 2], [f32; 2]),
+    MoveTo([f64; 2], f32),
     Surface(f32, f32),
     GravityScale(f32),
     Damping(f32, f32),
+    Type(BodyType),
+    Mass(Option<f32>),
+    /// Shape, material and fixed rotation of another body.
+    Likeness(Box<Body>),
+    Sleep,
     Wake,
 }
 
@@ -61,7 +69,27 @@ fn change() -> impl Strategy<Value = Change> {
             .prop_map(|(friction, restitution)| Change::Surface(friction, restitution)),
         factor().prop_map(|scale| Change::GravityScale(-scale)),
         (factor(), factor()).prop_map(|(linear, angular)| Change::Damping(linear, angular)),
+        (place(), narrow(-7.0, 7.0)).prop_map(|(at, angle)| Change::Pose(at, angle)),
+        (vector(), vector()).prop_map(|(force, impulse)| Change::QuietPush(force, impulse)),
+        (place(), narrow(-7.0, 7.0)).prop_map(|(at, angle)| Change::MoveTo(at, angle)),
+        become_another(body()),
+        become_another(body()),
         Just(Change::Wake),
+    ]
+}
+
+/// Another type, mass or shape, or sleep.
+fn become_another(bodies: impl Strategy<Value = Body>) -> impl Strategy<Value = Change> {
+    let body_type = prop_oneof![
+        2 => Just(BodyType::Dynamic),
+        1 => Just(BodyType::Fixed),
+        1 => Just(BodyType::Kinematic),
+    ];
+    prop_oneof![
+        2 => body_type.prop_map(Change::Type),
+        1 => prop_oneof![1 => Just(None), 2 => magnitude(-3.0, 3.0).prop_map(Some)].prop_map(Change::Mass),
+        2 => bodies.prop_map(|body| Change::Likeness(Box::new(body))),
+        1 => Just(Change::Sleep),
     ]
 }
 
@@ -124,6 +152,10 @@ pub(crate) fn usual_operation() -> impl Strategy<Value = Operation> {
         narrow(-10.0, 10.0).prop_map(Change::Torque),
         (factor(), narrow(0.0, 1.0))
             .prop_map(|(friction, restitution)| Change::Surface(friction, restitution)),
+        become_another(usual_body()),
+        become_another(usual_body()),
+        ([narrow(-4.0, 4.0), narrow(0.0, 6.0)], narrow(-3.0, 3.0))
+            .prop_map(|([x, y], angle)| Change::MoveTo([x.into(), y.into()], angle)),
         Just(Change::Wake),
     ];
     prop_oneof![
@@ -279,26 +311,42 @@ fn pick<T: Copy>(all: &[T], which: usize) -> Option<T> {
 
 fn apply(mut body: BodyMut<'_>, change: &Change) -> Result<(), BodyError> {
     match *change {
-        Change::Position(at) => body.set_position(at),
-        Change::Angle(angle) => body.set_angle(angle),
-        Change::Velocity(velocity) => body.set_velocity(velocity),
-        Change::Spin(spin) => body.set_angular_velocity(spin),
-        Change::Impulse(impulse, at) => body.apply_impulse_at(impulse, at),
-        Change::AngularImpulse(impulse) => body.apply_angular_impulse(impulse),
-        Change::Force(force, at) => body.apply_force_at(force, at),
-        Change::Torque(torque) => body.apply_torque(torque),
+        Change::Position(at) => return body.set_position(at),
+        Change::Angle(angle) => return body.set_angle(angle),
+        Change::Pose(at, angle) => return body.set_pose(Pose::new(at, angle)),
+        Change::Velocity(velocity) => _ = body.set_velocity(velocity),
+        Change::Spin(spin) => _ = body.set_angular_velocity(spin),
+        Change::Impulse(impulse, at) => _ = body.apply_impulse_at(impulse, at),
+        Change::AngularImpulse(impulse) => _ = body.apply_angular_impulse(impulse),
+        Change::Force(force, at) => _ = body.apply_force_at(force, at),
+        Change::Torque(torque) => _ = body.apply_torque(torque),
+        Change::QuietPush(force, impulse) => {
+            _ = body.without_waking().apply_force(force).apply_impulse(impulse);
+        }
+        Change::MoveTo(at, angle) => {
+            if body.body_type() == BodyType::Kinematic {
+                body.move_to(Pose::new(at, angle));
+            }
+        }
         Change::Surface(friction, restitution) => {
-            body.set_friction(friction).and_then(|()| body.set_restitution(restitution))
+            return body.set_friction(friction).and_then(|()| body.set_restitution(restitution));
         }
-        Change::GravityScale(scale) => body.set_gravity_scale(scale),
+        Change::GravityScale(scale) => return body.set_gravity_scale(scale),
         Change::Damping(linear, angular) => {
-            body.set_linear_damping(linear).and_then(|()| body.set_angular_damping(angular))
+            return body.set_linear_damping(linear).and_then(|()| body.set_angular_damping(angular));
         }
-        Change::Wake => {
-            body.wake();
-            Ok(())
+        // Another shape or mass, or to be dynamic, may be refused for what comes of it.
+        Change::Type(body_type) => _ = body.set_body_type(body_type),
+        Change::Mass(mass) => _ = body.set_mass(mass),
+        Change::Likeness(ref other) => {
+            _ = body.set_shape(*other.get_shape());
+            _ = body.set_material(other.get_material());
+            body.set_fixed_rotation(other.get_fixed_rotation());
         }
+        Change::Sleep => _ = body.sleep(),
+        Change::Wake => _ = body.wake(),
     }
+    Ok(())
 }
 
 fn ask(world: &World, at: [f64; 2], along: [f32; 2]) {

@@ -115,7 +115,7 @@ fn a_planted_gain_of_energy_is_seen() {
     let faster = |world: &mut World| {
         if world.ticks() == 30 {
             let id = world.bodies().next().unwrap().0;
-            world.body_mut(id).unwrap().set_velocity([2.02, 0.0]).unwrap();
+            world.body_mut(id).unwrap().set_velocity([2.02, 0.0]);
         }
     };
     for measure in [Measure::EnergyDrift, Measure::EnergyGain] {

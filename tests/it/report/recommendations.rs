@@ -15,7 +15,7 @@ fn pushed(name: &str, seed: u64, settings: Settings) -> World {
         angle += 2.4;
         let mut body = world.body_mut(id).unwrap();
         let velocity = body.view().velocity() + Rot::from_angle(angle).rotate(Vec2::new(0.02, 0.0));
-        body.set_velocity(velocity).unwrap();
+        body.set_velocity(velocity);
     }
     world
 }
