@@ -27,7 +27,7 @@ use crate::report::result::{Report, Row};
 pub struct Chart {
     /// Its heading.
     pub title: String,
-    /// Up to two lines beneath the heading.
+    /// Two sentences or so beneath the heading, each from a line of its own on; three lines in all find room.
     pub facts: Vec<String>,
     /// The axis to the right.
     pub cost: Axis,

@@ -3,7 +3,7 @@
 /// How figures are written, with three significant digits.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Unit {
-    /// Parts of a whole, as per cent where that reads well: `0.12 %`, `3.0e-7`.
+    /// Parts of a whole, as per cent: `0.12 %`, `3.0e-5 %`.
     Part,
     /// Numbers with this unit and the prefix that fits: `12.3 mm`; with an empty one mere numbers.
     Of(String),
@@ -66,13 +66,10 @@ fn three_digits(value: f64) -> String {
     if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.').into() } else { text }
 }
 
-/// A part of a whole as per cent where that reads well: `0.12 %`, `3.0e-7`.
+/// A part of a whole as per cent, however small, so that figures of a column and of an axis compare: `0.12 %`,
+/// `3.0e-5 %`.
 fn part(value: f64) -> String {
-    if (1e-5..1e3).contains(&value.abs()) {
-        format!("{} %", three_digits(100.0 * value))
-    } else {
-        quantity(value, "")
-    }
+    quantity(100.0 * value, "%")
 }
 
 #[cfg(test)]
@@ -95,7 +92,8 @@ mod tests {
             assert_eq!(quantity(value, unit), text);
         }
         assert_eq!(Unit::Part.figure(0.0123), "1.23 %");
-        assert_eq!(Unit::Part.figure(2e-7), "2.0e-7");
+        assert_eq!(Unit::Part.figure(2e-7), "2.0e-5 %");
+        assert_eq!(Unit::Part.figure(0.0), "0 %");
         assert_eq!(Unit::Of("s".into()).figure(0.02), "20 ms");
     }
 }

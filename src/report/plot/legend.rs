@@ -33,8 +33,8 @@ impl Legend<'_> {
     }
 }
 
-/// Draws the legend.
-pub(super) fn draw(chart: &Chart, canvas: &mut Canvas) {
+/// Draws the legend; `has_slopes` says whether slopes are drawn.
+pub(super) fn draw(chart: &Chart, has_slopes: bool, canvas: &mut Canvas) {
     let across = |[x, y]: [f64; 2]| [[x - 14.0, y], [x + 14.0, y]];
     let points = || chart.series.iter().flat_map(|series| &series.points);
     let drawn = |mark: Mark| points().any(|point| point.mark == mark && is_drawn(point));
@@ -58,7 +58,7 @@ pub(super) fn draw(chart: &Chart, canvas: &mut Canvas) {
     if drawn(Mark::Aside) {
         legend.line("not worth their cost", |canvas, place| canvas.dot(place, 0));
     }
-    if chart.has_slopes {
+    if has_slopes {
         legend.line("slopes of order 1 and 2", |canvas, place| {
             let [from, to] = across(place);
             canvas.line(from, to, "guide");

@@ -18,8 +18,10 @@ use crate::report::plot::labels::Labels;
 const SIZE: [f64; 2] = [960.0, 600.0];
 /// The part of it that shows points: left, top, right, bottom, px.
 const AREA: [f64; 4] = [96.0, 92.0, 726.0, 526.0];
-/// Base lines of the facts, px.
-const FACTS: [f64; 2] = [56.0, 74.0];
+/// Base line of the first line of facts, from line to line, and end of a line, px.
+const FACTS: [f64; 3] = [52.0, 16.0, SIZE[0] - 24.0];
+/// Lines of facts that find room above the points.
+const MOST_FACTS: usize = 3;
 
 /// A point in the picture.
 struct Dot<'a> {
@@ -77,15 +79,31 @@ pub(super) fn svg(chart: &Chart) -> String {
         }
     }
     name_guides(&guides, &mut canvas, &mut labels);
-    legend::draw(chart, &mut canvas);
+    legend::draw(chart, !guides.is_empty(), &mut canvas);
     canvas.finish()
 }
 
 fn headings(chart: &Chart, canvas: &mut Canvas) {
     canvas.text(Text::start([24.0, 34.0], &chart.title).class("title"));
-    for (fact, y) in chart.facts.iter().zip(FACTS) {
-        canvas.text(Text::start([24.0, y], fact).class("dim"));
+    let [first, pitch, end] = FACTS;
+    let lines = chart.facts.iter().flat_map(|fact| wrapped(fact, end - 24.0));
+    for (index, line) in lines.take(MOST_FACTS).enumerate() {
+        canvas.text(Text::start([24.0, first + pitch * index as f64], line).class("dim"));
     }
+}
+
+/// A text in lines of at most a width, px; a longer word has a line of its own.
+fn wrapped(text: &str, most: f64) -> Vec<String> {
+    let mut lines: Vec<String> = Vec::new();
+    for word in text.split_whitespace() {
+        match lines.last_mut() {
+            Some(line) if canvas::width(line) + canvas::width(" ") + canvas::width(word) <= most => {
+                *line = format!("{line} {word}");
+            }
+            _ => lines.push(word.into()),
+        }
+    }
+    lines
 }
 
 fn draw_axes(chart: &Chart, Axes { x, y }: &Axes, canvas: &mut Canvas) {
@@ -141,10 +159,11 @@ fn lines(dots: &[Dot<'_>], series: usize, canvas: &mut Canvas, labels: &mut Labe
 }
 
 /// Slopes of first and second order, through the cheapest point: where it would lead if cost were all in steps.
-/// Returns both ends of each.
+/// Returns both ends of each; none where the cheapest is as good as the reference, as no error below it is known.
 fn guides(dots: &[Dot<'_>], Axes { x, y }: &Axes, canvas: &mut Canvas) -> Vec<[Place; 2]> {
     let cheapest = dots.iter().min_by(|one, other| one.point.cost.total_cmp(&other.point.cost));
-    let Some(start) = cheapest.map(|dot| dot.place) else { return Vec::new() };
+    let known = cheapest.filter(|dot| dot.point.mark != Mark::AsGoodAsReference);
+    let Some(start) = known.map(|dot| dot.place) else { return Vec::new() };
     let mut ends = Vec::new();
     for order in [1.0, 2.0] {
         // Down by `order` decades for each decade to the right.

@@ -113,8 +113,8 @@ fn choice(report: &Report, tolerance: Tolerance) -> String {
         .run_time
         .map_or(String::new(), |time| format!(", for {:.3} ms per simulated second", time.least * 1e3));
     format!(
-        "Take tick_rate: {tick_rate:?}, substeps: {substeps}{name}: the {measure} is within {bound} of {allowed} \
-         allowed{time}."
+        "Take tick_rate: {tick_rate:?}, substeps: {substeps}{name}: the {measure} is {bound} at most, where \
+         {allowed} is allowed{time}."
     )
 }
 
