@@ -15,7 +15,9 @@ fn main() -> Result<(), BodyError> {
         world.step();
         if tick % 8 == 7 {
             let body = world.body(ball).expect("nobody removes the ball");
-            let (height, speed) = ((body.position().y - 0.5).max(0.0), body.velocity().y);
+            // Rounded here, as -0.04 would be written as -0.0; adding 0 makes 0 of -0.
+            let speed = (body.velocity().y * 10.0).round() / 10.0 + 0.0;
+            let height = (body.position().y - 0.5).max(0.0);
             let trail = " ".repeat((height * 10.0) as usize);
             println!("{:4.2} s  {height:5.2} m  {speed:5.1} m/s |{trail}o", (tick + 1) as f32 / 60.0);
         }
