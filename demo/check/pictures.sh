@@ -24,7 +24,7 @@ picture pile 260 --scene pile --overlays contacts
 picture islands 150 --scene smash --overlays islands,sums
 picture card_house 90 --scene card_house --overlays contacts,colours,centres
 picture solar_system 900 --scene solar_system --overlays names,trails,velocity
-picture compare 240 --scene tower --compare --page solver
+picture compare 200 --scene card_house --compare --page solver
 picture tree 200 --scene pyramid --overlays tree,boxes,grid --page view
 for name in pile islands card_house solar_system compare tree; do small "$name"; done
 

@@ -53,6 +53,11 @@ impl Camera {
         }
     }
 
+    /// Whether somebody has moved the camera away from what it was told to show.
+    pub(crate) fn is_moved(self) -> bool {
+        self.view.is_none()
+    }
+
     /// Pixels per metre.
     pub(crate) fn scale(self) -> f32 {
         self.scale

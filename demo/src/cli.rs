@@ -44,7 +44,8 @@ pub(crate) struct Cli {
     #[arg(long, value_name = "N", default_value_t = 4, value_parser = clap::value_parser!(u8).range(1..=16))]
     pub(crate) samples: u8,
 
-    /// What to draw over the scene, names with commas between them; `all` for everything.
+    /// What to draw over the scene, names with commas between them; `all` for everything, `none` for nothing.
+    /// Without it a scene shows what it is about.
     #[arg(long, value_name = "NAMES", value_delimiter = ',', value_parser = overlay_parser())]
     pub(crate) overlays: Vec<OverlayChoice>,
 
@@ -68,7 +69,7 @@ pub(crate) struct Cli {
     #[arg(long)]
     pub(crate) report: bool,
 
-    /// Steps the scene without a window, prints a summary and saves an SVG picture.
+    /// Steps the scene without a window and prints a summary.
     #[arg(long, conflicts_with = "frames")]
     pub(crate) headless: bool,
 
@@ -76,7 +77,7 @@ pub(crate) struct Cli {
     #[arg(long, value_name = "N", default_value_t = 600, requires = "headless")]
     pub(crate) ticks: u64,
 
-    /// Where to save the SVG picture [default: the scene's name with .svg].
+    /// Where to save a picture of the end as SVG; none is saved without it.
     #[arg(long, value_name = "FILE", requires = "headless")]
     pub(crate) svg: Option<PathBuf>,
 }
@@ -86,7 +87,8 @@ pub(crate) struct Cli {
 pub(crate) struct Start {
     pub(crate) scene: &'static Scene,
     pub(crate) seed: u64,
-    pub(crate) overlays: Vec<Overlay>,
+    /// What is drawn over the scene; `None` for what it is about.
+    pub(crate) overlays: Option<Vec<Overlay>>,
     pub(crate) compares: bool,
     pub(crate) is_paused: bool,
     pub(crate) crowd: u32,
@@ -95,16 +97,16 @@ pub(crate) struct Start {
 
 impl Cli {
     pub(crate) fn start(&self) -> Start {
-        let all = self.overlays.contains(&OverlayChoice::All);
-        let one = |choice: &OverlayChoice| match choice {
-            OverlayChoice::One(overlay) => Some(*overlay),
-            OverlayChoice::All => None,
+        let chosen = |choice: &OverlayChoice| match choice {
+            OverlayChoice::One(overlay) => vec![*overlay],
+            OverlayChoice::All => Overlay::ALL.to_vec(),
+            OverlayChoice::None => Vec::new(),
         };
-        let overlays: Vec<Overlay> = self.overlays.iter().filter_map(one).collect();
+        let overlays: Vec<Overlay> = self.overlays.iter().flat_map(chosen).collect();
         Start {
             scene: self.scene,
             seed: self.seed,
-            overlays: if all { Overlay::ALL.to_vec() } else { overlays },
+            overlays: Some(overlays).filter(|_| !self.overlays.is_empty()),
             compares: self.compare,
             is_paused: self.paused,
             crowd: self.crowd,
@@ -117,14 +119,16 @@ impl Cli {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum OverlayChoice {
     All,
+    None,
     One(Overlay),
 }
 
 fn overlay_parser() -> impl TypedValueParser<Value = OverlayChoice> {
     let names = Overlay::ALL.map(Overlay::name);
-    PossibleValuesParser::new(["all"].into_iter().chain(names)).map(|name| {
+    PossibleValuesParser::new(["all", "none"].into_iter().chain(names)).map(|name| {
         let overlay = Overlay::ALL.into_iter().find(|overlay| overlay.name() == name);
-        overlay.map_or(OverlayChoice::All, OverlayChoice::One)
+        let other = if name == "all" { OverlayChoice::All } else { OverlayChoice::None };
+        overlay.map_or(other, OverlayChoice::One)
     })
 }
 
@@ -176,8 +180,11 @@ mod tests {
     #[test]
     fn overlays_are_asked_for_by_name() {
         let parse = |names| Cli::try_parse_from(["rustycs-demo", "--overlays", names]);
-        assert_eq!(parse("boxes,trails").unwrap().start().overlays, [Overlay::Boxes, Overlay::Trails]);
-        assert_eq!(parse("all").unwrap().start().overlays, Overlay::ALL);
+        let shown = |names| parse(names).unwrap().start().overlays.unwrap();
+        assert_eq!(shown("boxes,trails"), [Overlay::Boxes, Overlay::Trails]);
+        assert_eq!(shown("all"), Overlay::ALL);
+        assert!(shown("none").is_empty());
+        assert_eq!(Cli::try_parse_from(["rustycs-demo"]).unwrap().start().overlays, None);
         let error = parse("boxs").unwrap_err().to_string();
         assert!(error.contains("penetration"), "{error}");
     }

@@ -47,13 +47,15 @@ pub(crate) enum Command {
     /// The settings of the other copy.
     OtherCopy,
     Turn(Knob, i32),
+    /// Hides the panel, or shows it again.
+    Fold,
     Tab(Tab),
     NextTab,
     /// The next thing in the panel that can be pressed.
     Focus(i32),
     /// Presses it.
     Press,
-    /// Turns it up or down; where nothing is chosen, another scene.
+    /// Turns it up or down.
     Sideways(i32),
     Help,
     Close,
@@ -131,6 +133,7 @@ const BINDINGS: &[Binding] = &[
     while_on(&[K::Down], Held::Shift, Command::Pan(0, -1)),
     on(&[K::X], Command::Compare),
     Binding { keys: &[K::X], held: Held::Shift, repeats: false, command: Command::OtherCopy },
+    on(&[K::F2], Command::Fold),
     on(&[K::Tab], Command::NextTab),
     on(&[K::Down], Command::Focus(1)),
     on(&[K::Up], Command::Focus(-1)),

@@ -13,20 +13,40 @@ const TITLE: Style = Style::new(Face::Strong, 14, theme::TEXT);
 const WORDS: Style = Style::new(Face::Regular, 12, theme::MUTED);
 const FIGURE: Style = Style::new(Face::Mono, 12, theme::TEXT);
 
-/// Height of a caption, px.
-const HEIGHT: f32 = 140.0;
+/// Width of a caption, and room around it, px.
 const WIDTH: f32 = 224.0;
+const MARGIN: f32 = 8.0;
+/// Height of a caption of no lines, and of a line, px.
+const HEAD: f32 = 38.0;
+const LINE: f32 = 17.0;
+/// Part of the height of a scene that captions take at most.
+const SHARE: f32 = 0.3;
 
-/// A caption at the foot of each copy, and a line between the copies.
+/// Lines of a caption in a scene of a height, px: all six, or the first of them.
+fn lines(scene_height: f32) -> usize {
+    (((SHARE * scene_height - 2.0 * MARGIN - HEAD) / LINE) as usize).clamp(1, 6)
+}
+
+fn height(lines: usize) -> f32 {
+    HEAD + LINE * lines as f32
+}
+
+/// Height that is left for a caption above each copy, px.
+pub(crate) fn room_for_caption(scene_height: f32) -> f32 {
+    height(lines(scene_height)) + 2.0 * MARGIN
+}
+
+/// A caption above each copy, and a line between the copies.
 pub(crate) fn draw_captions(canvas: &mut Canvas, runs: &[Run], areas: &[Rect], chosen: usize) {
+    let lines = lines(areas[0].bottom());
     for (copy, (run, area)) in runs.iter().zip(areas).enumerate() {
         if copy > 0 {
-            let top = Vec2::new(area.x - 1.0, area.y);
+            let top = Vec2::new(area.x - 1.0, 0.0);
             canvas.batch().rectangle(top, Vec2::new(area.x + 1.0, area.bottom()), theme::BORDER.rgba(255));
         }
-        let width = WIDTH.min(area.w - 20.0);
-        let min = Vec2::new((area.center().x - 0.5 * width).round(), area.y + 44.0);
-        canvas.batch().card(min, min + Vec2::new(width, HEIGHT));
+        let width = WIDTH.min(area.w - 2.0 * MARGIN);
+        let min = Vec2::new((area.center().x - 0.5 * width).round(), MARGIN);
+        canvas.batch().card(min, min + Vec2::new(width, height(lines)));
         if copy == chosen {
             let max = min + Vec2::new(width, 2.0);
             canvas.batch().rectangle(min, max, theme::ACCENT.rgba(255));
@@ -35,10 +55,11 @@ pub(crate) fn draw_captions(canvas: &mut Canvas, runs: &[Run], areas: &[Rect], c
         let name = ["A", "B"][copy.min(1)];
         let scheme = knob::scheme_name(settings);
         let title = format!("{name}   {scheme}, {} × {}", settings.substeps, settings.iterations);
+        let title = canvas.fitting(&title, width - 16.0, TITLE);
         canvas.text(title, min + Vec2::new(12.0, 24.0), TITLE);
         let other = &runs[runs.len() - 1 - copy].world;
-        for (line, (word, figure)) in rows(run, other).into_iter().enumerate() {
-            let y = min.y + 46.0 + 17.0 * line as f32;
+        for (line, (word, figure)) in rows(run, other).into_iter().take(lines).enumerate() {
+            let y = min.y + 46.0 + LINE * line as f32;
             canvas.text(word, Vec2::new(min.x + 12.0, y), WORDS);
             canvas.text_up_to(figure, Vec2::new(min.x + width - 12.0, y), FIGURE);
         }
@@ -70,4 +91,15 @@ fn distance(world: &World, other: &World) -> f64 {
         }
     }
     (sum / f64::max(count, 1.0)).sqrt()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn captions_leave_most_of_a_scene() {
+        assert_eq!([lines(720.0), lines(390.0), lines(200.0)], [6, 3, 1]);
+        assert!([720.0, 480.0, 390.0].iter().all(|height| room_for_caption(*height) <= SHARE * height + 1.0));
+    }
 }

@@ -63,7 +63,8 @@ impl Gauges {
         }
         let seconds = world.profile().seconds().unwrap_or(0.0);
         settle(&mut self.step, seconds);
-        self.steps.push(seconds);
+        // The clock of a browser is coarse: a single step takes 0 or 1 of its ticks.
+        self.steps.push(if cfg!(target_family = "wasm") { self.step } else { seconds });
         let (energy, depth) = (world.energy(), f64::from(world.error().penetration));
         self.energy.push(energy);
         self.first_energy.get_or_insert(energy);

@@ -1,6 +1,5 @@
 //! Stepping a scene without a window: progress while it runs, then a summary and a picture.
 
-use std::path::PathBuf;
 use std::process::ExitCode;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -16,7 +15,7 @@ use crate::{quantity, svg};
 /// Exit code after Ctrl-C, as shells give it: 128 + SIGINT.
 const INTERRUPTED: u8 = 130;
 
-/// Steps the scene, prints what came of it and saves a picture. Ctrl-C ends the stepping, not the rest.
+/// Steps the scene, prints what came of it and saves a picture where it is told to. Ctrl-C ends the stepping, not the rest.
 pub(crate) fn run(cli: &Cli) -> ExitCode {
     let mut world = cli.scene.build(cli.seed, Settings::default());
     let interrupted = Arc::new(AtomicBool::new(false));
@@ -28,20 +27,23 @@ pub(crate) fn run(cli: &Cli) -> ExitCode {
 
     println!("scene         {}, seed {}", cli.scene.name, cli.seed);
     print_summary(&world, &times);
-    let path = cli.svg.clone().unwrap_or_else(|| PathBuf::from(format!("{}.svg", cli.scene.name)));
+    let interruption =
+        if interrupted.load(Ordering::Relaxed) { ExitCode::from(INTERRUPTED) } else { ExitCode::SUCCESS };
+    let Some(path) = &cli.svg else { return interruption };
     let seconds = world.ticks() as f64 * world.settings().tick_seconds();
     let caption = format!("{} · {} bodies · {seconds:.2} s", cli.scene.name, world.body_count());
-    if let Err(error) = std::fs::write(&path, svg::picture(&world, cli.scene.view, &caption)) {
+    if let Err(error) = std::fs::write(path, svg::picture(&world, cli.scene, &caption)) {
         eprintln!("The picture could not be saved as {}: {error}", path.display());
         return ExitCode::FAILURE;
     }
     println!("picture       {}", path.display());
-    if interrupted.load(Ordering::Relaxed) { ExitCode::from(INTERRUPTED) } else { ExitCode::SUCCESS }
+    interruption
 }
 
-/// How long steps took.
+/// How long steps took in which a body was awake.
 #[derive(Debug, Default)]
 struct StepTimes {
+    count: u32,
     total: Duration,
     longest: Duration,
 }
@@ -58,12 +60,16 @@ fn step(scene: &Scene, world: &mut World, ticks: u64, interrupted: &AtomicBool) 
         if interrupted.load(Ordering::Relaxed) {
             break;
         }
+        let is_awake = world.awake_count() > 0;
         let start = Instant::now();
         scene.before_tick(world);
         world.step();
         let took = start.elapsed();
-        times.total += took;
-        times.longest = times.longest.max(took);
+        if is_awake {
+            times.count += 1;
+            times.total += took;
+            times.longest = times.longest.max(took);
+        }
         bar.inc(1);
         if bar.is_hidden() && tick % quarter == 0 {
             eprintln!("{tick} of {ticks} ticks");
@@ -75,15 +81,18 @@ fn step(scene: &Scene, world: &mut World, ticks: u64, interrupted: &AtomicBool) 
 
 fn print_summary(world: &World, times: &StepTimes) {
     let asleep = world.bodies().filter(|(_, body)| body.is_sleeping()).count();
-    let steps = u32::try_from(world.ticks()).unwrap_or(u32::MAX).max(1);
-    let mean = (times.total / steps).as_secs_f64();
+    let mean = (times.total / times.count.max(1)).as_secs_f64() * 1e3;
+    let longest = times.longest.as_secs_f64() * 1e3;
     let touching = world.contacts().filter(rustycs::ContactRef::is_touching).count();
     let error = world.error();
     let seconds = world.ticks() as f64 * world.settings().tick_seconds();
     println!("time          {seconds:.2} s, {} ticks", world.ticks());
     println!("bodies        {}, {asleep} asleep", world.body_count());
     println!("contacts      {touching}");
-    println!("step          {:.4} ms, longest {:.3} ms", mean * 1e3, times.longest.as_secs_f64() * 1e3);
+    println!(
+        "step          {mean:.4} ms, longest {longest:.3} ms, over {} ticks with bodies awake",
+        times.count
+    );
     println!("penetration   {}", quantity::with_unit(f64::from(error.penetration), "m"));
     println!("residual      {}", quantity::with_unit(f64::from(error.velocity_residual), "m/s"));
     println!("energy        {}", quantity::with_unit(world.energy(), "J"));

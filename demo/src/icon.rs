@@ -16,6 +16,10 @@ pub(crate) enum Icon {
     Next,
     Plus,
     Minus,
+    Left,
+    Right,
+    Up,
+    Down,
 }
 
 /// Half of its height, px.
@@ -52,6 +56,10 @@ impl Icon {
                 bar(batch, at, Vec2::new(4.5, 1.0), color);
                 bar(batch, at, Vec2::new(1.0, 4.5), color);
             }
+            Self::Left => triangle(batch, at, -4.0, color),
+            Self::Right => triangle(batch, at, 4.0, color),
+            Self::Up => upward(batch, at, 4.0, color),
+            Self::Down => upward(batch, at, -4.0, color),
             Self::Minus => bar(batch, at, Vec2::new(4.5, 1.0), color),
         }
     }
@@ -62,6 +70,13 @@ fn triangle(batch: &mut Batch, at: Vec2, half_width: f32, color: Rgba) {
     let tip = at + Vec2::new(half_width, 0.0);
     let base = at - Vec2::new(half_width, 0.0);
     batch.polygon(&[tip, base + Vec2::new(0.0, HALF), base - Vec2::new(0.0, HALF)], color);
+}
+
+/// A triangle that points up, or down where its height is negative.
+fn upward(batch: &mut Batch, at: Vec2, half_height: f32, color: Rgba) {
+    let base = at + Vec2::new(0.0, half_height);
+    let tip = at - Vec2::new(0.0, half_height);
+    batch.polygon(&[tip, base + Vec2::new(HALF, 0.0), base - Vec2::new(HALF, 0.0)], color);
 }
 
 fn upright(batch: &mut Batch, at: Vec2, color: Rgba) {

@@ -78,9 +78,35 @@ impl Knob {
             Self::BounceSpeed => "bounce from",
             Self::FrictionMix => "friction",
             Self::RestitutionMix => "restitution",
-            Self::Gravity => "G",
-            Self::ForceX => "force x",
-            Self::ForceY => "force y",
+            Self::Gravity => "attraction",
+            Self::ForceX => "gravity x",
+            Self::ForceY => "gravity y",
+        }
+    }
+
+    /// What it does, in a sentence.
+    pub(crate) fn meaning(self) -> &'static str {
+        match self {
+            Self::Scheme => "The default solver, or the classic one: one substep with many iterations.",
+            Self::TickRate => "Ticks in a simulated second.",
+            Self::Substeps => "Parts into which the solver divides a tick.",
+            Self::Adaptive => "Islands under great load are solved directly instead of by sweeps.",
+            Self::Iterations => "Sweeps over all contacts in a substep.",
+            Self::Relax => "Sweeps that take away the speed with which overlapping bodies were pushed apart.",
+            Self::SplitKick => "Half of each force acts before a drift, half after it: second order.",
+            Self::WarmStarting => "Each substep begins with the impulses of the one before.",
+            Self::BlockSolve => "Both points of a contact are solved together.",
+            Self::Recycling => "Contact points are kept while two bodies hardly move against each other.",
+            Self::Positions => {
+                "How overlaps are removed: with the velocities (bias), or by moving bodies (project)."
+            }
+            Self::Sleep => "Islands at rest are left out until something touches them.",
+            Self::BounceSpeed => "Slower impacts do not bounce.",
+            Self::FrictionMix => "How the frictions of two bodies make that of their contact.",
+            Self::RestitutionMix => "How the restitutions of two bodies make that of their contact.",
+            Self::Gravity => "The constant G: the strength of all attractors.",
+            Self::ForceX => "What accelerates all bodies to the right.",
+            Self::ForceY => "What accelerates all bodies upward; on the Earth -9.8 m/s².",
         }
     }
 

@@ -3,6 +3,7 @@
 //! | file | what it holds |
 //! |---|---|
 //! | `cli` | the command line |
+//! | `page` | the address of the page, in the browser |
 //! | `headless` | stepping without a window: progress, summary |
 //! | `svg` | a world as a picture |
 //! | `window` | opening the window, frames, screenshots |
@@ -14,6 +15,7 @@
 //! | `panel`, `ui`, `icon` | the panel beside the scene |
 //! | `compare`, `hover`, `help` | cards above the scene |
 //! | `report` | the state as lines of text |
+//! | `layout` | where scene and panel are |
 //! | `camera` | from metres to pixels and back |
 //! | `scenery` | the world as triangles |
 //! | `canvas`, `batch` | text and triangles, collected and drawn at once |
@@ -34,7 +36,9 @@ mod history;
 mod hover;
 mod icon;
 mod knob;
+mod layout;
 mod overlay;
+mod page;
 mod panel;
 mod poses;
 mod quantity;
@@ -59,8 +63,23 @@ use crate::cli::Cli;
 /// Exit code where there is no display to open a window on; the same as for a wrong command line.
 const NO_DISPLAY: u8 = 2;
 
+/// What is asked for on the command line.
+#[cfg(not(target_family = "wasm"))]
+fn command_line() -> Cli {
+    Cli::parse()
+}
+
+/// What is asked for in the address of the page; the default where that makes no sense.
+#[cfg(target_family = "wasm")]
+fn command_line() -> Cli {
+    Cli::try_parse_from(page::command_line(&page::address())).unwrap_or_else(|error| {
+        macroquad::miniquad::warn!("{}", error);
+        Cli::parse_from(["rustycs-demo"])
+    })
+}
+
 fn main() -> ExitCode {
-    let cli = Cli::parse();
+    let cli = command_line();
     if cli.list {
         for scene in rustycs_scenes::all() {
             println!("{:<16} {}", scene.name, scene.summary);

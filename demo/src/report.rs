@@ -10,6 +10,8 @@ pub(crate) struct State {
     pub(crate) scene: &'static str,
     pub(crate) seed: u64,
     pub(crate) tick: u64,
+    /// Ticks of the second copy, if there are two.
+    pub(crate) other_tick: Option<u64>,
     pub(crate) is_paused: bool,
     pub(crate) speed: f64,
     pub(crate) copies: usize,
@@ -26,8 +28,11 @@ pub(crate) struct State {
     pub(crate) tool: &'static str,
     pub(crate) tab: &'static str,
     pub(crate) shows_help: bool,
+    pub(crate) is_folded: bool,
     pub(crate) edits: usize,
     pub(crate) overlays: String,
+    /// How far the page of the panel is moved up, px.
+    pub(crate) scroll: f32,
     /// px/m.
     pub(crate) zoom: f32,
     /// Width and height of the window, px.
@@ -39,7 +44,16 @@ pub(crate) struct State {
 impl State {
     /// What does not change on its own while the world runs.
     fn lasting(&self) -> Self {
-        Self { tick: 0, at: None, hovered: None, draw_time: 0.0, zoom: 0.0, ..self.clone() }
+        Self {
+            tick: 0,
+            other_tick: None,
+            at: None,
+            hovered: None,
+            draw_time: 0.0,
+            zoom: 0.0,
+            scroll: 0.0,
+            ..self.clone()
+        }
     }
 }
 
@@ -50,6 +64,8 @@ impl fmt::Display for State {
         let id = |id: Option<BodyId>| id.map_or_else(|| "-".to_owned(), |id| id.to_bits().to_string());
         let at = self.at.map_or_else(|| "-".to_owned(), |at| format!("{:.2},{:.2}", at.x, at.y));
         write!(f, "state scene={} seed={} tick={}", self.scene, self.seed, self.tick)?;
+        let other = self.other_tick.map_or_else(|| "-".to_owned(), |tick| tick.to_string());
+        write!(f, " other={other} folded={}", yes(self.is_folded))?;
         write!(f, " paused={} speed={} copies={}", yes(self.is_paused), self.speed, self.copies)?;
         write!(f, " scheme={} substeps={}", self.scheme, self.substeps)?;
         write!(f, " bodies={} attractors={}", self.bodies, self.attractors)?;
@@ -57,7 +73,11 @@ impl fmt::Display for State {
         write!(f, " follows={} hovered={}", id(self.follows), id(self.hovered))?;
         write!(f, " at={at} tool={} tab={} help={}", self.tool, self.tab, yes(self.shows_help))?;
         write!(f, " edits={} overlays={}", self.edits, self.overlays)?;
-        write!(f, " zoom={:.2} size={:.0}x{:.0}", self.zoom, self.size[0], self.size[1])?;
+        write!(
+            f,
+            " scroll={:.0} zoom={:.2} size={:.0}x{:.0}",
+            self.scroll, self.zoom, self.size[0], self.size[1]
+        )?;
         write!(f, " draw_ms={:.3}", self.draw_time * 1e3)
     }
 }

@@ -1,48 +1,72 @@
-//! A world as an SVG picture: one user unit is a metre, drawn on the same palette as the window.
+//! A world as an SVG picture, drawn on the same palette as the window.
 
 use std::fmt::{self, Write};
 
 use rustycs::{BodyRef, Vec2, World};
-use rustycs_scenes::View;
+use rustycs_scenes::{Scene, View};
 
+use crate::overlay::{Overlays, Paint};
 use crate::theme::{self, BodyStyle};
 
-/// Height of the scene, pixels, where a viewer does not scale the picture.
+/// Height of the scene, px, and width at least.
 const HEIGHT: f32 = 720.0;
-/// Height of the strip below it that holds the caption, pixels.
+const LEAST_WIDTH: f32 = 480.0;
+/// Height of the strip below it that holds the caption, px.
 const CAPTION: f32 = 40.0;
 
-/// The picture of what `view` shows of a world, with a caption.
-pub(crate) fn picture(world: &World, view: View, caption: &str) -> String {
+/// The picture of what a scene shows of its world, with a caption.
+pub(crate) fn picture(world: &World, scene: &Scene, caption: &str) -> String {
     let mut picture = String::new();
-    write_picture(&mut picture, world, view, caption).expect("writing to a string does not fail");
+    write_picture(&mut picture, world, scene, caption).expect("writing to a string does not fail");
     picture
 }
 
-fn write_picture(out: &mut String, world: &World, view: View, caption: &str) -> fmt::Result {
-    let View { center, width, height } = view;
-    // SVG counts y downward: the world's y is written with its sign changed.
-    let (left, top) = (center.x - 0.5 * width, -center.y - 0.5 * height);
-    let pixel = height / HEIGHT;
-    let whole = height + CAPTION * pixel;
+fn write_picture(out: &mut String, world: &World, scene: &Scene, caption: &str) -> fmt::Result {
+    let view = scene.view;
+    // Pixels of a metre. The scene is drawn in metres with y upward, the rest in pixels.
+    let scale = (HEIGHT / view.height).max(LEAST_WIDTH / view.width);
+    let (width, height) = (scale * view.width, scale * view.height);
+    let whole = height + CAPTION;
     writeln!(
         out,
-        r#"<svg xmlns="http://www.w3.org/2000/svg" viewBox="{left} {top} {width} {whole}" width="{:.0}" height="{:.0}">"#,
-        width / pixel,
-        whole / pixel
+        r#"<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {width:.0} {whole:.0}" width="{width:.0}" height="{whole:.0}">"#
     )?;
     writeln!(out, "<title>{caption}</title>")?;
+    writeln!(out, r#"<rect width="100%" height="100%" fill="{}"/>"#, theme::BACKGROUND)?;
+    let (x, y) = (0.5 * width - scale * view.center.x, 0.5 * height + scale * view.center.y);
+    writeln!(out, r#"<g transform="translate({x:.3} {y:.3}) scale({scale:.5} -{scale:.5})">"#)?;
+    write_grid(out, view, 1.0 / scale)?;
+    writeln!(out, r#"<g stroke-width="{:.5}" stroke-linejoin="round">"#, 1.4 / scale)?;
+    write_bodies(out, world, scene)?;
+    writeln!(out, "</g>")?;
+    for (_, attractor) in world.attractors() {
+        let at = attractor.position();
+        writeln!(
+            out,
+            r#"<circle cx="{:.4}" cy="{:.4}" r="{:.5}" fill="{}"/>"#,
+            at.x,
+            at.y,
+            5.0 / scale,
+            theme::ATTRACTOR
+        )?;
+    }
+    writeln!(out, "</g>")?;
+    writeln!(out, r#"<rect y="{height:.0}" width="100%" height="{CAPTION}" fill="{}"/>"#, theme::PANEL)?;
     writeln!(
         out,
-        r#"<rect x="{left}" y="{top}" width="{width}" height="{height}" fill="{}"/>"#,
-        theme::BACKGROUND
+        r#"<text x="16" y="{:.0}" font-family="Inter, system-ui, sans-serif" font-size="14" fill="{}">{caption}</text>"#,
+        height + 25.0,
+        theme::MUTED
     )?;
-    write_grid(out, view, pixel)?;
-    writeln!(out, r#"<g stroke-width="{:.4}" stroke-linejoin="round">"#, 1.4 * pixel)?;
+    writeln!(out, "</svg>")
+}
+
+/// Bodies in the colours that the window gives them; those of one style share their attributes.
+fn write_bodies(out: &mut String, world: &World, scene: &Scene) -> fmt::Result {
+    let paint = Paint::of(world, &scene.colours(world), Overlays::default());
     let mut bodies: Vec<(BodyStyle, BodyRef<'_>)> =
-        world.bodies().map(|(_, body)| (theme::style_of(&body, None), body)).collect();
-    // Bodies of one style share their attributes.
-    bodies.sort_by_key(|(style, _)| style.fill.rgba(255));
+        world.bodies().map(|(id, body)| (theme::style_of(&body, paint.get(id)), body)).collect();
+    bodies.sort_by_key(|(style, _)| [style.fill.rgba(255), style.outline.rgba(255)]);
     for group in bodies.chunk_by(|(one, _), (other, _)| one == other) {
         let BodyStyle { fill, outline } = group[0].0;
         writeln!(out, r#"<g fill="{fill}" stroke="{outline}">"#)?;
@@ -51,36 +75,19 @@ fn write_picture(out: &mut String, world: &World, view: View, caption: &str) -> 
         }
         writeln!(out, "</g>")?;
     }
-    writeln!(out, "</g>")?;
-    let bottom = top + height;
-    writeln!(
-        out,
-        r#"<rect x="{left}" y="{bottom}" width="{width}" height="{:.3}" fill="{}"/>"#,
-        // Beyond the edge, so that rounding leaves no gap there.
-        2.0 * CAPTION * pixel,
-        theme::PANEL
-    )?;
-    writeln!(
-        out,
-        r#"<text x="{:.3}" y="{:.3}" font-family="Inter, system-ui, sans-serif" font-size="{:.3}" fill="{}">{caption}</text>"#,
-        left + 16.0 * pixel,
-        bottom + 25.0 * pixel,
-        14.0 * pixel,
-        theme::MUTED
-    )?;
-    writeln!(out, "</svg>")
+    Ok(())
 }
 
 /// A line every metre.
 fn write_grid(out: &mut String, view: View, pixel: f32) -> fmt::Result {
     let half = Vec2::new(0.5 * view.width, 0.5 * view.height);
     let (min, max) = (view.center - half, view.center + half);
-    write!(out, r#"<path fill="none" stroke="{}" stroke-width="{pixel:.4}" d=""#, theme::GRID)?;
+    write!(out, r#"<path fill="none" stroke="{}" stroke-width="{pixel:.5}" d=""#, theme::GRID)?;
     for x in (min.x.ceil() as i32)..=(max.x.floor() as i32) {
-        write!(out, "M{x} {:.2}V{:.2}", -min.y, -max.y)?;
+        write!(out, "M{x} {:.2}V{:.2}", min.y, max.y)?;
     }
     for y in (min.y.ceil() as i32)..=(max.y.floor() as i32) {
-        write!(out, "M{:.2} {}H{:.2}", min.x, -y, max.x)?;
+        write!(out, "M{:.2} {y}H{:.2}", min.x, max.x)?;
     }
     writeln!(out, r#""/>"#)
 }
@@ -93,13 +100,13 @@ fn write_body(out: &mut String, body: &BodyRef<'_>) -> fmt::Result {
         return writeln!(
             out,
             r#"<circle cx="{:.3}" cy="{:.3}" r="{radius:.3}"/><path d="M{:.3} {:.3}L{:.3} {:.3}"/>"#,
-            center.x, -center.y, center.x, -center.y, rim.x, -rim.y
+            center.x, center.y, center.x, center.y, rim.x, rim.y
         );
     }
     out.write_str(r#"<path d=""#)?;
     for (index, &vertex) in body.shape().vertices().iter().enumerate() {
         let corner = pose.to_world(vertex);
-        write!(out, "{}{:.3} {:.3}", if index == 0 { 'M' } else { 'L' }, corner.x, -corner.y)?;
+        write!(out, "{}{:.3} {:.3}", if index == 0 { 'M' } else { 'L' }, corner.x, corner.y)?;
     }
     writeln!(out, r#"Z"/>"#)
 }
@@ -113,7 +120,7 @@ mod tests {
     fn a_picture_shows_every_body_once() {
         let scene = rustycs_scenes::find("bounce").unwrap();
         let world = scene.build(1, Settings::default());
-        let picture = picture(&world, scene.view, "bounce");
+        let picture = picture(&world, scene, "bounce");
         assert!(picture.starts_with("<svg ") && picture.ends_with("</svg>\n"));
         assert_eq!(picture.matches("<circle ").count(), 9);
         assert_eq!(picture.matches("Z\"/>").count(), 9);

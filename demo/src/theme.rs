@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use rustycs::{BodyRef, BodyType, Material};
+use rustycs::{BodyRef, BodyType, Material, Shape};
 
 /// A colour without transparency.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -95,8 +95,8 @@ pub(crate) const PALETTE: [Tone; 12] = [
 const FIXED: Tone = Tone::hex(0x2c_3340);
 /// What moves as it is told.
 const KINEMATIC: Tone = Tone::hex(0x70_62a8);
-/// What is of no material with a name.
-const OTHER: Tone = Tone::hex(0x6f_7f5c);
+/// What is of no material with a name: circles, boxes, polygons.
+const OTHERS: [Tone; 3] = [Tone::hex(0x6f_8f5c), Tone::hex(0xa5_7650), Tone::hex(0x83_6fae)];
 
 /// The materials with a name, and the colour of each.
 pub(crate) const MATERIALS: [(Material, &str, Tone); 5] = [
@@ -114,13 +114,13 @@ pub(crate) struct BodyStyle {
     pub(crate) outline: Tone,
 }
 
-/// The colours of a body: those it was painted with, or by its material; dimmer while it sleeps. What a body is made of
-/// shows in its density; friction and restitution are often changed.
+/// The colours of a body: those it was painted with, or by its material, or else by its shape; while it sleeps its
+/// outline is dim. What a body is made of shows in its density; friction and restitution are often changed.
 pub(crate) fn style_of(body: &BodyRef<'_>, painted: Option<Tone>) -> BodyStyle {
     let density = body.material().density;
     let of_material = || {
         let named = MATERIALS.iter().find(|(material, ..)| material.density == density);
-        named.map_or(OTHER, |&(_, _, tone)| tone)
+        named.map_or_else(|| OTHERS[kind_of(body.shape())], |&(_, _, tone)| tone)
     };
     let tone = match (body.body_type(), painted) {
         (_, Some(tone)) => tone,
@@ -128,11 +128,15 @@ pub(crate) fn style_of(body: &BodyRef<'_>, painted: Option<Tone>) -> BodyStyle {
         (BodyType::Kinematic, None) => KINEMATIC,
         (BodyType::Dynamic, None) => of_material(),
     };
-    let awake = BodyStyle { fill: tone.mixed(BACKGROUND, 0.22), outline: tone.mixed(TEXT, 0.45) };
-    if body.is_sleeping() {
-        let dimmer = |tone: Tone| tone.mixed(BACKGROUND, 0.42);
-        BodyStyle { fill: dimmer(awake.fill), outline: dimmer(awake.outline) }
-    } else {
-        awake
+    let brightness = if body.is_sleeping() { 0.12 } else { 0.45 };
+    BodyStyle { fill: tone.mixed(BACKGROUND, 0.22), outline: tone.mixed(TEXT, brightness) }
+}
+
+/// Circles, boxes, polygons.
+fn kind_of(shape: &Shape) -> usize {
+    match shape {
+        Shape::Circle(_) => 0,
+        Shape::Aabb(_) | Shape::Obb(_) => 1,
+        Shape::Polygon(_) => 2,
     }
 }

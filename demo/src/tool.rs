@@ -61,8 +61,11 @@ const CORNERS: [u32; 2] = [3, 8];
 const SIZES: [f32; 13] = [0.05, 0.07, 0.1, 0.14, 0.2, 0.28, 0.4, 0.56, 0.8, 1.1, 1.6, 2.2, 3.2];
 /// Bodies made at once.
 const COUNTS: [u32; 4] = [1, 10, 100, 1000];
-/// Acceleration at one metre from an attractor of size 1 m, m/s².
-const PULL: f32 = 50.0;
+/// Distance, in units of its size, at which an attractor pulls as the Earth's gravity does: one of the usual size
+/// lifts what is within 4.4 m off the ground.
+const REACH: f32 = 11.0;
+/// Gravity on the Earth, m/s².
+const EARTH: f32 = 9.81;
 /// Range of a local attractor in units of its size.
 const RANGE: f32 = 6.0;
 
@@ -147,9 +150,24 @@ impl Mould {
         }
     }
 
+    /// Distance at which an attractor that is made pulls as the Earth's gravity does, m.
+    pub(crate) fn reach(self) -> f32 {
+        REACH * self.size()
+    }
+
+    /// Where what is made lies, from the place that is clicked, m: one, or many in a square.
+    pub(crate) fn offsets(self) -> impl Iterator<Item = Vec2> {
+        let side = f64::from(self.count()).sqrt().ceil() as u32;
+        let pitch = self.shape().map_or(0.0, |shape| 2.1 * shape.extent());
+        let first = -0.5 * pitch * (side - 1) as f32;
+        (0..self.count())
+            .map(move |index| Vec2::new((index % side) as f32, (index / side) as f32) * pitch)
+            .map(move |offset| offset + Vec2::splat(first))
+    }
+
     /// The attractor that is made, if it is one.
     pub(crate) fn attractor(self, place: Point, gravitational_constant: f32) -> Option<Attractor> {
-        let mass = PULL * self.size() * self.size() / gravitational_constant.max(1e-6);
+        let mass = EARTH * self.reach() * self.reach() / gravitational_constant.max(1e-6);
         let range = match self.tool {
             Tool::Global => None,
             Tool::Local => Some(RANGE * self.size()),
@@ -158,8 +176,8 @@ impl Mould {
         Attractor::try_new(place, mass, range).ok()
     }
 
-    /// Adds what is made to a world, moving at `velocity`: one, or many in a square around the place. Whether
-    /// there was anything to add, and room for it.
+    /// Adds what is made to a world, moving at `velocity`: one, or many in a square around the place, of which those
+    /// are left out that would lie on something. Whether there was anything to add, and room for it.
     pub(crate) fn cast(self, world: &mut World, place: Point, velocity: Vec2) -> bool {
         if let Some(attractor) = self.attractor(place, world.settings().gravitational_constant) {
             world.add_attractor(attractor);
@@ -167,15 +185,16 @@ impl Mould {
         }
         let Some(shape) = self.shape() else { return false };
         let (material, _) = self.material();
-        let side = (f64::from(self.count())).sqrt().ceil() as u32;
-        let pitch = 2.1 * shape.extent();
-        let first = -0.5 * pitch * (side - 1) as f32;
-        (0..self.count()).all(|index| {
-            let (column, row) = (index % side, index / side);
-            let offset = Vec2::new(first + column as f32 * pitch, first + row as f32 * pitch);
-            let body = if self.is_fixed { Body::fixed(shape) } else { Body::dynamic(shape) };
-            world.add(body.at(place + offset).velocity(velocity).material(material)).is_ok()
-        })
+        let reach = Vec2::splat(shape.extent());
+        let is_one = self.count() == 1;
+        let mut is_any = false;
+        for place in self.offsets().map(|offset| place + offset) {
+            if is_one || world.bodies_in(place + -reach, place + reach).is_empty() {
+                let body = if self.is_fixed { Body::fixed(shape) } else { Body::dynamic(shape) };
+                is_any |= world.add(body.at(place).velocity(velocity).material(material)).is_ok();
+            }
+        }
+        is_any
     }
 }
 
@@ -193,6 +212,32 @@ fn regular(corners: u32, radius: f32) -> Shape {
 mod tests {
     use super::*;
     use rustycs::Settings;
+
+    #[test]
+    fn an_attractor_of_the_usual_size_lifts_a_body_three_metres_below_it() {
+        let mut world = World::new(Settings::default());
+        world.add_force(rustycs::Force::EARTH_GRAVITY);
+        let ball = world.add(Body::dynamic(Shape::circle(0.4))).unwrap();
+        let mould = Mould { tool: Tool::Global, ..Mould::default() };
+        mould.cast(&mut world, Point::new(0.0, 3.0), Vec2::ZERO);
+        for _ in 0..30 {
+            world.step();
+        }
+        // 9.81 (11 · 0.4 / 3)² - 9.81 = 11.3 m/s² at the start, and more on the way.
+        assert!(world.body(ball).unwrap().position().y > 0.5 * 11.3 * 0.25);
+    }
+
+    #[test]
+    fn many_bodies_are_not_put_into_a_wall() {
+        let mut world = World::new(Settings::default());
+        world.add(Body::fixed(Shape::aabb(1.0, 40.0))).unwrap();
+        let mut mould = Mould { tool: Tool::Circle, ..Mould::default() };
+        mould.change_count(2);
+        assert!(mould.cast(&mut world, Point::ORIGIN, Vec2::ZERO));
+        assert!((50..100).contains(&world.body_count()), "{}", world.body_count());
+        world.step();
+        assert_eq!(world.contacts().filter(rustycs::ContactRef::is_touching).count(), 0);
+    }
 
     #[test]
     fn every_tool_that_makes_something_does() {

@@ -15,8 +15,9 @@ const KEY: Style = Style::new(Face::Mono, 12, theme::FAINT);
 
 /// Height of a line of text, px.
 const LINE: f32 = 20.0;
-/// Height of a thing that can be pressed, px.
-const PRESS: f32 = 24.0;
+/// Height of a thing that can be pressed by a mouse, and by a finger, px.
+pub(crate) const PRESS: f32 = 24.0;
+pub(crate) const FINGER: f32 = 38.0;
 /// Height of a curve, px.
 const CURVE: f32 = 36.0;
 
@@ -31,6 +32,10 @@ pub(crate) struct Pointer {
     pub(crate) repeats: bool,
     /// Notches of the wheel, up positive.
     pub(crate) wheel: f32,
+    /// How far a finger that went down in the panel has moved down since the last frame, px.
+    pub(crate) drag: Option<f32>,
+    /// Whether it is a finger.
+    pub(crate) is_touch: bool,
 }
 
 /// What the keys do to the thing that is chosen by keys.
@@ -90,6 +95,12 @@ pub(crate) struct Ui<'a> {
     pub(crate) sight: [f32; 2],
     pub(crate) pointer: Pointer,
     pub(crate) focus: &'a mut Focus,
+    /// Height of a thing that can be pressed, px.
+    pub(crate) press: f32,
+    /// Where the last thing is, if it is in sight.
+    pub(crate) last: Option<Place>,
+    /// What is to be said about the thing under the mouse.
+    pub(crate) tip: Option<(Place, &'static str)>,
 }
 
 impl Ui<'_> {
@@ -99,7 +110,15 @@ impl Ui<'_> {
         let place = Place { min, max: Vec2::new(self.right, self.y + height) };
         self.y += height;
         let is_in_sight = place.min.y >= self.sight[0] && place.max.y <= self.sight[1];
-        is_in_sight.then_some(place)
+        self.last = is_in_sight.then_some(place);
+        self.last
+    }
+
+    /// Explains the last thing to whoever points at it.
+    pub(crate) fn explain(&mut self, text: &'static str) {
+        if let Some(place) = self.last.filter(|place| place.contains(self.pointer.at)) {
+            self.tip = Some((place, text));
+        }
     }
 
     pub(crate) fn gap(&mut self, height: f32) {
@@ -111,7 +130,7 @@ impl Ui<'_> {
         let is_focused = self.focus.index == Some(self.focus.count);
         self.focus.count += 1;
         if is_focused && place.is_none() {
-            self.focus.hidden = if bottom > self.sight[1] { bottom - self.sight[1] } else { -PRESS };
+            self.focus.hidden = if bottom > self.sight[1] { bottom - self.sight[1] } else { -self.press };
         }
         let is_hovered = place.is_some_and(|place| place.contains(self.pointer.at));
         let nudge = self.focus.nudge.filter(|_| is_focused);
@@ -168,7 +187,7 @@ impl Ui<'_> {
 
     /// Buttons side by side, some of them chosen; which one is pressed.
     pub(crate) fn buttons(&mut self, labels: &[(&str, bool)]) -> Option<usize> {
-        let row = self.room(PRESS);
+        let row = self.room(self.press);
         let bottom = self.y;
         let mut pressed = None;
         // A longer label gets a wider button.
@@ -184,20 +203,20 @@ impl Ui<'_> {
             self.ground(place, press, is_chosen);
             let style = if is_chosen { LABEL } else { WORDS };
             let label = self.canvas.fitting(label, place.max.x - place.min.x - 4.0, style);
-            let at = Vec2::new(place.middle().x, place.min.y + 16.0);
+            let at = Vec2::new(place.middle().x, place.middle().y + 4.0);
             self.canvas.text_around(label, at, style);
         }
         self.gap(4.0);
         pressed
     }
 
-    /// Buttons with pictures, side by side; which one is pressed.
-    pub(crate) fn icons(&mut self, icons: &[(Icon, bool)]) -> Option<usize> {
-        let row = self.room(PRESS + 4.0);
+    /// Buttons with pictures and what they do, side by side; which one is pressed.
+    pub(crate) fn icons(&mut self, icons: &[(Icon, bool, &'static str)]) -> Option<usize> {
+        let row = self.room(self.press + 4.0);
         let bottom = self.y;
         let mut pressed = None;
         let widths = vec![1.0; icons.len()];
-        for (index, &(icon, is_chosen)) in icons.iter().enumerate() {
+        for (index, &(icon, is_chosen, meaning)) in icons.iter().enumerate() {
             let place = row.map(|row| part(row, index, &widths));
             let press = self.ask(place, bottom);
             if press.is_pressed {
@@ -205,15 +224,30 @@ impl Ui<'_> {
             }
             let Some(place) = place else { continue };
             self.ground(place, press, is_chosen);
+            if press.is_hovered && !self.pointer.is_touch {
+                self.tip = Some((place, meaning));
+            }
             icon.draw(self.canvas.batch(), place.middle(), theme::TEXT.rgba(255));
         }
         self.gap(4.0);
         pressed
     }
 
+    /// A button with a picture at a place of its own; whether it is pressed by the mouse.
+    pub(crate) fn small_button(&mut self, place: Place, icon: Icon) -> bool {
+        let is_hovered = place.contains(self.pointer.at);
+        let press = Press { is_hovered, is_focused: false, is_pressed: false, turned: 0 };
+        self.ground(place, press, false);
+        icon.draw(self.canvas.batch(), place.middle(), theme::MUTED.rgba(255));
+        if is_hovered {
+            self.tip = Some((place, "Hide the panel, or show it (F2)"));
+        }
+        is_hovered && self.pointer.pressed
+    }
+
     /// A box with a tick in it or none, a label, and the key that does the same; whether it is pressed.
     pub(crate) fn tick_box(&mut self, label: &str, is_on: bool, key: &str) -> bool {
-        let place = self.room(PRESS - 2.0);
+        let place = self.room(self.press - 2.0);
         let press = self.ask(place, self.y);
         let Some(place) = place else { return press.is_pressed };
         if press.is_hovered || press.is_focused {
@@ -221,7 +255,7 @@ impl Ui<'_> {
             let wider = Vec2::new(5.0, 0.0);
             self.ground(Place { min: place.min - wider, max: place.max + wider }, shown, false);
         }
-        let min = place.min + Vec2::new(0.0, 4.0);
+        let min = Vec2::new(place.min.x, (place.middle().y - 7.0).floor());
         let max = min + Vec2::splat(14.0);
         let batch = self.canvas.batch();
         let tone = if is_on { theme::ACCENT } else { theme::BACKGROUND };
@@ -233,7 +267,7 @@ impl Ui<'_> {
             batch.line(one, two, 2.0, dark);
             batch.line(two, three, 2.0, dark);
         }
-        let base = place.min.y + 15.0;
+        let base = place.middle().y + 4.0;
         self.canvas.text(label, Vec2::new(place.min.x + 22.0, base), if is_on { LABEL } else { WORDS });
         self.canvas.text_up_to(key, Vec2::new(place.max.x, base), KEY);
         press.is_pressed
@@ -241,7 +275,7 @@ impl Ui<'_> {
 
     /// A line of a list; whether it is pressed.
     pub(crate) fn list_row(&mut self, label: &str, is_chosen: bool) -> bool {
-        let place = self.room(PRESS - 2.0);
+        let place = self.room(self.press - 2.0);
         let press = self.ask(place, self.y);
         let Some(place) = place else { return press.is_pressed };
         if is_chosen || press.is_hovered || press.is_focused {
@@ -249,23 +283,23 @@ impl Ui<'_> {
         }
         let style = if is_chosen { LABEL } else { WORDS };
         let label = self.canvas.fitting(label, place.max.x - place.min.x - 16.0, style);
-        self.canvas.text(label, place.min + Vec2::new(8.0, 15.0), style);
+        self.canvas.text(label, Vec2::new(place.min.x + 8.0, place.middle().y + 4.0), style);
         press.is_pressed
     }
 
     /// A word, what it stands at, and buttons for less and more; by how much it is turned.
     pub(crate) fn stepper(&mut self, word: &str, text: &str) -> i32 {
-        const SIDE: f32 = 22.0;
         /// Width of the buttons with the text between them, as a share of the whole.
         const SHARE: f32 = 0.58;
-        let place = self.room(PRESS);
+        let side = self.press - 2.0;
+        let place = self.room(self.press);
         let split = self.right - SHARE * (self.right - self.left);
         let less = place.map(|at| Place {
             min: Vec2::new(split, at.min.y + 1.0),
-            max: Vec2::new(split + SIDE, at.max.y - 1.0),
+            max: Vec2::new(split + side, at.max.y - 1.0),
         });
         let more = place.map(|at| Place {
-            min: Vec2::new(at.max.x - SIDE, at.min.y + 1.0),
+            min: Vec2::new(at.max.x - side, at.min.y + 1.0),
             max: at.max - Vec2::new(0.0, 1.0),
         });
         // One thing for the keys, two for the mouse.
@@ -275,7 +309,7 @@ impl Ui<'_> {
         let by_mouse = i32::from(is_over_more && is_turned) - i32::from(press.is_hovered && is_turned);
         let by_keys = if press.is_pressed && by_mouse == 0 { 1 } else { press.turned };
         let (Some(place), Some(less), Some(more)) = (place, less, more) else { return by_keys };
-        self.canvas.text(word, place.min + Vec2::new(0.0, 16.0), WORDS);
+        self.canvas.text(word, Vec2::new(place.min.x, place.middle().y + 4.0), WORDS);
         self.ground(less, Press { is_focused: false, ..press }, false);
         self.ground(more, Press { is_focused: false, is_hovered: is_over_more, ..press }, false);
         if press.is_focused {
@@ -285,7 +319,7 @@ impl Ui<'_> {
         Icon::Plus.draw(self.canvas.batch(), more.middle(), theme::MUTED.rgba(255));
         let text = self.canvas.fitting(text, more.min.x - less.max.x - 4.0, FIGURE);
         let middle = 0.5 * (less.max.x + more.min.x);
-        self.canvas.text_around(text, Vec2::new(middle, place.min.y + 16.0), FIGURE);
+        self.canvas.text_around(text, Vec2::new(middle, place.middle().y + 4.0), FIGURE);
         by_mouse + by_keys
     }
 
@@ -312,8 +346,8 @@ impl Ui<'_> {
         batch.rectangle(place.min, place.max, theme::BACKGROUND.rgba(255));
         let (low, high) = curve.range();
         let low = if from_zero { low.min(0.0) } else { low };
-        // A curve that is flat to rounding is to look flat.
-        let span = (high - low).max(1e-6 * high.abs().max(low.abs())).max(1e-12);
+        // The box is at least a hundredth of the value high, so that what is kept looks kept.
+        let span = (high - low).max(1e-2 * high.abs().max(low.abs())).max(1e-12);
         let count = curve.values().len();
         let pitch = (place.max.x - place.min.x) / (CURVE_LENGTH - 1) as f32;
         let first = CURVE_LENGTH - count;

@@ -8,6 +8,8 @@ cd "$(dirname "$0")/../.."
 out=${1:-target/web}
 mkdir -p "$out"
 target=wasm32-unknown-unknown
+# All current browsers have SIMD; names of functions are for debuggers.
+export RUSTFLAGS="-C target-feature=+simd128" CARGO_PROFILE_RELEASE_STRIP=symbols
 
 if [ -d "$(rustc --print sysroot)/lib/rustlib/$target/lib" ]; then
     cargo build --release --locked -p rustycs-demo --target "$target"
@@ -30,5 +32,9 @@ fi
 glue=$(cargo metadata --format-version 1 --locked |
     grep -o '"manifest_path":"[^"]*/miniquad-[^"]*/Cargo.toml"' | head -n 1 | cut -d '"' -f 4)
 cp "$(dirname "$glue")/js/gl.js" "$built" demo/web/index.html "$out/"
+
+# The page links to the source that it was built from.
+git archive --format=tar.gz --prefix=rustycs/ -o "$out/rustycs.tar.gz" HEAD 2>/dev/null ||
+    tar -czf "$out/rustycs.tar.gz" --exclude=./target --transform 's,^\.,rustycs,' .
 echo "$out: $(du -k "$out/rustycs-demo.wasm" | cut -f 1) kB; look at it with"
 echo "    python3 -m http.server --directory $out 8000"

@@ -1,6 +1,8 @@
 #!/usr/bin/env python3
-"""Opens the demo's page in a headless Chromium, presses keys and buttons, and checks what the demo says of its
-state: demo/web/check.py FOLDER [PICTURE.png]
+"""Opens the demo's page in a headless Chromium, as on a desk and as on a phone, presses keys and buttons, and checks
+what the demo says of its state: demo/web/check.py FOLDER [PICTURE.png]
+
+The picture of the phone is saved beside the other, as PICTURE-phone.png.
 
 Speaks the browser's own debugging protocol over a WebSocket; needs nothing but python3 and chromium.
 """
@@ -21,7 +23,9 @@ import time
 import urllib.request
 
 PATIENCE = 90.0  # Seconds; a software renderer takes its time.
-SIZE = (1280, 720)
+HEADER = 30  # Pixels of the page above the canvas.
+SIZE = (1280, 720 + HEADER)
+PHONE = (390, 844)
 
 
 class Browser:
@@ -46,7 +50,7 @@ class Browser:
             self.call(domain)
         self.call("Emulation.setDeviceMetricsOverride", width=SIZE[0], height=SIZE[1], deviceScaleFactor=1,
                   mobile=False)
-        self.call("Page.navigate", url=address)
+        self.open(address)
 
     @staticmethod
     def _port(profile):
@@ -121,6 +125,38 @@ class Browser:
             if message.get("id") == self.last_id:
                 return message.get("result", {})
 
+    def open(self, address):
+        """Opens an address in a page of its own, as the state of the one before says nothing about it."""
+        self.call("Page.navigate", url="about:blank")
+        self.call("Page.navigate", url=address)
+        self.state = {}
+
+    def hold_a_phone(self):
+        self.call("Emulation.setDeviceMetricsOverride", width=PHONE[0], height=PHONE[1], deviceScaleFactor=2,
+                  mobile=True)
+        self.call("Emulation.setTouchEmulationEnabled", enabled=True, maxTouchPoints=2)
+
+    def evaluate(self, expression):
+        return self.call("Runtime.evaluate", expression=expression)["result"].get("value")
+
+    def touch(self, kind, *places):
+        points = [{"x": x, "y": y + HEADER, "id": number} for number, (x, y) in enumerate(places)]
+        self.call("Input.dispatchTouchEvent", type=kind, touchPoints=points)
+        time.sleep(0.15)
+
+    def tap(self, x, y):
+        print(f"tap {x} {y}")
+        self.touch("touchStart", (x, y))
+        self.touch("touchEnd")
+
+    def move_fingers(self, *paths):
+        """Fingers down at the beginning of their paths, along them, and up."""
+        print(f"fingers {paths}")
+        parts = [0.0, 0.25, 0.5, 0.75, 1.0]
+        for kind, part in zip(["touchStart"] + 4 * ["touchMove"], parts):
+            self.touch(kind, *[[a + part * (b - a) for a, b in zip(start, end)] for start, end in paths])
+        self.touch("touchEnd")
+
     def wait(self, what, is_so):
         """Waits until the state is as it should be."""
         until = time.monotonic() + PATIENCE
@@ -140,7 +176,7 @@ class Browser:
 
     def mouse(self, kind, x, y, button="none"):
         buttons = {"left": 1, "none": 0}[button]
-        self.call("Input.dispatchMouseEvent", type=kind, x=x, y=y, button=button, buttons=buttons, clickCount=1)
+        self.call("Input.dispatchMouseEvent", type=kind, x=x, y=y + HEADER, button=button, buttons=buttons, clickCount=1)
         time.sleep(0.3)
 
     def click(self, x, y):
@@ -155,11 +191,8 @@ class Browser:
 
 
 def check(page, picture):
-    def has(**wanted):
-        return lambda state: all(state.get(word) == value for word, value in wanted.items())
-
     page.wait("it runs", lambda state: int(state.get("tick", 0)) > 0)
-    page.wait("in the size of the page", has(size=f"{SIZE[0]}x{SIZE[1]}"))
+    page.wait("in the size of the page", has(size=f"{SIZE[0]}x{SIZE[1] - HEADER}"))
     page.key("c", "KeyC", 67)
     page.wait("contacts are shown", has(overlays="contacts"))
     page.key(" ", "Space", 32)
@@ -180,12 +213,56 @@ def check(page, picture):
     page.key("n", "KeyN", 78)
     page.wait("the next scene", lambda state: state["scene"] != scene)
     page.wait("it runs as well", lambda state: int(state["tick"]) > 30)
+    save(page, picture)
+    address = page.evaluate("location.hash")
+    assert page.state["scene"] in address and "contacts" in address, address
+    print(f"  the address follows: {address}")
+    menu = "new MouseEvent('contextmenu', {cancelable: true, bubbles: true})"
+    assert page.evaluate(f"document.querySelector('canvas').dispatchEvent({menu})") is False
+    print("  the right button opens no menu")
+
+
+def check_address(page, base):
+    page.open(base + "#scene=galaxy&seed=3&overlays=boxes,grid&compare")
+    page.wait("an address opens its state", has(scene="galaxy", seed="3", overlays="boxes,grid", copies="2"))
+    page.open(base + "#scene=bounce&overlays=none")
+    page.wait("without the overlays of the scene", has(scene="bounce", overlays="-"))
+    page.open(base + "#scene=nowhere")
+    page.wait("one that makes no sense opens the first scene", has(scene="pile"))
+
+
+def check_phone(page, base, picture):
+    page.hold_a_phone()
+    page.open(base + "#scene=tower")
+    height = PHONE[1] - HEADER
+    page.wait("it fits a phone", has(size=f"{PHONE[0]}x{height}", folded="yes"))
+    page.wait("it runs there", lambda state: int(state["tick"]) > 20)
+    save(page, picture and picture.replace(".png", "-phone.png"))
+    page.move_fingers(((190, 300), (190, 120)))
+    page.wait("a finger drags what it is on", lambda state: int(state["edits"]) == 1)
+    zoom = float(page.state["zoom"])
+    page.move_fingers(((150, 200), (90, 200)), ((230, 200), (310, 200)))
+    page.wait("two fingers zoom", lambda state: float(state["zoom"]) > 1.8 * zoom)
+    page.tap(105, height - 22)
+    page.wait("a page of the panel opens", has(tab="Scenes", folded="no"))
+    top = height - round(0.48 * height)
+    page.move_fingers(((150, height - 40), (150, top + 160)))
+    page.wait("a finger scrolls it", lambda state: int(state["scroll"]) > 100)
+    assert page.state["scene"] == "tower", "scrolling has chosen a scene"
+    page.tap(150, height - 100)
+    page.wait("a tap chooses a scene", lambda state: state["scene"] != "tower")
+    save(page, picture and picture.replace(".png", "-panel.png"))
+
+
+def has(**wanted):
+    return lambda state: all(state.get(word) == value for word, value in wanted.items())
+
+
+def save(page, picture):
     shot = base64.b64decode(page.call("Page.captureScreenshot")["data"])
     if picture:
         with open(picture, "wb") as file:
             file.write(shot)
-    assert not page.errors, page.errors
-    print(f"all of it holds; a picture of {len(shot)} bytes")
 
 
 def main():
@@ -196,9 +273,15 @@ def main():
     server = http.server.ThreadingHTTPServer(("127.0.0.1", 0), handler)
     threading.Thread(target=server.serve_forever, daemon=True).start()
     with tempfile.TemporaryDirectory(ignore_cleanup_errors=True) as profile:
-        page = Browser(f"http://127.0.0.1:{server.server_port}/", profile)
+        base = f"http://127.0.0.1:{server.server_port}/"
+        picture = sys.argv[2] if len(sys.argv) > 2 else None
+        page = Browser(base, profile)
         try:
-            check(page, sys.argv[2] if len(sys.argv) > 2 else None)
+            check(page, picture)
+            check_address(page, base)
+            check_phone(page, base, picture)
+            assert not page.errors, page.errors
+            print("all of it holds")
         finally:
             page.close()
 

@@ -12,6 +12,7 @@ pub const SCENE: Scene = Scene {
     summary: "Fifteen wedges in half a circle hold each other up by pressure alone; take one out and all fall.",
     view: View::above(-1.0, 0.0, 15.0, 8.6),
     build,
+    hint: Some("Pull a wedge out."),
     ..Scene::PLAIN
 };
 

@@ -12,6 +12,7 @@ pub const SCENE: Scene = Scene {
     summary: "Discs fly straight until they come within range of the attractor, which bends or keeps their paths.",
     view: View::above(-9.0, 0.0, 32.0, 18.0),
     build,
+    is_about_paths: true,
     ..Scene::PLAIN
 };
 

@@ -13,6 +13,8 @@ pub const SCENE: Scene = Scene {
     summary: "Two thousand light balls settle in a bowl, and three heavy ones dive in to the bottom.",
     view: View::above(-13.2, 0.0, 32.0, 26.0),
     build,
+    hint: Some("Throw a body in: choose one under Tools, and pull before letting go."),
+    is_random: true,
     ..Scene::PLAIN
 };
 

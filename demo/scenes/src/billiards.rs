@@ -14,6 +14,7 @@ pub const SCENE: Scene = Scene {
     view: View::above(-8.0, 0.0, 28.0, 16.0),
     build,
     labels: &LABELS,
+    hint: Some("Throw the cue ball. R sets the table again."),
     ..Scene::PLAIN
 };
 

@@ -12,6 +12,7 @@ pub const SCENE: Scene = Scene {
     summary: "Forty thin cards hold each other up: whatever slides or trembles brings the house down.",
     view: View::above(-0.6, 0.0, 7.0, 6.0),
     build,
+    hint: Some("Pull a card out. X shows the classic solver beside the default one."),
     ..Scene::PLAIN
 };
 

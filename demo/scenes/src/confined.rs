@@ -14,6 +14,7 @@ pub const SCENE: Scene = Scene {
     view: View::above(-8.6, 0.0, 26.0, 17.2),
     build,
     readout: Some(readout),
+    is_random: true,
     ..Scene::PLAIN
 };
 

@@ -16,6 +16,7 @@ pub const SCENE: Scene = Scene {
     build: |seed, settings| build_with(COUNT, seed, settings),
     readout: Some(readout),
     labels: &LABELS,
+    is_random: true,
     ..Scene::PLAIN
 };
 

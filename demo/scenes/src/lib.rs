@@ -78,6 +78,14 @@ pub struct Scene {
     pub summary: &'static str,
     /// The part of the world to look at.
     pub view: View,
+    /// What to try in it, in a sentence, where it is for trying.
+    pub hint: Option<&'static str>,
+    /// Whether its seed matters.
+    pub is_random: bool,
+    /// Whether it is about bodies that have to be told apart by their [`labels`](Self::labels).
+    pub is_about_names: bool,
+    /// Whether it is about the paths of its bodies.
+    pub is_about_paths: bool,
     build: fn(u64, Settings) -> World,
     before_tick: Option<fn(&mut World)>,
     readout: Option<fn(&World) -> String>,
@@ -94,6 +102,10 @@ impl Scene {
         group: "",
         summary: "",
         view: View::above(0.0, 0.0, 1.0, 1.0),
+        hint: None,
+        is_random: false,
+        is_about_names: false,
+        is_about_paths: false,
         build: |_, settings| World::new(settings),
         before_tick: None,
         readout: None,
@@ -228,6 +240,14 @@ mod tests {
                 other.step();
             }
             assert_eq!(one.state_hash(), other.state_hash(), "{}", scene.name);
+        }
+    }
+
+    #[test]
+    fn the_seed_matters_to_scenes_with_chance_in_them() {
+        for scene in all() {
+            let [one, other] = [1, 2].map(|seed| scene.build(seed, Settings::default()).state_hash());
+            assert_eq!(one != other, scene.is_random, "{}", scene.name);
         }
     }
 

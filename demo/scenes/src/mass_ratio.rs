@@ -15,6 +15,7 @@ pub const SCENE: Scene = Scene {
     build,
     readout: Some(readout),
     labels: &LABELS,
+    is_about_names: true,
     ..Scene::PLAIN
 };
 
@@ -42,10 +43,11 @@ fn build(_seed: u64, settings: Settings) -> World {
 
 /// How far each heavy box is below where it began, 1.8 m up, as none of the light ones gives way.
 fn readout(world: &World) -> String {
-    let heavy = world.bodies().filter(|&(_, body)| Mark::of(body).label.is_some());
-    let sunk: Vec<String> =
-        heavy.map(|(_, body)| format!("{:.1}", (1.8 - body.position().y) * 1e3)).collect();
-    format!("sunk by {} mm", sunk.join(", "))
+    let heavy = world.bodies().filter_map(|(_, body)| Some((Mark::of(body).label?, body)));
+    let sunk: Vec<String> = heavy
+        .map(|(place, body)| format!("{:.1} mm at {} : 1", (1.8 - body.position().y) * 1e3, RATIOS[place]))
+        .collect();
+    format!("the heavy box has sunk by {}", sunk.join(", "))
 }
 
 #[cfg(test)]

@@ -14,6 +14,7 @@ pub const SCENE: Scene = Scene {
     view: View::above(-1.0, 0.0, 13.0, 8.0),
     build,
     labels: &LABELS,
+    is_about_names: true,
     ..Scene::PLAIN
 };
 

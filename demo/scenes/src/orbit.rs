@@ -13,6 +13,7 @@ pub const SCENE: Scene = Scene {
     view: View::above(-5.0, -2.0, 14.0, 10.0),
     build,
     readout: Some(readout),
+    is_about_paths: true,
     ..Scene::PLAIN
 };
 

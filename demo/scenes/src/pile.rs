@@ -13,6 +13,8 @@ pub const SCENE: Scene = Scene {
     summary: "Discs, boxes and polygons of every material fall into a pool and come to rest.",
     view: View::above(-1.4, 0.0, 20.0, 13.4),
     build: |seed, settings| build_with(COUNT, seed, settings),
+    hint: Some("Take hold of a body and throw it."),
+    is_random: true,
     ..Scene::PLAIN
 };
 

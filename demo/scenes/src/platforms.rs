@@ -13,6 +13,7 @@ pub const SCENE: Scene = Scene {
     summary: "Every shape falls on fixed platforms of every shape, flat and tilted, round and pointed.",
     view: View::above(-1.4, 0.0, 26.0, 16.0),
     build,
+    is_random: true,
     ..Scene::PLAIN
 };
 

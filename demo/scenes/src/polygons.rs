@@ -15,6 +15,7 @@ pub const SCENE: Scene = Scene {
     view: View::above(-1.4, 0.0, 22.0, 15.0),
     build,
     labels: &LABELS,
+    is_random: true,
     ..Scene::PLAIN
 };
 

@@ -13,6 +13,7 @@ pub const SCENE: Scene = Scene {
     summary: "Discs of one size pour into a pool, jostle until each finds its place between others, and sleep once the last has stopped rolling.",
     view: View::above(-1.4, 0.0, 22.0, 14.4),
     build: |seed, settings| build_with(COUNT, seed, settings),
+    is_random: true,
     ..Scene::PLAIN
 };
 

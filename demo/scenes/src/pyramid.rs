@@ -12,6 +12,7 @@ pub const SCENE: Scene = Scene {
     summary: "210 boxes lean on nothing but friction: the lowest carry twenty layers and must not be squeezed out.",
     view: View::above(-1.2, 0.0, 23.0, 18.4),
     build,
+    hint: Some("Take hold of a box and throw it at the others."),
     ..Scene::PLAIN
 };
 

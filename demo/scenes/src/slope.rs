@@ -14,6 +14,7 @@ pub const SCENE: Scene = Scene {
     view: View::above(-5.0, 1.5, 26.0, 17.0),
     build,
     labels: &LABELS,
+    is_about_names: true,
     ..Scene::PLAIN
 };
 
@@ -40,8 +41,6 @@ const BOXES: [Material; 5] =
 
 fn build(_seed: u64, settings: Settings) -> World {
     let mut world = world_with_gravity(settings);
-    put_floor(&mut world, 40.0, 1.0);
-
     // The ramp rises to the left: a long box under the line from the foot along `uphill`.
     let turn = Rot::from_angle(-ANGLE);
     let (uphill, outward) = (turn.rotate(Vec2::new(-1.0, 0.0)), turn.rotate(Vec2::new(0.0, 1.0)));
@@ -49,6 +48,8 @@ fn build(_seed: u64, settings: Settings) -> World {
     let middle = FOOT + uphill * (0.5 * RAMP) - outward * (0.5 * thickness);
     let ramp = Body::fixed(Shape::obb(RAMP, thickness)).at(middle).angle(-ANGLE);
     put(&mut world, ramp.material(Material::STONE).friction(RAMP_FRICTION));
+    // After the ramp, so that what of the ramp is below it does not show.
+    put_floor(&mut world, 40.0, 1.0);
 
     let side = 0.8;
     for (place, material) in BOXES.into_iter().enumerate() {

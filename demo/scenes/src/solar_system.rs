@@ -19,6 +19,8 @@ pub const SCENE: Scene = Scene {
     build,
     readout: Some(readout),
     labels: &LABELS,
+    is_about_names: true,
+    is_about_paths: true,
     ..Scene::PLAIN
 };
 
@@ -116,9 +118,11 @@ fn readout(world: &World) -> String {
     match speed(world, "Jupiter") {
         Some(speed) => {
             let in_the_sky = EARTH_SPEED * (speed / earth) * (speed / earth);
-            format!("Jupiter {speed:.3} m/s, in the sky {in_the_sky:.2} km/s; {years:.1} years of the Earth")
+            format!(
+                "Jupiter flies at {speed:.3} m/s, in the sky at {in_the_sky:.2} km/s; the Earth has made {years:.1} turns"
+            )
         }
-        None => format!("no Jupiter; {years:.1} years of the Earth"),
+        None => format!("Jupiter is gone; the Earth has made {years:.1} turns"),
     }
 }
 
@@ -178,7 +182,7 @@ mod tests {
     fn the_speed_of_jupiter_is_read_from_the_world() {
         let mut world = SCENE.build(1, Settings::default());
         world.step();
-        assert!(readout(&world).contains("in the sky 13.0"), "{}", readout(&world));
+        assert!(readout(&world).contains("in the sky at 13.0"), "{}", readout(&world));
         let (id, _) = world.bodies().nth(5).expect("Jupiter is the fifth after the sun");
         assert_eq!(speed(&world, "Jupiter"), world.body(id).map(|body| body.velocity().length()));
         world.remove(id);

@@ -12,6 +12,7 @@ pub const SCENE: Scene = Scene {
     summary: "Ten boxes stand on each other: none may sink, drift or tremble.",
     view: View::above(-1.2, 0.0, 14.0, 12.6),
     build: |_, settings| build_at(0.0, settings),
+    hint: Some("Pull a box out, or shake the lowest one."),
     ..Scene::PLAIN
 };
 
@@ -22,6 +23,7 @@ pub const FAR: Scene = Scene {
     summary: "The tower a thousand kilometres from the origin: it stands as the one at the origin does.",
     view: View::above(-1.2, FAR_AWAY as f32, 14.0, 12.6),
     build: |_, settings| build_at(FAR_AWAY, settings),
+    readout: Some(readout),
     ..Scene::PLAIN
 };
 
@@ -43,6 +45,14 @@ fn build_at(x: f64, settings: Settings) -> World {
         put(&mut world, Body::dynamic(Shape::obb(SIDE, SIDE)).at(center).material(Material::PLASTIC));
     }
     world
+}
+
+/// Where the uppermost box is: a millimetre shows.
+fn readout(world: &World) -> String {
+    match world.bodies().nth(usize::from(BOXES)) {
+        Some((_, body)) => format!("the uppermost box is at x = {:.3} m", body.position_f64()[0]),
+        None => "the uppermost box is gone".to_owned(),
+    }
 }
 
 #[cfg(test)]

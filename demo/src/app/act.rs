@@ -2,15 +2,14 @@
 
 use rustycs::Vec2;
 
-use crate::app::mouse::mouse_place;
-use crate::app::{App, NORMAL_SPEED, SPEEDS, scene_area};
+use crate::app::{App, NORMAL_SPEED, SPEEDS};
 use crate::command::Command;
-use crate::overlay::Overlay;
+use crate::overlay::{Overlay, Overlays};
 use crate::run::Run;
 use crate::ui::Nudge;
 
 /// How much a notch of the wheel, or a press of a key, zooms.
-const ZOOM: f32 = 1.15;
+const ZOOM: f64 = 1.15;
 /// How far a press of a key moves the picture, px.
 const PAN: f32 = 40.0;
 
@@ -43,11 +42,11 @@ impl App {
             | Command::Material(_)
             | Command::Count(_)
             | Command::Kind => self.set_mould(command),
-            Command::Make => self.make(mouse_place(), Vec2::ZERO),
-            Command::Delete => self.delete(mouse_place()),
+            Command::Make => self.make(self.mouse_place(), Vec2::ZERO),
+            Command::Delete => self.delete(self.mouse_place()),
             Command::Follow => self.follow(),
             Command::WholeScene => self.show_whole_scene(),
-            Command::Zoom(by) => self.zoom(by),
+            Command::Zoom(by) => self.zoom(by as f32),
             Command::Pan(x, y) => {
                 self.follows = None;
                 self.camera.pan(Vec2::new(x as f32, y as f32) * PAN);
@@ -61,6 +60,7 @@ impl App {
                     self.shows_help = false;
                 }
             }
+            Command::Fold => self.is_folded = Some(!self.layout.is_folded),
             Command::Tab(_)
             | Command::NextTab
             | Command::Focus(_)
@@ -77,8 +77,14 @@ impl App {
             Command::Press => {
                 self.panel.nudge(Nudge::Press);
             }
-            Command::Sideways(by) if !self.panel.nudge(Nudge::Turn(by)) => self.go_further(by),
+            Command::Sideways(by) => {
+                self.panel.nudge(Nudge::Turn(by));
+            }
             _ => {}
+        }
+        // Whoever turns to the panel wants to see it.
+        if self.layout.is_folded && !matches!(command, Command::Sideways(_)) {
+            self.is_folded = Some(false);
         }
     }
 
@@ -107,7 +113,7 @@ impl App {
     }
 
     /// The scene from its beginning, with the settings of now.
-    fn restart(&mut self) {
+    pub(super) fn restart(&mut self) {
         for run in &mut self.runs {
             let settings = run.world.settings().clone();
             *run = Run::new(self.scene, self.seed);
@@ -150,7 +156,10 @@ impl App {
 
     /// Another scene, with settings of its own; two copies stay two.
     fn go_to(&mut self, index: usize) {
+        let before = self.scene;
         self.scene = &rustycs_scenes::all()[index];
+        self.overlays =
+            self.overlays.without(Overlays::of_scene(before)).with(Overlays::of_scene(self.scene));
         let compares = self.runs.len() > 1;
         self.runs = vec![Run::new(self.scene, self.seed)];
         self.speed = NORMAL_SPEED;
@@ -166,14 +175,18 @@ impl App {
         self.camera.show(self.scene.view);
     }
 
-    /// Zooms at the mouse, or at the middle of the scene where the mouse is elsewhere.
-    pub(super) fn zoom(&mut self, by: i32) {
-        let (mouse, area) = (crate::app::mouse::mouse(), scene_area());
-        let is_over = area.contains([mouse.x, mouse.y].into());
+    /// Zooms by so many notches at the mouse, or at the middle of the scene where the mouse is elsewhere.
+    pub(super) fn zoom(&mut self, notches: f32) {
+        let (mouse, area) = (self.hand.at, self.layout.scene);
+        let is_over = self.layout.is_scene(mouse) && !self.hand.is_touch;
         let at = if is_over { mouse } else { Vec2::from([area.center().x, area.center().y]) };
+        self.zoom_at(at, ZOOM.powf(f64::from(notches)) as f32);
+    }
+
+    /// Zooms by a factor at a place in the window.
+    pub(super) fn zoom_at(&mut self, at: Vec2, factor: f32) {
         // Both copies show the same place: what is at the mouse in one is at the same place in the other.
         let shift = self.camera_at(at).area().x - self.camera.area().x;
-        let factor = if by > 0 { ZOOM } else { 1.0 / ZOOM };
         self.camera.zoom_at(at - Vec2::new(shift, 0.0), factor);
     }
 

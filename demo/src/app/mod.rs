@@ -3,13 +3,16 @@
 //! | file | what it holds |
 //! |---|---|
 //! | `act` | what each command does |
+//! | `hand` | the mouse, or fingers in its place |
 //! | `mouse` | what the mouse does in the scene |
 //! | `picture` | a frame, drawn |
 
 mod act;
+mod hand;
 mod mouse;
 mod picture;
 
+use macroquad::input::mouse_position;
 use macroquad::math::Rect;
 use macroquad::time::get_time;
 use macroquad::window::{screen_height, screen_width};
@@ -22,6 +25,7 @@ use crate::cli::Start;
 use crate::command::{Keys, Repeat};
 use crate::history::Moment;
 use crate::knob;
+use crate::layout::Layout;
 use crate::overlay::{Drawer, Overlays};
 use crate::panel::Panel;
 use crate::report::State;
@@ -29,6 +33,7 @@ use crate::run::{Run, Tick};
 use crate::scenery::Scenery;
 use crate::tool::Mould;
 
+use hand::Hand;
 use mouse::Grip;
 
 /// Simulated seconds per second that the keys go through.
@@ -69,13 +74,19 @@ pub(crate) struct App {
     /// What was last taken hold of.
     selected: Option<BodyId>,
     mould: Mould,
+    hand: Hand,
     grip: Option<Grip>,
     /// Where the mouse was when the window opened, px, until it has moved: somewhere by accident.
     resting_mouse: Option<Vec2>,
     /// Worlds before each of the last edits.
     edits: Vec<Vec<Moment>>,
     shows_help: bool,
+    /// Whether frames take so long that the world falls behind.
+    is_slowed: bool,
     panel: Panel,
+    layout: Layout,
+    /// Whether the panel was folded, or unfolded, on purpose.
+    is_folded: Option<bool>,
     keys: Keys,
     mouse_repeat: Repeat,
     drawer: Drawer,
@@ -88,6 +99,8 @@ pub(crate) struct App {
 impl App {
     /// A scene at time 0. Needs an open window.
     pub(crate) fn new(start: &Start) -> Self {
+        let layout = Layout::of_window(None);
+        macroquad::input::simulate_mouse_with_touch(false);
         let mut app = Self {
             scene: start.scene,
             seed: start.seed,
@@ -95,17 +108,24 @@ impl App {
             copy: 0,
             is_paused: start.is_paused,
             speed: NORMAL_SPEED,
-            overlays: Overlays::of(start.overlays.iter().copied()),
-            camera: Camera::new(start.scene.view, scene_area()),
+            overlays: start.overlays.as_ref().map_or_else(
+                || Overlays::of_scene(start.scene),
+                |chosen| Overlays::of(chosen.iter().copied()),
+            ),
+            camera: Camera::new(start.scene.view, layout.scene),
             follows: None,
             hovered: None,
             selected: None,
             mould: Mould::default(),
+            hand: Hand::default(),
             grip: None,
-            resting_mouse: Some(mouse::mouse()),
+            resting_mouse: Some(Vec2::from(mouse_position())),
             edits: Vec::new(),
             shows_help: false,
+            is_slowed: false,
             panel: Panel::new(start.tab),
+            layout,
+            is_folded: None,
             keys: Keys::default(),
             mouse_repeat: Repeat::default(),
             drawer: Drawer::default(),
@@ -124,6 +144,7 @@ impl App {
 
     /// A frame: input, time, picture.
     pub(crate) fn frame(&mut self, time: FrameTime) {
+        self.layout = Layout::of_window(self.is_folded);
         self.camera.set_area(self.halves()[0]);
         for command in self.keys.read(get_time()) {
             self.act(command);
@@ -146,10 +167,14 @@ impl App {
             return;
         }
         let tick = self.runs[0].world.settings().tick_seconds();
-        self.advance(match time {
+        let seconds = match time {
             FrameTime::OneTick => tick,
-            FrameTime::Seconds(seconds) => seconds.min(LONGEST_FRAME) * SPEEDS[self.speed],
-        });
+            FrameTime::Seconds(seconds) => {
+                self.is_slowed = seconds > LONGEST_FRAME;
+                seconds.min(LONGEST_FRAME) * SPEEDS[self.speed]
+            }
+        };
+        self.advance(seconds);
     }
 
     /// Gives all copies the same simulated time, s.
@@ -179,14 +204,21 @@ impl App {
         }
     }
 
-    /// Two copies side by side from now on, or one again.
+    /// Two copies side by side, or one again. They begin with the scene, or from now where somebody has changed the
+    /// world.
     fn compare(&mut self) {
-        self.edits.clear();
+        let is_edited = !self.edits.is_empty();
         self.copy = 0;
-        self.grip = None;
         if self.runs.len() > 1 {
+            self.edits.clear();
+            self.grip = None;
             self.runs.truncate(1);
         } else {
+            if !is_edited {
+                self.restart();
+            }
+            self.edits.clear();
+            self.grip = None;
             let moment = self.runs[0].moment();
             self.runs[0].gauges = crate::gauges::Gauges::default();
             let mut other = Run::at(moment);
@@ -199,18 +231,20 @@ impl App {
         self.camera.set_area(areas[0]);
     }
 
-    /// The parts of the window that show the copies, px.
+    /// The parts of the window that show the copies, px; above each of two there is a caption.
     fn halves(&self) -> Vec<Rect> {
-        let Rect { x, y, w, h } = scene_area();
+        let Rect { x, y, w, h } = self.layout.scene;
         let count = self.runs.len() as f32;
-        (0..self.runs.len()).map(|copy| Rect::new(x + w * copy as f32 / count, y, w / count, h)).collect()
+        let caption = if self.runs.len() > 1 { crate::compare::room_for_caption(h) } else { 0.0 };
+        let half = |copy: usize| Rect::new(x + w * copy as f32 / count, y + caption, w / count, h - caption);
+        (0..self.runs.len()).map(half).collect()
     }
 
     /// The camera of the copy at a place in the window.
     fn camera_at(&self, pixel: Vec2) -> Camera {
         let areas = self.halves();
         let area = areas.into_iter().rev().find(|area| pixel.x >= area.x);
-        self.camera.in_area(area.unwrap_or_else(scene_area))
+        self.camera.in_area(area.unwrap_or(self.layout.scene))
     }
 
     /// The copy at a place in the window.
@@ -230,6 +264,7 @@ impl App {
             scene: self.scene.name,
             seed: self.seed,
             tick: run.world.ticks(),
+            other_tick: self.runs.get(1).map(|other| other.world.ticks()),
             is_paused: self.is_paused,
             speed: SPEEDS[self.speed],
             copies: self.runs.len(),
@@ -245,8 +280,10 @@ impl App {
             tool: self.mould.tool.name(),
             tab: self.panel.tab.name(),
             shows_help: self.shows_help,
+            is_folded: self.layout.is_folded,
             edits: self.edits.len(),
             overlays: self.overlays.names(),
+            scroll: self.panel.scroll(),
             zoom: self.camera.scale(),
             size: [screen_width(), screen_height()],
             draw_time: self.draw_time,
@@ -263,18 +300,9 @@ fn crowd(runs: &mut [Run], start: &Start) {
     for run in runs {
         for index in 0..start.crowd {
             let place = Vec2::new((index % columns) as f32 + 0.5, (index / columns) as f32 + 0.5) * pitch;
-            Mould::add_small(&mut run.world, (low + place).into(), 0.3 * pitch, index);
+            if run.world.bodies_at(low + place).is_empty() {
+                Mould::add_small(&mut run.world, (low + place).into(), 0.3 * pitch, index);
+            }
         }
     }
-}
-
-/// The part of the window that shows the world, px.
-fn scene_area() -> Rect {
-    Rect::new(0.0, 0.0, screen_width() - Panel::width(screen_width()), screen_height())
-}
-
-/// The part of the window that shows the figures, px.
-fn panel_area() -> Rect {
-    let width = Panel::width(screen_width());
-    Rect::new(screen_width() - width, 0.0, width, screen_height())
 }

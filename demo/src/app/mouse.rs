@@ -1,22 +1,17 @@
 //! What the mouse does in the scene.
 
-use macroquad::input::{
-    MouseButton, is_mouse_button_down, is_mouse_button_pressed, mouse_position, mouse_wheel,
-};
 use macroquad::time::get_time;
-use rustycs::{AttractorId, Point, Vec2, World};
+use rustycs::{Attractor, AttractorId, Point, Vec2, World};
 
-use crate::app::{App, panel_area, scene_area};
+use crate::app::App;
 use crate::spring::Spring;
 use crate::tool::Tool;
 use crate::ui::Pointer;
 
-/// Buttons that move the picture, whatever the tool.
-const PAN_BUTTONS: [MouseButton; 2] = [MouseButton::Middle, MouseButton::Right];
 /// Speed that a body gets per length of the pull with which it is thrown, 1/s.
 const THROW: f32 = 3.0;
-/// How near the mouse has to be to an attractor to remove it, px.
-const NEAR: f32 = 14.0;
+/// How near the mouse has to be to an attractor to take hold of it or to remove it, px.
+const NEAR: f32 = 12.0;
 
 /// What the mouse holds.
 #[derive(Clone, Copy, Debug)]
@@ -25,84 +20,111 @@ pub(super) enum Grip {
     Picture(Vec2),
     /// A body.
     Spring(Spring),
+    Attractor(AttractorId),
     /// What is about to be made: where the button went down, px.
     Throw(Vec2),
 }
 
-/// Where the mouse is, px.
-pub(super) fn mouse() -> Vec2 {
-    Vec2::from(mouse_position())
-}
-
-/// Where the mouse is, px, kept within the scene.
-pub(super) fn mouse_place() -> Vec2 {
-    let (mouse, area) = (mouse(), scene_area());
-    Vec2::new(mouse.x.clamp(area.x, area.right() - 1.0), mouse.y.clamp(area.y, area.bottom() - 1.0))
-}
-
 impl App {
-    /// Reads the mouse; what it does in the panel is left to the panel.
+    /// Where the mouse is, px, kept within the scene.
+    pub(super) fn mouse_place(&self) -> Vec2 {
+        let (mouse, area) = (self.hand.at, self.layout.scene);
+        Vec2::new(mouse.x.clamp(area.x, area.right() - 1.0), mouse.y.clamp(area.y, area.bottom() - 1.0))
+    }
+
+    /// Reads the mouse, or the fingers; what they do in the panel is left to the panel.
     pub(super) fn read_mouse(&mut self) -> Pointer {
-        let at = mouse();
+        self.hand.read();
+        let at = self.hand.at;
         // A window that opens under the mouse knows where it is only after a frame.
         let is_first = self.runs[0].world.ticks() < 2 && self.resting_mouse == Some(Vec2::ZERO);
         self.resting_mouse = self.resting_mouse.map(|rest| if is_first { at } else { rest });
-        self.resting_mouse = self.resting_mouse.filter(|&rest| rest == at);
-        // A notch is 1 on the desktop and 120 on the web; the sign is the same.
-        let (_, wheel) = mouse_wheel();
-        let wheel = if wheel == 0.0 { 0.0 } else { wheel.signum() };
-        let pressed = is_mouse_button_pressed(MouseButton::Left);
-        let is_over_panel = panel_area().contains([at.x, at.y].into());
-        let is_over_scene = scene_area().contains([at.x, at.y].into());
-        if is_over_scene && wheel != 0.0 {
-            self.zoom(wheel as i32);
+        self.resting_mouse = self.resting_mouse.filter(|&rest| rest == at && !self.hand.is_touch);
+        let is_over_scene = self.layout.is_scene(at);
+        if is_over_scene && self.hand.wheel != 0.0 {
+            self.zoom(self.hand.wheel);
         }
-        if pressed && self.shows_help && is_over_scene {
+        if let Some(pinch) = self.hand.pinch {
+            self.grip = None;
+            self.follows = None;
+            self.camera.pan(pinch.moved);
+            self.zoom_at(pinch.at, pinch.factor);
+        }
+        if self.hand.pressed && self.shows_help {
             self.shows_help = false;
+            self.hand.pressed = false;
+            self.hand.tap = None;
         } else if is_over_scene && self.grip.is_none() {
-            self.begin_grip(at, pressed);
+            self.begin_grip(at);
         }
         self.hold(at);
-        self.hovered = if is_over_scene && self.grip.is_none() && self.resting_mouse.is_none() {
+        let is_mouse = self.resting_mouse.is_none() && !self.hand.is_touch;
+        self.hovered = if is_over_scene && self.grip.is_none() && is_mouse {
             let place = self.camera_at(at).to_world(at);
             self.run_at(at).world.bodies_at(place).last().copied()
         } else {
             None
         };
-        // A mouse that nobody has moved is over nothing.
-        let at = if self.resting_mouse.is_some() { Vec2::splat(-1.0) } else { at };
-        let is_held = is_over_panel && self.grip.is_none() && is_mouse_button_down(MouseButton::Left);
-        let repeats = self.mouse_repeat.is_due(is_held, get_time());
-        let wheel = if is_over_panel { wheel } else { 0.0 };
-        Pointer { at, pressed: pressed && is_over_panel, repeats, wheel }
+        self.panel_pointer()
+    }
+
+    /// The mouse, as far as it is the panel's.
+    fn panel_pointer(&mut self) -> Pointer {
+        let hand = &self.hand;
+        let is_over_panel = !self.layout.is_scene(hand.at) && self.grip.is_none();
+        if hand.is_touch {
+            let is_panel = |at: Vec2| !self.layout.is_scene(at);
+            let tap = hand.tap.filter(|&at| is_over_panel && is_panel(at));
+            let held = Some(hand.at).filter(|_| is_over_panel && hand.is_down && hand.swipe.is_none());
+            let drag = hand.swipe.filter(|&(from, _)| is_panel(from)).map(|(_, moved)| moved.y);
+            let at = tap.or(held).unwrap_or(Vec2::splat(-1.0));
+            return Pointer { at, pressed: tap.is_some(), drag, is_touch: true, ..Pointer::default() };
+        }
+        let repeats = self.mouse_repeat.is_due(is_over_panel && hand.is_down, get_time());
+        Pointer {
+            // A mouse that nobody has moved is over nothing.
+            at: if self.resting_mouse.is_some() { Vec2::splat(-1.0) } else { hand.at },
+            pressed: hand.pressed && is_over_panel,
+            repeats,
+            wheel: if is_over_panel { hand.wheel } else { 0.0 },
+            drag: None,
+            is_touch: false,
+        }
     }
 
     /// Takes hold of what is at the mouse, if a button has gone down.
-    fn begin_grip(&mut self, at: Vec2, pressed: bool) {
-        if PAN_BUTTONS.into_iter().any(is_mouse_button_pressed) {
+    fn begin_grip(&mut self, at: Vec2) {
+        if self.hand.pans {
             self.grip = Some(Grip::Picture(at));
-        } else if pressed {
+        } else if self.hand.pressed {
             match self.mould.tool {
-                Tool::Hand => {
-                    let place = self.camera_at(at).to_world(at);
-                    let spring = Spring::grab(&self.run_at(at).world, place);
-                    self.selected = spring.map(|spring| spring.body);
-                    if spring.is_some() {
-                        // A drag can be taken back, as every edit can.
-                        self.edit(|_| {});
-                    }
-                    self.grip = Some(spring.map_or(Grip::Picture(at), Grip::Spring));
-                }
+                Tool::Hand => self.take_hold(at),
                 Tool::Eraser => self.delete(at),
                 _ => self.grip = Some(Grip::Throw(at)),
             }
         }
     }
 
+    /// Takes hold of an attractor, a body, or else the picture. A drag can be taken back, as every edit can.
+    fn take_hold(&mut self, at: Vec2) {
+        let place = self.camera_at(at).to_world(at);
+        let world = &self.run_at(at).world;
+        let spring = Spring::grab(world, place);
+        let attractor = attractor_near(world, place, NEAR / self.camera.scale());
+        self.selected = spring.filter(|_| attractor.is_none()).map(|spring| spring.body);
+        self.grip = Some(match (attractor, spring) {
+            (Some(attractor), _) => Grip::Attractor(attractor),
+            (None, Some(spring)) => Grip::Spring(spring),
+            (None, None) => Grip::Picture(at),
+        });
+        if attractor.is_some() || spring.is_some() {
+            self.edit(|_| {});
+        }
+    }
+
     /// Goes on with what the mouse holds, and lets go of it where no button is down any more.
     fn hold(&mut self, at: Vec2) {
-        let buttons = [MouseButton::Left, MouseButton::Middle, MouseButton::Right];
-        let is_down = buttons.into_iter().any(is_mouse_button_down);
+        let is_down = self.hand.is_down || self.hand.is_panning;
         match self.grip {
             Some(Grip::Throw(from)) if !is_down => {
                 self.grip = None;
@@ -120,6 +142,10 @@ impl App {
                 let target = self.camera_at(at).to_world(at);
                 self.grip = Some(Grip::Spring(spring.toward(target)));
             }
+            Some(Grip::Attractor(id)) => {
+                let place = self.camera_at(at).to_world(at);
+                self.runs.iter_mut().for_each(|run| move_attractor(&mut run.world, id, place));
+            }
             Some(Grip::Throw(_) | Grip::Picture(_)) | None => {}
         }
     }
@@ -136,23 +162,32 @@ impl App {
         });
     }
 
-    /// Removes the body at a place in the window, or else the attractor near it.
+    /// Removes the attractor near a place in the window, or else the body at it.
     pub(super) fn delete(&mut self, at: Vec2) {
         let place = self.camera_at(at).to_world(at);
         let reach = NEAR / self.camera.scale();
         let world = &self.run_at(at).world;
-        if let Some(&body) = world.bodies_at(place).last() {
+        if let Some(attractor) = attractor_near(world, place, reach) {
+            self.edit(|world| {
+                world.remove_attractor(attractor);
+            });
+        } else if let Some(&body) = world.bodies_at(place).last() {
             self.edit(|world| {
                 world.remove(body);
             });
             self.hovered = None;
             self.selected = self.selected.filter(|&selected| selected != body);
             self.follows = self.follows.filter(|&follows| follows != body);
-        } else if let Some(attractor) = attractor_near(world, place, reach) {
-            self.edit(|world| {
-                world.remove_attractor(attractor);
-            });
         }
+    }
+}
+
+/// Puts an attractor elsewhere; it stays where it is if the mouse is absurdly far away.
+fn move_attractor(world: &mut World, id: AttractorId, place: Point) {
+    let Some(old) = world.attractor(id) else { return };
+    let moved = Attractor::try_new(place, old.mass(), old.range());
+    if let Ok(moved) = moved.and_then(|moved| moved.with_min_distance(old.min_distance())) {
+        world.replace_attractor(id, moved);
     }
 }
 

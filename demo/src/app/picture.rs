@@ -1,14 +1,15 @@
 //! A frame, drawn.
 
+use macroquad::math::Rect;
 use macroquad::window::clear_background;
 use rustycs::{Pose, Vec2};
 
-use crate::app::mouse::{Grip, mouse};
-use crate::app::{App, SPEEDS, panel_area, scene_area};
+use crate::app::mouse::Grip;
+use crate::app::{App, SPEEDS};
 use crate::camera::Camera;
 use crate::canvas::{Canvas, Face, Style};
 use crate::command::Command;
-use crate::overlay::{Drawer, Overlay, Paint, draw_names, draw_sums};
+use crate::overlay::{Drawer, Overlay, Overlays, Paint, draw_names, draw_sums};
 use crate::panel::{Shown, TALL};
 use crate::scenery;
 use crate::theme::{self, BodyStyle};
@@ -17,6 +18,10 @@ use crate::{compare, help, hover};
 
 const READOUT: Style = Style::new(Face::Regular, 14, theme::ACCENT);
 const SCALE_LABEL: Style = Style::new(Face::Mono, 12, theme::MUTED);
+const TOOL: Style = Style::new(Face::Regular, 13, theme::MUTED);
+const HINT: Style = Style::new(Face::Regular, 14, theme::TEXT);
+/// A window that is lower than this has no room for hints, px.
+const LOW: f32 = 240.0;
 
 impl App {
     /// Draws the frame, and tells what was pressed in the panel.
@@ -28,19 +33,21 @@ impl App {
         let is_split = areas.len() > 1;
         for (copy, &area) in areas.iter().enumerate() {
             if is_split {
-                self.canvas.begin_sheet(Some(area));
+                let whole = self.layout.scene;
+                self.canvas.begin_sheet(Some(Rect::new(area.x, whole.y, area.w, whole.h)));
             }
             self.draw_copy(copy, self.camera.in_area(area));
         }
         self.canvas.begin_sheet(None);
-        self.draw_mouse(pointer.at);
+        self.draw_mouse();
+        self.draw_tool();
         if is_split {
             compare::draw_captions(&mut self.canvas, &self.runs, &areas, self.copy);
         }
         if self.overlays.has(Overlay::Sums) {
             for (run, area) in self.runs.iter().zip(&areas) {
                 let upper = Vec2::new(area.right() - 14.0, area.y + 14.0);
-                let below = Vec2::new(area.center().x + 112.0, area.y + 192.0);
+                let below = Vec2::new(area.center().x + 124.0, area.y + 8.0);
                 draw_sums(&mut self.canvas, &run.world, if is_split { below } else { upper });
             }
         }
@@ -55,10 +62,14 @@ impl App {
             mould: self.mould,
             is_following: self.follows.is_some(),
             edits: self.edits.len(),
+            undo_to: self.edits.last().map(|moments| moments[0].seconds),
             draw_time: self.draw_time,
-            is_tall: scene_area().h >= TALL,
+            is_slowed: self.is_slowed,
+            is_tall: self.layout.window().h >= TALL && !self.layout.is_upright,
+            is_upright: self.layout.is_upright,
+            is_folded: self.layout.is_folded,
         };
-        let commands = self.panel.draw(&mut self.canvas, panel_area(), pointer, shown);
+        let commands = self.panel.draw(&mut self.canvas, self.layout.panel, pointer, shown);
         self.draw_cards();
         self.canvas.draw();
         commands
@@ -73,7 +84,10 @@ impl App {
         let paint = Paint::of(&run.world, &self.scene.colours(&run.world), shown);
         self.scenery.draw_bodies(canvas.batch(), run, &paint, camera);
         scenery::draw_attractors(canvas.batch(), &run.world, camera);
-        let words = self.drawer.draw_above(canvas, run, shown, camera);
+        let mut words = self.drawer.draw_above(canvas, run, shown, camera);
+        if self.runs.len() == 1 {
+            words.extend(draw_readout(canvas, self.scene.readout(&run.world), shown, camera));
+        }
         if let Some(body) = self.selected.and_then(|id| run.world.body(id)) {
             let reach = body.shape().extent() * camera.scale() + 5.0;
             let at = camera.to_screen(body.pose().center);
@@ -86,13 +100,11 @@ impl App {
         if copy == 0 {
             draw_scale_bar(canvas, camera);
         }
-        if self.runs.len() == 1 {
-            draw_readout(canvas, self.scene.readout(&run.world), camera);
-        }
     }
 
     /// What the mouse holds or is about to make.
-    fn draw_mouse(&mut self, at: Vec2) {
+    fn draw_mouse(&mut self) {
+        let at = self.hand.at;
         let camera = self.camera_at(at);
         match self.grip {
             Some(Grip::Spring(spring)) => {
@@ -110,8 +122,35 @@ impl App {
                     self.canvas.batch().arrow(from, way, 2.0, theme::VELOCITY.rgba(255));
                 }
             }
-            None if scene_area().contains([at.x, at.y].into()) => self.draw_mould(at, camera),
-            Some(Grip::Picture(_)) | None => {}
+            None if self.layout.is_scene(at) && !self.hand.is_touch && self.resting_mouse.is_none() => {
+                self.draw_mould(at, camera);
+            }
+            Some(Grip::Picture(_) | Grip::Attractor(_)) | None => {}
+        }
+    }
+
+    /// What the left button does, in the lower right corner; and what to try, until somebody has tried something.
+    fn draw_tool(&mut self) {
+        let area = self.layout.scene;
+        let mould = self.mould;
+        let made = if mould.tool.makes() {
+            format!(", {} m, {}", mould.size(), mould.material().1)
+        } else {
+            String::new()
+        };
+        let moved = if self.camera.is_moved() { "   ·   Home: whole scene" } else { "" };
+        let text = format!("tool: {}{made}{moved}", mould.tool.name());
+        let left = area.right() - 14.0 - self.canvas.width_of(&text, TOOL);
+        self.canvas.tag(text, Vec2::new(left, area.bottom() - 12.0), TOOL);
+        let is_new = self.edits.is_empty() && !self.camera.is_moved() && self.runs.len() == 1;
+        if let Some(hint) = self.scene.hint.filter(|_| is_new && !self.shows_help && area.h > LOW) {
+            let lines = self.canvas.lines(hint, area.w - 48.0, HINT);
+            let count = lines.len();
+            for (index, line) in lines.into_iter().enumerate() {
+                let left = (area.center().x - 0.5 * self.canvas.width_of(&line, HINT)).round();
+                let above = 20.0 * (count - index) as f32;
+                self.canvas.tag(line, Vec2::new(left, area.bottom() - 26.0 - above), HINT);
+            }
         }
     }
 
@@ -121,17 +160,25 @@ impl App {
         let constant = self.runs[0].world.settings().gravitational_constant;
         if let Some(attractor) = self.mould.attractor(place, constant) {
             scenery::draw_attractor(self.canvas.batch(), &attractor, camera);
+            if attractor.range().is_none() {
+                let reach = self.mould.reach() * camera.scale();
+                let batch = self.canvas.batch();
+                batch.ring(camera.to_screen(place), reach, 1.0, theme::ATTRACTOR.rgba(110));
+            }
         }
         if let Some(shape) = self.mould.shape() {
             let tone = theme::ACCENT.mixed(theme::BACKGROUND, 0.5);
             let style = BodyStyle { fill: tone.mixed(theme::BACKGROUND, 0.5), outline: tone };
-            self.scenery.draw_shape(self.canvas.batch(), &shape, Pose::at(place), style, camera);
+            for offset in self.mould.offsets() {
+                let pose = Pose::at(place + offset);
+                self.scenery.draw_shape(self.canvas.batch(), &shape, pose, style, camera);
+            }
         }
     }
 
     /// Cards over everything: the body under the mouse, the keys.
     fn draw_cards(&mut self) {
-        let at = mouse();
+        let at = self.hand.at;
         if let Some(id) = self.hovered.filter(|_| !self.shows_help) {
             let run = self.run_at(at);
             let world = &run.world;
@@ -139,24 +186,28 @@ impl App {
             let name = labels.iter().find(|(named, _)| *named == id).map(|&(_, name)| name);
             if let Some(rows) = hover::rows(world, id, name) {
                 self.canvas.begin_sheet(None);
-                hover::draw(&mut self.canvas, scene_area(), at, &rows);
+                hover::draw(&mut self.canvas, self.layout.scene, at, &rows);
             }
         }
         if self.shows_help {
             self.canvas.begin_sheet(None);
-            help::draw(&mut self.canvas, scene_area());
+            help::draw(&mut self.canvas, self.layout.window());
         }
     }
 }
 
-/// What the scene measures, below the bar, in the left half of the picture.
-fn draw_readout(canvas: &mut Canvas, readout: Option<String>, camera: Camera) {
-    let Some(readout) = readout else { return };
+/// What the scene measures, below the bar, clear of the sums to the right; returns where it stands.
+fn draw_readout(canvas: &mut Canvas, readout: Option<String>, shown: Overlays, camera: Camera) -> Vec<Rect> {
     let area = camera.area();
-    for (index, line) in canvas.lines(&readout, 0.5 * area.w - 30.0, READOUT).into_iter().enumerate() {
+    let width = area.w - if shown.has(Overlay::Sums) { 0.5 * area.w } else { 40.0 };
+    let lines = readout.map_or_else(Vec::new, |readout| canvas.lines(&readout, width, READOUT));
+    let mut places = Vec::new();
+    for (index, line) in lines.into_iter().enumerate() {
         let place = Vec2::new(area.x + 20.0, area.y + 54.0 + 20.0 * index as f32);
+        places.push(Rect::new(place.x, place.y - 16.0, canvas.width_of(&line, READOUT), 20.0));
         canvas.tag(line, place, READOUT);
     }
+    places
 }
 
 /// A bar as long as the distance between two lines of the grid, with that distance.
@@ -166,6 +217,9 @@ fn draw_scale_bar(canvas: &mut Canvas, camera: Camera) {
     let from = Vec2::new(camera.area().x + 20.0, camera.area().y + 24.0);
     let to = from + Vec2::new(length, 0.0);
     let color = theme::MUTED.rgba(255);
+    // A ground that keeps it readable over bodies.
+    let (low, high) = (from - Vec2::new(6.0, 12.0), to + Vec2::new(64.0, 12.0));
+    canvas.batch().rectangle(low, high, theme::BACKGROUND.rgba(150));
     canvas.batch().rectangle(from + Vec2::new(0.0, -1.0), to + Vec2::new(0.0, 1.0), color);
     for end in [from, to] {
         canvas.batch().rectangle(end + Vec2::new(-1.0, -5.0), end + Vec2::new(1.0, 5.0), color);

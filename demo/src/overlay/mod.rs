@@ -113,6 +113,21 @@ impl Overlays {
         Self { bits }
     }
 
+    /// What a scene is about.
+    pub(crate) fn of_scene(scene: &rustycs_scenes::Scene) -> Self {
+        let names = Some(Overlay::Names).filter(|_| scene.is_about_names);
+        let trails = Some(Overlay::Trails).filter(|_| scene.is_about_paths);
+        Self::of(names.into_iter().chain(trails))
+    }
+
+    pub(crate) fn with(self, other: Self) -> Self {
+        Self { bits: self.bits | other.bits }
+    }
+
+    pub(crate) fn without(self, other: Self) -> Self {
+        Self { bits: self.bits & !other.bits }
+    }
+
     pub(crate) fn has(self, overlay: Overlay) -> bool {
         self.bits & (1 << overlay as u16) != 0
     }

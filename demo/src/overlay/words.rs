@@ -1,7 +1,7 @@
 //! Names, the grid with units, energy and momentum.
 
 use macroquad::math::Rect;
-use rustycs::{BodyId, BodyType, Shape, Vec2, World};
+use rustycs::{BodyId, Shape, Vec2, World};
 
 use crate::camera::Camera;
 use crate::canvas::{Canvas, Face, Style};
@@ -17,8 +17,8 @@ const WORDS: Style = Style::new(Face::Regular, 12, theme::MUTED);
 /// Names in sight at most: more could not be read.
 const MOST_NAMES: usize = 160;
 
-/// The name of every body that the scene names, or of every body where it names none. A name that would lie on
-/// another, or on other words that have `taken` a place, is left out.
+/// The name of every body that the scene names. A name that would lie on another, or on other words that have `taken`
+/// a place, is left out.
 pub(crate) fn draw_names(
     canvas: &mut Canvas,
     run: &Run,
@@ -27,18 +27,15 @@ pub(crate) fn draw_names(
     mut taken: Vec<Rect>,
 ) {
     let area = camera.area();
+    if labels.is_empty() {
+        let left = area.x + 20.0;
+        canvas.tag("Nothing has a name in this scene.", Vec2::new(left, area.bottom() - 12.0), WORDS);
+    }
     for (id, body, pose) in run.bodies() {
-        let name = match labels.iter().find(|(named, _)| *named == id) {
-            Some(&(_, name)) => name.to_owned(),
-            None if labels.is_empty() && body.body_type() != BodyType::Fixed => {
-                // The place in the world's list; a place may be used again.
-                format!("{} {}", shape_name(body.shape()), id.to_bits() & 0xffff_ffff)
-            }
-            None => continue,
-        };
+        let Some(&(_, name)) = labels.iter().find(|(named, _)| *named == id) else { continue };
         let reach = (body.shape().extent() * camera.scale()).min(60.0);
         let place = camera.to_screen(pose.center) + Vec2::new(0.0, -reach - 6.0);
-        let width = canvas.width_of(&name, NAME);
+        let width = canvas.width_of(name, NAME);
         let space = Rect::new(place.x - 0.5 * width - 5.0, place.y - 12.0, width + 10.0, 17.0);
         let is_free = taken.iter().all(|other| !other.overlaps(&space));
         let is_inside = space.x >= area.x && space.right() <= area.right() && space.y >= area.y + 64.0;
@@ -105,7 +102,7 @@ fn coordinate(value: f64, pitch: f64) -> String {
 
 /// Energy and momentum of all bodies, on a card whose upper right corner is at a place, px.
 pub(crate) fn draw_sums(canvas: &mut Canvas, world: &World, corner: Vec2) {
-    const SIZE: Vec2 = Vec2::new(224.0, 146.0);
+    const SIZE: Vec2 = Vec2::new(248.0, 146.0);
     let min = corner - Vec2::new(SIZE.x, 0.0);
     canvas.batch().card(min, min + SIZE);
     let momentum = world.momentum();

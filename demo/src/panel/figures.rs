@@ -23,6 +23,7 @@ pub(super) fn draw(ui: &mut Ui<'_>, shown: Shown<'_>) {
     ui.figure("awake", &awake.to_string(), style);
     ui.figure("contacts", &touching.to_string(), FIGURE);
     ui.figure("impacts", &counters.impacts.to_string(), FIGURE);
+    ui.explain("Collisions within the last tick that were resolved in order of time.");
     ui.figure("substeps", &counters.substeps.to_string(), FIGURE);
     ui.heading("STEP");
     let gauges = &run.gauges;
@@ -39,10 +40,13 @@ pub(super) fn draw(ui: &mut Ui<'_>, shown: Shown<'_>) {
     let error = world.error();
     let depth = with_unit(f64::from(error.penetration), "m");
     ui.plot("penetration", &depth, &gauges.penetration, theme::DEEP, true);
+    ui.explain("The deepest overlap of two bodies.");
     ui.plot("energy", &with_unit(world.energy(), "J"), &gauges.energy, theme::VELOCITY, false);
     ui.figure("kinetic", &with_unit(world.kinetic_energy(), "J"), FIGURE);
     ui.figure("residual", &with_unit(f64::from(error.velocity_residual), "m/s"), FIGURE);
+    ui.explain("The greatest speed at which bodies in contact still approach each other.");
     ui.heading("PICTURE");
     ui.figure("CPU to draw", &milliseconds(shown.draw_time), FIGURE);
+    ui.explain("Time of the processor to prepare a frame, without the graphics card.");
     ui.figure("rewind", &format!("{:.2} s", run.history.reach(run.seconds)), FIGURE);
 }

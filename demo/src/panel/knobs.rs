@@ -28,12 +28,14 @@ pub(super) fn draw(ui: &mut Ui<'_>, shown: Shown<'_>, commands: &mut Vec<Command
             if ui.tick_box(knob.name(), knob.is_on(world), "") {
                 commands.push(Command::Turn(knob, 1));
             }
+            ui.explain(knob.meaning());
             continue;
         }
         match ui.stepper(knob.name(), &knob.text(world)) {
             0 => {}
             by => commands.push(Command::Turn(knob, by)),
         }
+        ui.explain(knob.meaning());
     }
     ui.heading("FORCES OF THE SCENE");
     for (_, force) in world.forces() {

@@ -25,12 +25,16 @@ use crate::overlay::Overlays;
 use crate::run::Run;
 use crate::theme;
 use crate::tool::Mould;
-use crate::ui::{Focus, Nudge, Pointer, Ui, WORDS};
+use crate::ui::{FINGER, Focus, Nudge, PRESS, Place, Pointer, Ui, WORDS};
 
 const TITLE: Style = Style::new(Face::Strong, 20, theme::TEXT);
 
 /// Space between the border of the panel and what is on it, px.
 const PADDING: f32 = 14.0;
+/// Side of the button that hides the panel, px.
+const FOLD: f32 = 24.0;
+/// Share of its speed that a page keeps from frame to frame after a finger has let go of it.
+const FRICTION: f32 = 0.94;
 /// How far a notch of the wheel moves a page, px.
 const NOTCH: f32 = 44.0;
 /// In a window lower than this there is no room for the scene's sentence at the top, px.
@@ -81,10 +85,17 @@ pub(crate) struct Shown<'a> {
     pub(crate) mould: Mould,
     pub(crate) is_following: bool,
     pub(crate) edits: usize,
+    /// The time to which undoing the last edit goes back, s.
+    pub(crate) undo_to: Option<f64>,
     /// CPU time to draw a frame, s.
     pub(crate) draw_time: f64,
     /// Whether there is room for the scene's sentence at the top.
     pub(crate) is_tall: bool,
+    /// Whether the panel is below the scene.
+    pub(crate) is_upright: bool,
+    pub(crate) is_folded: bool,
+    /// Whether the world falls behind the clock.
+    pub(crate) is_slowed: bool,
 }
 
 impl Shown<'_> {
@@ -102,6 +113,8 @@ pub(crate) struct Panel {
     focus: Focus,
     /// How many things there are above the page.
     above_page: usize,
+    /// How far the page still moves in a frame after a finger has let go of it, px.
+    fling: f32,
 }
 
 impl Panel {
@@ -110,9 +123,9 @@ impl Panel {
         Self { tab, ..Self::default() }
     }
 
-    /// Width of the panel, px, in a window of this width.
-    pub(crate) fn width(window_width: f32) -> f32 {
-        (0.22 * window_width).clamp(244.0, 288.0).round()
+    /// How far the page is moved up, px.
+    pub(crate) fn scroll(&self) -> f32 {
+        self.scrolls[self.tab as usize]
     }
 
     /// Chooses a thing by keys: so many further on.
@@ -147,7 +160,9 @@ impl Panel {
     ) -> Vec<Command> {
         let (min, max) = (Vec2::new(area.x, area.y), Vec2::new(area.x + area.w, area.y + area.h));
         canvas.batch().rectangle(min, max, theme::PANEL.rgba(255));
-        canvas.batch().rectangle(min, Vec2::new(min.x + 1.0, max.y), theme::BORDER.rgba(255));
+        let edge =
+            if shown.is_upright { Vec2::new(max.x, min.y + 1.0) } else { Vec2::new(min.x + 1.0, max.y) };
+        canvas.batch().rectangle(min, edge, theme::BORDER.rgba(255));
         self.focus.count = 0;
         self.focus.hidden = 0.0;
         let mut commands = Vec::new();
@@ -159,40 +174,67 @@ impl Panel {
             sight: [min.y, max.y],
             pointer,
             focus: &mut self.focus,
+            press: if shown.is_upright || pointer.is_touch { FINGER } else { PRESS },
+            last: None,
+            tip: None,
         };
+        draw_fold(&mut ui, area, shown, &mut commands);
+        if shown.is_folded && !shown.is_upright {
+            self.focus.nudge = None;
+            return commands;
+        }
         draw_top(&mut ui, shown, self.tab, &mut commands);
         self.above_page = ui.focus.count;
         let scroll = &mut self.scrolls[self.tab as usize];
         let top = ui.y;
         ui.sight = [top, max.y - 8.0];
         ui.y = top - *scroll;
-        match self.tab {
-            Tab::Run => figures::draw(&mut ui, shown),
-            Tab::Scenes => scenes::draw(&mut ui, shown, &mut commands),
-            Tab::Tools => tools::draw(&mut ui, shown, &mut commands),
-            Tab::View => overlays::draw(&mut ui, shown, &mut commands),
-            Tab::Solver => knobs::draw(&mut ui, shown, &mut commands),
+        if !shown.is_folded {
+            draw_page(&mut ui, self.tab, shown, &mut commands);
+            let height = ui.y + *scroll - top;
+            let room = ui.sight[1] - top;
+            let is_over = area.contains([pointer.at.x, pointer.at.y].into());
+            let notches = if is_over { pointer.wheel } else { 0.0 };
+            self.fling = pointer.drag.map_or(FRICTION * self.fling, |drag| -drag);
+            *scroll += self.fling + ui.focus.hidden - NOTCH * notches;
+            *scroll = scroll.min(height - room).max(0.0);
+            let tip = ui.tip.filter(|_| !pointer.is_touch);
+            draw_scroll_bar(canvas, [top, top + room], *scroll, height, max.x);
+            if let Some((place, text)) = tip {
+                draw_tip(canvas, area, place, text);
+            }
         }
-        let height = ui.y + *scroll - top;
-        let is_over = area.contains([pointer.at.x, pointer.at.y].into());
-        if is_over && pointer.wheel != 0.0 {
-            *scroll -= NOTCH * pointer.wheel;
-        }
-        *scroll += ui.focus.hidden;
-        let room = ui.sight[1] - top;
-        *scroll = scroll.min(height - room).max(0.0);
-        draw_scroll_bar(canvas, [top, top + room], *scroll, height, max.x);
         self.focus.nudge = None;
         commands
     }
 }
 
+/// What is below the pages to choose from.
+fn draw_page(ui: &mut Ui<'_>, tab: Tab, shown: Shown<'_>, commands: &mut Vec<Command>) {
+    if shown.is_upright && tab == Tab::Run {
+        ui.paragraph(shown.scene.summary, WORDS);
+        draw_pace(ui, shown, commands);
+    }
+    match tab {
+        Tab::Run => figures::draw(ui, shown),
+        Tab::Scenes => scenes::draw(ui, shown, commands),
+        Tab::Tools => tools::draw(ui, shown, commands),
+        Tab::View => overlays::draw(ui, shown, commands),
+        Tab::Solver => knobs::draw(ui, shown, commands),
+    }
+}
+
 /// The scene, whether it runs, the buttons that everybody needs, and the pages to choose from.
 fn draw_top(ui: &mut Ui<'_>, shown: Shown<'_>, tab: Tab, commands: &mut Vec<Command>) {
-    let (state, tone) = if shown.is_paused { ("paused", theme::PAUSED) } else { ("running", theme::ACCENT) };
+    let (state, tone) = match (shown.is_paused, shown.is_slowed) {
+        (true, _) => ("paused", theme::PAUSED),
+        (false, true) => ("slowed", theme::DEEP),
+        (false, false) => ("running", theme::ACCENT),
+    };
     let base = ui.y + 20.0;
-    ui.canvas.text_up_to(state, Vec2::new(ui.right, base), WORDS.toned(tone));
-    let room = ui.right - ui.left - ui.canvas.width_of(state, WORDS) - 10.0;
+    let end = ui.right - FOLD - 6.0;
+    ui.canvas.text_up_to(state, Vec2::new(end, base), WORDS.toned(tone));
+    let room = end - ui.left - ui.canvas.width_of(state, WORDS) - 10.0;
     let title = ui.canvas.fitting(&shown.scene.name.replace('_', " "), room, TITLE);
     ui.canvas.text(title, Vec2::new(ui.left, base), TITLE);
     ui.gap(32.0);
@@ -210,20 +252,73 @@ fn draw_top(ui: &mut Ui<'_>, shown: Shown<'_>, tab: Tab, commands: &mut Vec<Comm
         Command::Tick,
         Command::Further(1),
     ];
-    let icons = icons.map(|icon| (icon, icon == run && shown.is_paused));
+    let meanings = [
+        "Previous scene (P)",
+        "Restart (R)",
+        "Back by a quarter of a second (Backspace)",
+        "Pause, go on (Space)",
+        "A single tick (S)",
+        "Next scene (N)",
+    ];
+    let icons: [_; 6] =
+        core::array::from_fn(|index| (icons[index], icons[index] == run && shown.is_paused, meanings[index]));
     commands.extend(ui.icons(&icons).map(|index| actions[index]));
+    if !shown.is_upright {
+        draw_pace(ui, shown, commands);
+        ui.gap(4.0);
+    }
+    let tabs = Tab::ALL.map(|other| (other.name(), other == tab));
+    commands.extend(ui.buttons(&tabs).map(|index| Command::Tab(Tab::ALL[index])));
+    ui.gap(2.0);
+}
+
+/// The button in the upper right corner that hides the panel, and brings it back.
+fn draw_fold(ui: &mut Ui<'_>, area: Rect, shown: Shown<'_>, commands: &mut Vec<Command>) {
+    let icon = match (shown.is_upright, shown.is_folded) {
+        (true, true) => Icon::Up,
+        (true, false) => Icon::Down,
+        (false, true) => Icon::Left,
+        (false, false) => Icon::Right,
+    };
+    let min = Vec2::new(area.right() - PADDING - FOLD, area.y + 10.0);
+    if ui.small_button(Place { min, max: min + Vec2::splat(FOLD) }, icon) {
+        commands.push(Command::Fold);
+    }
+}
+
+/// How fast time goes, and where chance begins.
+fn draw_pace(ui: &mut Ui<'_>, shown: Shown<'_>, commands: &mut Vec<Command>) {
     match ui.stepper("speed", &format!("× {}", shown.speed)) {
         0 => {}
         by => commands.push(Command::Speed(by)),
     }
-    match ui.stepper("seed", &shown.seed.to_string()) {
+    ui.explain("Simulated seconds per second (keys - and =)");
+    let seed = if shown.scene.is_random { shown.seed.to_string() } else { "no chance".to_owned() };
+    match ui.stepper("seed", &seed) {
         0 => {}
         by => commands.push(Command::Seed(by)),
     }
-    ui.gap(4.0);
-    let tabs = Tab::ALL.map(|other| (other.name(), other == tab));
-    commands.extend(ui.buttons(&tabs).map(|index| Command::Tab(Tab::ALL[index])));
-    ui.gap(2.0);
+    ui.explain("Where the random numbers of the scene begin (K)");
+}
+
+/// What the thing under the mouse does, on a card beside the panel, or above it.
+fn draw_tip(canvas: &mut Canvas, area: Rect, place: Place, text: &str) {
+    const WIDTH: f32 = 230.0;
+    const LINE: f32 = 18.0;
+    let lines = canvas.lines(text, WIDTH - 20.0, WORDS);
+    let widest = lines.iter().map(|line| canvas.width_of(line, WORDS)).fold(0.0, f32::max);
+    let size = Vec2::new(widest + 20.0, LINE * lines.len() as f32 + 12.0);
+    let min = if area.x >= size.x + 8.0 {
+        Vec2::new(area.x - size.x - 8.0, place.middle().y - 0.5 * size.y)
+    } else {
+        Vec2::new(place.min.x, place.min.y - size.y - 6.0)
+    };
+    let min = Vec2::new(min.x.round(), min.y.max(8.0).round());
+    canvas.begin_sheet(None);
+    canvas.batch().card(min, min + size);
+    for (index, line) in lines.into_iter().enumerate() {
+        canvas.text(line, min + Vec2::new(10.0, 19.0 + LINE * index as f32), WORDS.toned(theme::TEXT));
+    }
 }
 
 /// Where the page is within all that is on it.

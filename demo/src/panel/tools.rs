@@ -1,6 +1,7 @@
 //! What the mouse does and makes.
 
 use crate::command::Command;
+use crate::knob::Knob;
 use crate::panel::Shown;
 use crate::theme;
 use crate::tool::Tool;
@@ -29,8 +30,17 @@ pub(super) fn draw(ui: &mut Ui<'_>, shown: Shown<'_>, commands: &mut Vec<Command
         commands.push(Command::Kind);
     }
     ui.swatches(theme::MATERIALS.map(|(_, name, tone)| (name, tone)));
+    ui.heading("WORLD");
+    match ui.stepper("gravity", &Knob::ForceY.text(&shown.run().world)) {
+        0 => {}
+        by => commands.push(Command::Turn(Knob::ForceY, by)),
+    }
+    ui.explain(Knob::ForceY.meaning());
     ui.heading("EDITS");
-    let undo = format!("undo ({})", shown.edits);
+    let undo = match shown.undo_to {
+        Some(seconds) => format!("undo {}, to {seconds:.1} s", shown.edits),
+        None => "undo".to_owned(),
+    };
     let pressed = ui.buttons(&[(&undo, false), ("rewind", false)]);
     commands.extend(pressed.map(|index| [Command::Undo, Command::Rewind][index]));
     ui.heading("CAMERA");
@@ -50,8 +60,10 @@ fn hint(tool: Tool) -> &'static str {
         Tool::Circle | Tool::Aabb | Tool::Obb | Tool::Polygon => {
             "Click to make it; pull before letting go to throw it."
         }
-        Tool::Global => "Click to put an attractor that pulls from any distance.",
-        Tool::Local => "Click to put an attractor that pulls within its ring.",
+        Tool::Global => {
+            "Click to put an attractor; at its ring it pulls as strongly as gravity on the Earth. Drag moves it."
+        }
+        Tool::Local => "Click to put an attractor that pulls within its ring only.",
         Tool::Eraser => "Click a body or an attractor to remove it.",
     }
 }
