@@ -148,8 +148,8 @@ impl Knob {
             Self::Iterations => settings.iterations.to_string(),
             Self::Relax => settings.relax_iterations.to_string(),
             Self::Positions => match settings.position_correction {
-                PositionCorrection::Bias => "bias".to_owned(),
                 PositionCorrection::Projection { iterations } => format!("project {iterations}"),
+                _ => "bias".to_owned(),
             },
             Self::BounceSpeed => format!("{} m/s", settings.restitution_threshold),
             Self::FrictionMix => mix_name(settings.friction_mix).to_owned(),
@@ -193,8 +193,8 @@ impl Knob {
             Self::Sleep => settings.sleep ^= true,
             Self::Positions => {
                 let now = match settings.position_correction {
-                    PositionCorrection::Bias => 0,
                     PositionCorrection::Projection { iterations } => iterations,
+                    _ => 0,
                 };
                 settings.position_correction = match neighbour(&COUNTS, now, by) {
                     0 => PositionCorrection::Bias,

@@ -132,11 +132,11 @@ pub(crate) fn style_of(body: &BodyRef<'_>, painted: Option<Tone>) -> BodyStyle {
     BodyStyle { fill: tone.mixed(BACKGROUND, 0.22), outline: tone.mixed(TEXT, brightness) }
 }
 
-/// Circles, boxes, polygons.
+/// Circles, boxes, all others.
 fn kind_of(shape: &Shape) -> usize {
     match shape {
         Shape::Circle(_) => 0,
         Shape::Aabb(_) | Shape::Obb(_) => 1,
-        Shape::Polygon(_) => 2,
+        _ => 2,
     }
 }

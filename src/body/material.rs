@@ -32,6 +32,7 @@ impl Default for Material {
 
 /// How the coefficients of two touching bodies give the coefficient of their contact.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum Mix {
     /// (a + b) / 2.
     #[default]

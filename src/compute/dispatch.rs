@@ -12,6 +12,7 @@ use crate::compute::four::F32x4;
 /// It affects how long a step takes, not its results. A number that the processor does not support falls back to the next
 /// smaller one.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum Lanes {
     /// As many as the processor can, but fewer where a small world would leave most lanes half empty.
     #[default]

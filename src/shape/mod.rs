@@ -18,7 +18,7 @@ pub use error::ShapeError;
 pub use hull::MAX_VERTICES;
 pub use mass::MassProperties;
 pub use polygon::Polygon;
-pub use query::RayHit;
+pub use query::OutlineHit;
 
 pub(crate) use hull::Hull;
 
@@ -34,6 +34,7 @@ pub const MAX_SIZE: f32 = 1e8;
 
 /// The geometry of a body, about its centre of mass.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
 pub enum Shape {
     /// A disc.
     Circle(Circle),

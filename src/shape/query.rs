@@ -7,9 +7,9 @@ use crate::math::{Point, Pose, Rot, Vec2};
 use crate::shape::Shape;
 use crate::shape::hull::Hull;
 
-/// Where a ray first meets a shape.
+/// Where a ray first meets the outline of a shape.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct RayHit {
+pub struct OutlineHit {
     /// Part of the ray's translation up to the outline; 0 where the ray starts inside.
     pub fraction: f32,
     /// Outward unit normal of the outline there; zero where the ray starts inside.
@@ -32,11 +32,11 @@ impl Shape {
         origin: impl Into<Point>,
         translation: impl Into<Vec2>,
         max_fraction: f32,
-    ) -> Option<RayHit> {
+    ) -> Option<OutlineHit> {
         let rotation = self.rotation_at(pose.rotation);
         let start = self.place_in_body(pose, origin.into());
         let hit = if self.contains_local(start) {
-            RayHit { fraction: 0.0, normal: Vec2::ZERO }
+            OutlineHit { fraction: 0.0, normal: Vec2::ZERO }
         } else {
             let along = unrotate(rotation, widen(translation.into()));
             match self {
@@ -45,7 +45,7 @@ impl Shape {
                 Self::Polygon(polygon) => ray_hull(&polygon.hull, start, along)?,
             }
         };
-        (hit.fraction <= max_fraction).then(|| RayHit { normal: rotation.rotate(hit.normal), ..hit })
+        (hit.fraction <= max_fraction).then(|| OutlineHit { normal: rotation.rotate(hit.normal), ..hit })
     }
 
     /// The rotation that the shape takes on in a body turned by `rotation`: none for `Shape::Aabb`.
@@ -94,7 +94,7 @@ fn unrotate(rotation: Rot, (x, y): (f64, f64)) -> (f64, f64) {
 }
 
 /// |start + f·along|² = r²: the smaller root, where the ray comes in.
-fn ray_circle(radius: f64, start: (f64, f64), along: (f64, f64)) -> Option<RayHit> {
+fn ray_circle(radius: f64, start: (f64, f64), along: (f64, f64)) -> Option<OutlineHit> {
     let a = along.0 * along.0 + along.1 * along.1;
     let b = start.0 * along.0 + start.1 * along.1;
     // The line's distance from the centre by a cross product: no difference of large squares.
@@ -107,12 +107,12 @@ fn ray_circle(radius: f64, start: (f64, f64), along: (f64, f64)) -> Option<RayHi
     let fraction = (-b - discriminant.sqrt()) / a;
     let (x, y) = (start.0 + fraction * along.0, start.1 + fraction * along.1);
     let normal = Vec2::new((x / radius) as f32, (y / radius) as f32);
-    Some(RayHit { fraction: fraction as f32, normal })
+    Some(OutlineHit { fraction: fraction as f32, normal })
 }
 
 /// The ray enters the hull where it has crossed the last of the lines it comes in by, unless it has then
 /// already left by another (M. Cyrus and J. Beck, 1978).
-fn ray_hull(hull: &Hull, start: (f64, f64), along: (f64, f64)) -> Option<RayHit> {
+fn ray_hull(hull: &Hull, start: (f64, f64), along: (f64, f64)) -> Option<OutlineHit> {
     let (mut enter, mut leave, mut normal) = (f64::NEG_INFINITY, f64::INFINITY, None);
     for i in 0..hull.count as usize {
         let (n_x, n_y) = widen(hull.normals[i]);
@@ -130,5 +130,5 @@ fn ray_hull(hull: &Hull, start: (f64, f64), along: (f64, f64)) -> Option<RayHit>
             return None;
         }
     }
-    (0.0 <= enter && enter <= leave).then_some(RayHit { fraction: enter as f32, normal: normal? })
+    (0.0 <= enter && enter <= leave).then_some(OutlineHit { fraction: enter as f32, normal: normal? })
 }

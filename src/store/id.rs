@@ -6,7 +6,8 @@ macro_rules! id_type {
         $(#[$doc])*
         ///
         /// Generational: when the thing is removed its id becomes stale for good and every look-up with it
-        /// gives `None`, even after the place has been used again. `Option` of an id is as small as the id.
+        /// gives `None`, even after the place has been used again. `Option` of an id is as small as the id. Ids are ordered by
+        /// how often their place had been used, then by place.
         #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
         pub struct $name(pub(crate) $crate::store::Key);
 

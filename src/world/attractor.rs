@@ -35,16 +35,24 @@ impl Attractor {
     ///
     /// # Panics
     /// If a number is one that [`try_new`](Self::try_new) refuses.
+    #[track_caller]
     pub fn global(position: impl Into<Point>, mass: f32) -> Self {
-        Self::try_new(position, mass, None).unwrap_or_else(|error| panic!("{error}"))
+        match Self::try_new(position, mass, None) {
+            Ok(attractor) => attractor,
+            Err(error) => panic!("{error}"),
+        }
     }
 
     /// An attractor with this mass (kg) at `position` (m) that does nothing beyond `range` (m).
     ///
     /// # Panics
     /// If a number is one that [`try_new`](Self::try_new) refuses.
+    #[track_caller]
     pub fn local(position: impl Into<Point>, mass: f32, range: f32) -> Self {
-        Self::try_new(position, mass, Some(range)).unwrap_or_else(|error| panic!("{error}"))
+        match Self::try_new(position, mass, Some(range)) {
+            Ok(attractor) => attractor,
+            Err(error) => panic!("{error}"),
+        }
     }
 
     /// An attractor with this mass (kg) at `position` (m), with or without a range (m).

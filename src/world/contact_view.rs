@@ -6,6 +6,7 @@ use crate::body::BodyId;
 use crate::collision::{Contact, Manifold, ManifoldPoint};
 use crate::math::{Point, Vec2};
 use crate::world::World;
+use crate::world::events::other_of;
 
 /// Two bodies that touch or are about to, as of the end of the last step.
 #[derive(Clone, Copy)]
@@ -81,8 +82,7 @@ impl<'a> ContactRef<'a> {
 
     /// The body that `body` is in contact with; `None` if `body` is neither of the two.
     pub fn other(&self, body: BodyId) -> Option<BodyId> {
-        let (a, b) = (self.a(), self.b());
-        if body == a { Some(b) } else { (body == b).then_some(a) }
+        other_of([self.a(), self.b()], body)
     }
 
     /// Direction in which the contact pushes `body`, away from the other: the normal as it is seen from this body, of

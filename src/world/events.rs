@@ -4,6 +4,7 @@ use crate::body::{BodyError, BodyId};
 
 /// Two bodies began or ceased to touch.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub struct ContactEvent {
     /// One of the bodies.
     pub a: BodyId,
@@ -11,8 +12,16 @@ pub struct ContactEvent {
     pub b: BodyId,
 }
 
+impl ContactEvent {
+    /// The body that met `body`; `None` if `body` is neither of the two.
+    pub fn other(&self, body: BodyId) -> Option<BodyId> {
+        other_of([self.a, self.b], body)
+    }
+}
+
 /// Two bodies met fast.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct HitEvent {
     /// One of the bodies.
     pub a: BodyId,
@@ -20,6 +29,18 @@ pub struct HitEvent {
     pub b: BodyId,
     /// Speed of approach along the normal, m/s; at least `Settings::hit_threshold`.
     pub speed: f32,
+}
+
+impl HitEvent {
+    /// The body that met `body`; `None` if `body` is neither of the two.
+    pub fn other(&self, body: BodyId) -> Option<BodyId> {
+        other_of([self.a, self.b], body)
+    }
+}
+
+/// The other of two bodies, if `body` is one of them.
+pub(in crate::world) fn other_of([a, b]: [BodyId; 2], body: BodyId) -> Option<BodyId> {
+    if body == a { Some(b) } else { (body == b).then_some(a) }
 }
 
 /// A change to a body that was refused, as a game makes them every frame.
@@ -75,6 +96,13 @@ impl Events {
     /// are not finite or out of range. In a debug build the call panics instead.
     pub fn refused(&self) -> &[Refusal] {
         &self.refused
+    }
+
+    /// Takes out what was reported; what is still to be stays.
+    pub(crate) fn take_reported(&mut self) -> Self {
+        let (ended_by_edit, refused_by_edit) =
+            (std::mem::take(&mut self.ended_by_edit), std::mem::take(&mut self.refused_by_edit));
+        std::mem::replace(self, Self { ended_by_edit, refused_by_edit, ..Self::default() })
     }
 
     /// Takes note of a change that was refused.

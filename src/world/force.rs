@@ -33,8 +33,12 @@ impl Force {
     ///
     /// # Panics
     /// If the acceleration is one that [`try_new`](Self::try_new) refuses.
+    #[track_caller]
     pub fn new(name: impl Into<Cow<'static, str>>, acceleration: impl Into<Vec2>) -> Self {
-        Self::try_new(name, acceleration).unwrap_or_else(|error| panic!("{error}"))
+        match Self::try_new(name, acceleration) {
+            Ok(force) => force,
+            Err(error) => panic!("{error}"),
+        }
     }
 
     /// A force with a name and an acceleration, m/s².

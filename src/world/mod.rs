@@ -123,6 +123,7 @@ impl Default for World {
 
 /// How far the last step was from perfect. Of bodies that sleep it is the step in which they fell asleep that counts.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[non_exhaustive]
 pub struct StepError {
     /// Deepest overlap of two bodies, m, along the normals of their manifolds.
     pub penetration: f32,
@@ -136,8 +137,12 @@ impl World {
     /// # Panics
     /// If `settings` holds a number that [`Settings::validate`] refuses; [`try_new`](Self::try_new) returns
     /// the reason instead.
+    #[track_caller]
     pub fn new(settings: Settings) -> Self {
-        Self::try_new(settings).unwrap_or_else(|error| panic!("{error}"))
+        match Self::try_new(settings) {
+            Ok(world) => world,
+            Err(error) => panic!("{error}"),
+        }
     }
 
     /// An empty world: no bodies, no forces, no gravity.
@@ -247,6 +252,24 @@ impl World {
             penetration: self.residual.penetration.max(self.sleepers.penetration()),
             velocity_residual: self.residual.approach_speed,
         }
+    }
+
+    /// Takes the events out of the world, which has none then until the next step: to change the world while looking through
+    /// them.
+    ///
+    /// ```
+    /// # use rustycs::prelude::*;
+    /// # let mut world = World::default();
+    /// # let glass = world.add(Body::dynamic(Shape::circle(0.1)))?;
+    /// for hit in world.take_events().hits() {
+    ///     if hit.other(glass).is_some() && hit.speed > 3.0 {
+    ///         world.remove(glass);
+    ///     }
+    /// }
+    /// # Ok::<(), BodyError>(())
+    /// ```
+    pub fn take_events(&mut self) -> Events {
+        self.events.take_reported()
     }
 
     /// What the last step did.

@@ -2,6 +2,7 @@
 
 /// The stages of a step, in order.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum Stage {
     /// Broad phase: new pairs among bodies whose boxes have moved.
     Pairs,
@@ -19,8 +20,8 @@ pub enum Stage {
 
 impl Stage {
     /// All stages, in the order in which a step runs them.
-    pub const ALL: [Self; 6] =
-        [Self::Pairs, Self::Contacts, Self::Solve, Self::Finalize, Self::Events, Self::Sleep];
+    pub const ALL: &[Self] =
+        &[Self::Pairs, Self::Contacts, Self::Solve, Self::Finalize, Self::Events, Self::Sleep];
 
     /// The name of the stage.
     pub fn name(self) -> &'static str {
@@ -37,6 +38,7 @@ impl Stage {
 
 /// What one stage did in the last step.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[non_exhaustive]
 pub struct StageReport {
     /// Whether it ran; a stage without input does not.
     pub ran: bool,
@@ -61,6 +63,7 @@ pub struct Profile {
 
 /// How much there was in the last step.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[non_exhaustive]
 pub struct Counters {
     /// Bodies that the solver moved.
     pub awake_bodies: usize,
@@ -92,7 +95,7 @@ impl Profile {
 
     /// What each stage did, in the order in which they ran.
     pub fn stages(&self) -> impl Iterator<Item = (Stage, StageReport)> {
-        Stage::ALL.into_iter().zip(self.stages)
+        Stage::ALL.iter().copied().zip(self.stages)
     }
 
     /// How long the stages took together, s; `None` without a clock.

@@ -8,6 +8,7 @@ use crate::world::World;
 
 /// Where a ray met a body.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct RayHit {
     /// The body.
     pub body: BodyId,

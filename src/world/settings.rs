@@ -9,6 +9,7 @@ use crate::resolution::{Scheme, SpeedLimits, TierRule};
 
 /// How overlapping bodies are parted.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum PositionCorrection {
     /// By a bias in the velocity sweeps that leaves no velocity behind.
     Bias,

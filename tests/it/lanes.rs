@@ -24,7 +24,7 @@ fn step_at_every_width(
         let [one, others @ ..] = worlds.each_mut().map(|world| {
             before_tick(world);
             world.step();
-            let StepError { penetration, velocity_residual } = world.error();
+            let StepError { penetration, velocity_residual, .. } = world.error();
             (world.state_hash(), penetration.to_bits(), velocity_residual.to_bits())
         });
         for (lanes, other) in WIDTHS[1..].iter().zip(others) {

@@ -75,3 +75,20 @@ pub(crate) fn assert_near(found: f64, expected: f64, tolerance: f64, what: &str)
 pub(crate) fn assert_relative(found: f64, expected: f64, tolerance: f64, what: &str) {
     assert_near(found, expected, tolerance * expected.abs(), what);
 }
+
+/// File and line that a panic names; `None` where there is none.
+pub(crate) fn place_of_panic(act: impl FnOnce()) -> Option<(String, u32)> {
+    use std::cell::Cell;
+    use std::panic;
+    // Other tests run meanwhile, and panic too.
+    thread_local! {
+        static PLACE: Cell<Option<(String, u32)>> = const { Cell::new(None) };
+    }
+    let usual = panic::take_hook();
+    panic::set_hook(Box::new(|info| {
+        PLACE.set(info.location().map(|place| (place.file().to_owned(), place.line())));
+    }));
+    let result = panic::catch_unwind(panic::AssertUnwindSafe(act));
+    panic::set_hook(usual);
+    result.err().and_then(|_| PLACE.take())
+}

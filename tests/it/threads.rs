@@ -12,7 +12,7 @@ type Trace =
     (u64, [u32; 2], Vec<(BodyId, BodyId)>, Vec<(BodyId, BodyId)>, Vec<(BodyId, BodyId, u32)>, Counters);
 
 fn trace(world: &World) -> Trace {
-    let StepError { penetration, velocity_residual } = world.error();
+    let StepError { penetration, velocity_residual, .. } = world.error();
     let pairs = |events: &[ContactEvent]| events.iter().map(|event| (event.a, event.b)).collect();
     let hits = world.events().hits().iter().map(|hit| (hit.a, hit.b, hit.speed.to_bits()));
     (

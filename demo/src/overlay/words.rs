@@ -56,6 +56,7 @@ pub(crate) fn shape_name(shape: &Shape) -> &'static str {
         Shape::Aabb(_) => "AABB",
         Shape::Obb(_) => "OBB",
         Shape::Polygon(_) => "polygon",
+        _ => "shape",
     }
 }
 

@@ -110,14 +110,38 @@ fn errors_show_numbers_as_they_were_written() {
     assert_eq!(error.to_string(), "the velocity is inf m/s; give a finite number from -1e18 to 1e18 m/s");
     let error = World::try_new(Settings { tick_rate: 1e30, ..Settings::default() }).unwrap_err();
     assert_eq!(error.to_string(), "Settings::tick_rate is 1e30; give a number from 0.1 to 1e6");
+    let error = World::try_new(Settings { substeps: 0, ..Settings::default() }).unwrap_err();
+    assert_eq!(error.to_string(), "Settings::substeps is 0; give a number from 1 to 256");
 }
 
-/// The mass of what nothing moves is no matter: a planet may be a floor.
+/// A number that a body of its kind ignores is refused all the same, if it is none.
+#[test]
+fn what_is_ignored_is_checked_as_well() {
+    let (fixed, shape) = (Body::fixed, Shape::rectangle(1.0, 1.0));
+    for (quantity, body) in [
+        ("velocity", fixed(shape).velocity([f32::NAN, 0.0])),
+        ("angular velocity", fixed(shape).angular_velocity(f32::INFINITY)),
+        ("mass", fixed(shape).mass(-1.0)),
+        ("mass", fixed(shape).mass(f32::NAN)),
+        ("density", fixed(shape).density(-1.0)),
+        ("gravity scale", fixed(shape).gravity_scale(f32::NAN)),
+        ("angle", fixed(Shape::aabb(1.0, 1.0)).angle(f32::NAN)),
+        ("mass", Body::kinematic(shape).mass(0.0)),
+    ] {
+        assert_add_refused("of a body that ignores it", quantity, body);
+    }
+}
+
+/// The mass of what nothing moves is no matter: a planet may be a floor, and a wall weigh nothing.
 #[test]
 fn fixed_and_kinematic_bodies_may_weigh_anything() {
     let mut world = World::new(Settings::default());
     for body in [Body::fixed, Body::kinematic] {
         world.add(body(Shape::circle(1e8)).density(1e12)).unwrap();
+        let id = world.add(body(Shape::circle(1.0)).density(0.0)).unwrap();
+        let error = world.body_mut(id).unwrap().set_body_type(BodyType::Dynamic).unwrap_err();
+        let expected = "the density is 0 kg/m²; give a finite number from 1e-12 to 1e12 kg/m²";
+        assert_eq!(error.to_string(), expected);
     }
     world.step();
     world.validate().unwrap();

@@ -218,3 +218,20 @@ fn detection_without_a_world_survives_bad_poses_and_shapes() {
         }
     }
 }
+
+/// Constructors that panic name the line of their caller.
+#[test]
+fn panics_of_constructors_name_the_line_of_the_caller() {
+    use crate::support::place_of_panic;
+    let first = line!();
+    let constructors: [(u32, fn()); 4] = [
+        (2, || _ = World::new(Settings { tick_rate: f32::NAN, ..Settings::default() })),
+        (3, || _ = Force::new("wind", [f32::NAN, 0.0])),
+        (4, || _ = Attractor::global([0.0, 0.0], f32::NAN)),
+        (5, || _ = Attractor::local([0.0, 0.0], 1.0, -1.0)),
+    ];
+    for (line, construct) in constructors {
+        assert_eq!(place_of_panic(construct), Some((file!().to_owned(), first + line)));
+    }
+    assert_eq!(place_of_panic(|| ()), None);
+}

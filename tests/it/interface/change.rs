@@ -2,6 +2,8 @@
 
 use rustycs::prelude::*;
 
+#[cfg(debug_assertions)]
+use crate::support::place_of_panic;
 use crate::support::{
     G, add, add_floor, assert_near, assert_relative, earth, place, run, space, unit_box, velocity,
 };
@@ -374,18 +376,8 @@ fn what_is_refused_is_reported_once() {
 #[test]
 #[cfg(debug_assertions)]
 fn what_is_refused_panics_where_it_was_asked_for() {
-    thread_local! {
-        static FILE: core::cell::RefCell<String> = const { core::cell::RefCell::new(String::new()) };
-    }
     let mut world = space();
     let id = add(&mut world, unit_box(0.0, 0.0));
-    let before = std::panic::take_hook();
-    std::panic::set_hook(Box::new(|info| {
-        FILE.with_borrow_mut(|file| info.location().unwrap().file().clone_into(file));
-    }));
-    let push = std::panic::AssertUnwindSafe(|| _ = world.body_mut(id).unwrap().apply_torque(f32::NAN));
-    let result = std::panic::catch_unwind(push);
-    std::panic::set_hook(before);
-    let file = FILE.take();
-    assert!(result.is_err() && file.ends_with("change.rs"), "{file}");
+    let place = place_of_panic(|| _ = world.body_mut(id).unwrap().apply_torque(f32::NAN));
+    assert_eq!(place, Some((file!().to_owned(), line!() - 1)));
 }

@@ -205,7 +205,7 @@ impl Player {
 
     /// Every bit of the state, and how far the last step was from perfect.
     pub(crate) fn bits(&self) -> (u64, [u32; 2]) {
-        let StepError { penetration, velocity_residual } = self.world.error();
+        let StepError { penetration, velocity_residual, .. } = self.world.error();
         (self.world.state_hash(), [penetration.to_bits(), velocity_residual.to_bits()])
     }
 
