@@ -74,6 +74,27 @@
 //! as [`Settings::threads`] says, without a dependency. `mint`, `glam-027`, `glam-029`, `glam-030`: conversions of
 //! vectors. None is on by default, and the default build has no dependency.
 
+/// `Clone`, field by field, whose `clone_from` uses the buffers of the value that is there. What is scratch of a step stays
+/// there as it is.
+macro_rules! clone_into_buffers {
+    ($type:ident $(<$parameter:ident>)? { $($field:ident),* $(,)? } $(scratch { $($scratch:ident),* $(,)? })?) => {
+        impl$(<$parameter: Clone>)? Clone for $type$(<$parameter>)? {
+            fn clone(&self) -> Self {
+                Self {
+                    $($field: Clone::clone(&self.$field),)*
+                    $($($scratch: Clone::clone(&self.$scratch),)*)?
+                }
+            }
+
+            fn clone_from(&mut self, source: &Self) {
+                // A field that is not named does not compile.
+                let Self { $($field,)* $($($scratch: _,)*)? } = self;
+                $(Clone::clone_from($field, &source.$field);)*
+            }
+        }
+    };
+}
+
 pub mod body;
 pub mod collision;
 #[allow(unsafe_code)]

@@ -108,7 +108,7 @@ impl Forcing {
 }
 
 /// All bodies of a world. A body keeps its slot for life; only the rows of the awake move.
-#[derive(Clone, Debug)]
+#[derive(Debug)]
 pub(crate) struct Bodies {
     pub(crate) records: Slots<Record>,
     /// By slot; what stands in a free slot is left over.
@@ -126,6 +126,8 @@ pub(crate) struct Bodies {
     /// The slots of the bodies with rows, in their order, from the row after the ground's on.
     pub(crate) awake: DistinctIndices,
 }
+
+clone_into_buffers!(Bodies { records, motions, forcings, watches, shapes, states, previous, awake });
 
 impl Default for Bodies {
     fn default() -> Self {

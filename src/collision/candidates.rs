@@ -24,7 +24,7 @@ enum PairState {
 }
 
 /// All such pairs of a world.
-#[derive(Clone, Debug, Default)]
+#[derive(Debug, Default)]
 pub(crate) struct CandidatePairs {
     pairs: Vec<(u32, u32)>,
     /// Scratch, by place.
@@ -33,6 +33,8 @@ pub(crate) struct CandidatePairs {
     removed: BitSet,
     has_removed: bool,
 }
+
+clone_into_buffers!(CandidatePairs { pairs, removed, has_removed } scratch { states });
 
 impl CandidatePairs {
     /// How many there are.

@@ -194,7 +194,7 @@ impl ChosenContacts<'_> {
 }
 
 /// All contacts of a world.
-#[derive(Clone, Debug, Default)]
+#[derive(Debug, Default)]
 pub(crate) struct Contacts {
     all: Slots<Contact>,
     /// Indices of the contacts with a body that the solver moves.
@@ -202,6 +202,8 @@ pub(crate) struct Contacts {
     /// Indices of the contacts of which this step may change whether they touch; some of them twice.
     changing: Vec<u32>,
 }
+
+clone_into_buffers!(Contacts { all, awake, changing });
 
 impl core::ops::Index<u32> for Contacts {
     type Output = Contact;

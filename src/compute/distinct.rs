@@ -12,12 +12,14 @@ use crate::compute::prefetch::prefetch_at;
 const BITS: usize = 64;
 
 /// A list of indices, none of them twice: one that is there already is refused.
-#[derive(Clone, Debug, Default)]
+#[derive(Debug, Default)]
 pub(crate) struct DistinctIndices {
     list: Vec<u32>,
     /// One bit for each index: set for those in the list, and for no other.
     is_listed: Vec<u64>,
 }
+
+clone_into_buffers!(DistinctIndices { list, is_listed });
 
 impl DistinctIndices {
     /// Makes room for an index, so that to add it asks for no memory but that of the list.

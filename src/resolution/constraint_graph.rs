@@ -22,7 +22,7 @@ use crate::resolution::tier::Tier;
 use crate::store::{BitSet, places_of};
 
 /// All contacts with points, by colour.
-#[derive(Clone, Debug)]
+#[derive(Debug)]
 pub(crate) struct ConstraintGraph {
     /// The colours, the overflow, and what is solved directly.
     colours: Vec<Colour>,
@@ -39,6 +39,12 @@ pub(crate) struct ConstraintGraph {
     /// Scratch.
     row_marks: RowMarks,
 }
+
+clone_into_buffers!(ConstraintGraph {
+    colours, used, homes, len, direct, direct_count
+} scratch {
+    row_marks
+});
 
 /// Which colours have contacts, the overflow and what is solved directly among them, one bit each.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

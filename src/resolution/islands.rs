@@ -10,12 +10,14 @@ use crate::collision::{Contact, Contacts};
 use crate::store::BitSet;
 
 /// Some islands, each the slots of its bodies.
-#[derive(Clone, Debug, Default)]
+#[derive(Debug, Default)]
 pub(crate) struct Islands {
     slots: Vec<u32>,
     /// Where each of them ends.
     ends: Vec<usize>,
 }
+
+clone_into_buffers!(Islands { slots, ends });
 
 impl Islands {
     pub(crate) fn clear(&mut self) {

@@ -30,7 +30,7 @@ pub(crate) struct ContactLoad {
 }
 
 /// The contacts under lasting load, found at the end of a step.
-#[derive(Clone, Debug, Default)]
+#[derive(Debug, Default)]
 pub(crate) struct Loads {
     /// By index of a contact.
     pub(crate) of_contact: Vec<ContactLoad>,
@@ -41,6 +41,8 @@ pub(crate) struct Loads {
     /// Slots of the bodies of islands that the direct solve could not solve.
     pub(crate) unsolved: Vec<u32>,
 }
+
+clone_into_buffers!(Loads { of_contact, lasting, begun_at_rest, unsolved });
 
 impl Loads {
     /// Forgets the load of the contact that had an index; makes room for one that begins.

@@ -103,7 +103,7 @@ impl TierTables<'_> {
 }
 
 /// Chooses the tier of each island.
-#[derive(Clone, Debug, Default)]
+#[derive(Debug, Default)]
 pub(crate) struct Tiers {
     /// The islands that are solved directly, their bodies in the order of the matrix.
     pub(crate) direct: Islands,
@@ -120,6 +120,12 @@ pub(crate) struct Tiers {
     place_of_slot: Vec<u32>,
     first: Vec<u32>,
 }
+
+clone_into_buffers!(Tiers {
+    direct, histories
+} scratch {
+    island, found, hubs, to_move, seen, begun, ordered, place_of_slot, first
+});
 
 impl Tiers {
     /// Nothing is solved.

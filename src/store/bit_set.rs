@@ -11,10 +11,12 @@ pub(crate) fn places_of(mut bits: u32) -> impl Iterator<Item = usize> {
 }
 
 /// A set of small numbers, one bit each; it grows as needed.
-#[derive(Clone, Debug, Default)]
+#[derive(Debug, Default)]
 pub(crate) struct BitSet {
     words: Vec<u64>,
 }
+
+clone_into_buffers!(BitSet { words });
 
 impl BitSet {
     #[inline(always)]

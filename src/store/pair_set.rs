@@ -4,12 +4,14 @@ use crate::compute::prefetch;
 
 /// A hash set of unordered pairs with open addressing. It is asked, never walked, so its inner order cannot
 /// reach a result.
-#[derive(Clone, Debug, Default)]
+#[derive(Debug, Default)]
 pub(crate) struct PairSet {
     /// Keys, `EMPTY` where there is none; the length is a power of two, at most half of it in use.
     table: Vec<u64>,
     len: usize,
 }
+
+clone_into_buffers!(PairSet { table, len });
 
 /// No pair has this key: it would be a number paired with itself.
 const EMPTY: u64 = u64::MAX;

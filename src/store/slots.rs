@@ -34,7 +34,7 @@ impl Key {
 }
 
 /// Values at fixed places. A removed value's place is used again (last freed first) under a new generation.
-#[derive(Clone, Debug)]
+#[derive(Debug)]
 pub(crate) struct Slots<T> {
     values: Vec<Option<T>>,
     /// Of each place. Only keys are compared with it, and values keep to their cache lines without it.
@@ -43,6 +43,8 @@ pub(crate) struct Slots<T> {
     /// That of a place which is made anew: above those of all places there were beyond the last.
     first_generation: NonZeroU32,
 }
+
+clone_into_buffers!(Slots<T> { values, generations, free, first_generation });
 
 impl<T> Default for Slots<T> {
     fn default() -> Self {

@@ -56,7 +56,7 @@ pub struct Refusal {
 /// What happened in the last [`step`](crate::World::step), or in all ticks of the last
 /// [`advance`](crate::World::advance): slices, valid until the next. Each is sorted by tick, and within a tick by the ids of
 /// the bodies, and so the same in every run.
-#[derive(Clone, Debug, Default)]
+#[derive(Debug, Default)]
 pub struct Events {
     pub(crate) began: Vec<ContactEvent>,
     pub(crate) ended: Vec<ContactEvent>,
@@ -70,6 +70,17 @@ pub struct Events {
     /// Where those of the current tick begin in `began`, `ended` and `hits`.
     tick_begins: [usize; 3],
 }
+
+clone_into_buffers!(Events {
+    began,
+    ended,
+    hits,
+    left,
+    ended_by_edit,
+    refused,
+    refused_by_edit,
+    tick_begins
+});
 
 impl Events {
     /// Bodies that began to touch.

@@ -12,11 +12,13 @@ crate::store::id_type! {
 
 /// A force that acts everywhere and gives every dynamic body the same acceleration, times its gravity scale.
 /// All forces of a world add up.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Debug, PartialEq)]
 pub struct Force {
     name: Cow<'static, str>,
     acceleration: Vec2,
 }
+
+clone_into_buffers!(Force { name, acceleration });
 
 /// Largest acceleration of a force, m/s²: far above use, far from overflow.
 const LARGEST_ACCELERATION: f32 = 1e12;

@@ -49,13 +49,15 @@ struct HeldForce {
 }
 
 /// What was given to bodies in this frame and is left of earlier ones.
-#[derive(Clone, Debug, Default)]
+#[derive(Debug, Default)]
 pub(in crate::world) struct HeldForces {
     /// By ascending id.
     all: Vec<HeldForce>,
     /// The time that the impulses are of, s.
     earlier_time: f64,
 }
+
+clone_into_buffers!(HeldForces { all, earlier_time });
 
 impl HeldForces {
     /// Begins a frame: takes the forces that were given since the last tick from the bodies. So many seconds of earlier

@@ -47,7 +47,8 @@ use crate::world::sleep::{SleepTables, Sleepers};
 /// Bodies, forces and attractors that are simulated together.
 ///
 /// A world owns all it needs and shares nothing, but threads where [`Settings::threads`] asks for some: it can be cloned,
-/// sent to another thread, and stepped there with the same result, bit for bit.
+/// sent to another thread, and stepped there with the same result, bit for bit. `clone_from` uses the memory of the world that
+/// is there, and asks for none where that is as large: for rollback.
 ///
 /// ```
 /// use rustycs::prelude::*;
@@ -62,7 +63,7 @@ use crate::world::sleep::{SleepTables, Sleepers};
 /// assert!((fallen - 0.5 * 9.81).abs() < 1e-5);
 /// # Ok::<(), BodyError>(())
 /// ```
-#[derive(Clone, Debug)]
+#[derive(Debug)]
 pub struct World {
     settings: Settings,
     bodies: Bodies,
@@ -113,6 +114,14 @@ pub struct World {
     /// Scratch of the step: index, and whether the bodies are still close.
     changed_contacts: Vec<(u32, bool)>,
 }
+
+clone_into_buffers!(World {
+    settings, bodies, broad_phase, candidates, contacts, graph, sleepers, forces, acceleration,
+    attractors, tiers, loads, events, profile, residual, impulses_of, resting, ticks, rate_since,
+    is_within_step, unused_time, dropped_time, forced, held_forces, arriving, memory_use
+} scratch {
+    solver, pool, new_pairs, is_close_now, leaves_box, leaving, changed_contacts
+});
 
 impl Default for World {
     /// An empty world with the default [`Settings`].

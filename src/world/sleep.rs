@@ -23,7 +23,7 @@ pub(crate) fn is_due(tick: u64, tick_rate: f32) -> bool {
 }
 
 /// An island that sleeps.
-#[derive(Clone, Debug)]
+#[derive(Debug)]
 struct SleepingIsland {
     /// Slots of its bodies.
     slots: Vec<u32>,
@@ -31,8 +31,10 @@ struct SleepingIsland {
     penetration: f32,
 }
 
+clone_into_buffers!(SleepingIsland { slots, penetration });
+
 /// Sleeping islands.
-#[derive(Clone, Debug, Default)]
+#[derive(Debug, Default)]
 pub(crate) struct Sleepers {
     groups: Slots<SleepingIsland>,
     /// Scratch: slots of the bodies whose islands have been found, one of these, and those at rest.
@@ -40,6 +42,8 @@ pub(crate) struct Sleepers {
     island: Vec<u32>,
     resting: Islands,
 }
+
+clone_into_buffers!(Sleepers { groups } scratch { seen, island, resting });
 
 /// The tables that putting to sleep and waking change.
 #[derive(Debug)]

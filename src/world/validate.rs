@@ -1,6 +1,6 @@
 //! Checks that all tables of a world agree with each other: for tests.
 
-use crate::body::{BodyType, NONE};
+use crate::body::{BodyType, Forcing, NONE};
 use crate::compute::{BodyState, GROUND_ROW};
 use crate::math::Vec2;
 use crate::world::World;
@@ -12,6 +12,7 @@ impl World {
     /// A sentence that names the first disagreement found.
     pub fn validate(&self) -> Result<(), String> {
         self.validate_bodies()?;
+        self.validate_forces()?;
         self.validate_contacts()?;
         self.graph.validate(&self.contacts, &self.bodies)?;
         self.broad_phase.validate()
@@ -54,11 +55,29 @@ impl World {
                 return Err(format!("the box of body {slot} does not hold it"));
             }
         }
-        if rows != bodies.row_count() {
-            return Err(format!("{} rows for {rows}", bodies.row_count()));
+        if rows != bodies.row_count() || rows != bodies.previous.len() {
+            return Err(format!(
+                "{} rows and {} poses for {rows}",
+                bodies.row_count(),
+                bodies.previous.len()
+            ));
         }
         if bodies.states[rows..].iter().any(BodyState::is_moving) {
             return Err("a row that is no body's moves".to_owned());
+        }
+        Ok(())
+    }
+
+    /// A force that no list knows of would not be that of a frame, and one on what does not move would wait for ever.
+    fn validate_forces(&self) -> Result<(), String> {
+        for (key, _) in self.bodies.records.iter() {
+            let Forcing { force, torque, .. } = self.bodies.forcings[key.index() as usize];
+            let is_none = force == Vec2::ZERO && torque == 0.0;
+            let is_known = self.forced.iter().any(|forced| forced.body.0 == key);
+            let can_act = self.bodies.is_dynamic(key.index()) && self.bodies.is_awake(key.index());
+            if !(is_none || is_known && can_act && force.is_finite() && torque.is_finite()) {
+                return Err(format!("{force:?} and {torque} N m wait for body {}", key.index()));
+            }
         }
         Ok(())
     }

@@ -1,6 +1,6 @@
 //! A settled step allocates nothing: buffers live in their owners and are used again.
 
-use rustycs::{Settings, World};
+use rustycs::{Lanes, Settings, World};
 
 /// Steps a scene until it has settled, then counts the allocations of some more steps, but for those in which a body
 /// falls asleep or wakes: such a step is not settled.
@@ -41,5 +41,36 @@ fn a_settled_step_allocates_nothing_on_two_threads() {
     for name in ["pyramid", "pile", "tumbler"] {
         let settings = Settings { sleep: false, threads: 2, ..Settings::default() };
         assert_eq!(allocations(name, settings), 0, "{name}");
+    }
+}
+
+/// A world cloned into one like it takes no memory: the state of a tick for rollback costs a copy. Then it steps as the
+/// original, and, once it has settled, without allocating.
+#[test]
+fn a_world_cloned_into_one_like_it_allocates_nothing() {
+    for name in ["tower", "pyramid", "card_house", "cradle", "orbit", "pile", "tumbler", "pool"] {
+        let scene = rustycs_scenes::find(name).unwrap();
+        let mut world = scene.build(1, Settings { lanes: Lanes::Eight, ..Settings::default() });
+        for _ in 0..400 {
+            scene.before_tick(&mut world);
+            world.step();
+        }
+        let mut saved = world.clone();
+        for _ in 0..8 {
+            scene.before_tick(&mut world);
+            world.step();
+        }
+        let ahead = world.state_hash();
+        // Back by eight ticks, and there again; and all of it once more.
+        for _ in 0..2 {
+            let restore = allocation_counter::measure(|| world.clone_from(&saved));
+            let save = allocation_counter::measure(|| saved.clone_from(&world));
+            assert_eq!((restore.count_total, save.count_total), (0, 0), "{name}");
+            for _ in 0..8 {
+                scene.before_tick(&mut world);
+                world.step();
+            }
+            assert_eq!(world.state_hash(), ahead, "{name}");
+        }
     }
 }

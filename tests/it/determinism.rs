@@ -42,6 +42,25 @@ fn a_clone_steps_as_its_original() {
     assert_eq!(step_hashes(&mut original, 150), step_hashes(&mut clone, 150));
 }
 
+/// Of the world that was there nothing is left, whatever it held: each of these is cloned into the one of the scene before.
+#[test]
+fn a_world_cloned_into_another_steps_as_its_original() {
+    for threads in [1, 2] {
+        let settings = Settings { threads, ..Settings::default() };
+        let mut other = World::default();
+        for scene in rustycs_scenes::all() {
+            let mut original = scene.build(3, settings.clone());
+            original.divide_all_work();
+            step_hashes(&mut original, 70);
+            other.clone_from(&original);
+            other.validate().unwrap();
+            assert_eq!(other.state_hash(), original.state_hash(), "{}", scene.name);
+            assert_eq!(step_hashes(&mut other, 70), step_hashes(&mut original, 70), "{}", scene.name);
+            assert_eq!(other.profile().counters(), original.profile().counters(), "{}", scene.name);
+        }
+    }
+}
+
 /// What is done to a clone leaves its original alone.
 #[test]
 fn a_clone_shares_nothing() {

@@ -86,7 +86,7 @@ const _: () = assert!(size_of::<Proxy>() == 32);
 /// Finds the pairs of bodies whose boxes overlap, from step to step.
 ///
 /// Two trees: one for what never moves, one for what may move. Pairs of two fixed bodies are never looked for.
-#[derive(Clone, Debug, Default)]
+#[derive(Debug, Default)]
 pub(crate) struct BroadPhase {
     /// By the body's number.
     proxies: Vec<Proxy>,
@@ -97,6 +97,8 @@ pub(crate) struct BroadPhase {
     /// Pairs the caller has been told of and has not ended.
     pairs: PairSet,
 }
+
+clone_into_buffers!(BroadPhase { proxies, fixed, movable, moved, pairs });
 
 impl BroadPhase {
     /// Takes in a body, by its slot number, and marks it as moved.

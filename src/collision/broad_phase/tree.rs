@@ -94,7 +94,7 @@ impl Pair {
 }
 
 /// A dynamic tree of bounding boxes, each with a number of the caller's.
-#[derive(Clone, Debug)]
+#[derive(Debug)]
 pub(crate) struct Tree {
     /// The root at place 0, siblings from place 2 on.
     pairs: Vec<Pair>,
@@ -104,6 +104,8 @@ pub(crate) struct Tree {
     leaf_places: Vec<u32>,
     free_leaves: Vec<u32>,
 }
+
+clone_into_buffers!(Tree { pairs, free_pairs, leaf_places, free_leaves });
 
 /// Number of the pair that a place is in.
 #[inline(always)]

@@ -80,7 +80,7 @@ impl Kind {
 }
 
 /// Contacts of one colour, which share no movable body; or those that have none.
-#[derive(Clone, Debug, Default)]
+#[derive(Debug, Default)]
 pub(super) struct Colour {
     /// Slots of the movable bodies in it.
     pub(super) bodies: BitSet,
@@ -91,6 +91,8 @@ pub(super) struct Colour {
     /// The contacts as the solver sees them during a step, in the same order.
     pub(super) blocks: PairBlocks<ContactBlock>,
 }
+
+clone_into_buffers!(Colour { bodies, contacts, ends_of_kinds } scratch { blocks });
 
 impl Colour {
     pub(super) fn is_empty(&self) -> bool {

@@ -26,6 +26,8 @@ pub(crate) enum Operation {
     Advance(f32),
     /// Goes on with a clone, which has no room but for what it holds.
     Clone,
+    /// Goes on with the world of the last such time, into which this one is cloned.
+    CloneFrom,
     WakeAll,
     Ask([f64; 2], [f32; 2]),
 }
@@ -110,6 +112,7 @@ pub(crate) fn operation() -> impl Strategy<Value = Operation> {
         1 => Just(Operation::Step(60)),
         1 => narrow(0.0, 0.1).prop_map(Operation::Advance),
         1 => Just(Operation::Clone),
+        1 => Just(Operation::CloneFrom),
         1 => Just(Operation::WakeAll),
         2 => ([coordinate(), coordinate()], vector()).prop_map(|(at, along)| Operation::Ask(at, along)),
     ]
@@ -165,12 +168,15 @@ pub(crate) fn usual_operation() -> impl Strategy<Value = Operation> {
         6 => (1_u8..30).prop_map(Operation::Step),
         2 => Just(Operation::Step(250)),
         1 => Just(Operation::Clone),
+        1 => Just(Operation::CloneFrom),
     ]
 }
 
 /// A world and the ids that were ever given out for it.
 pub(crate) struct Player {
     world: World,
+    /// To clone it into.
+    other: World,
     bodies: Vec<BodyId>,
     forces: Vec<ForceId>,
     attractors: Vec<AttractorId>,
@@ -183,7 +189,16 @@ impl Player {
         let mut world = World::new(Settings::default());
         let gravity = world.add_force(Force::EARTH_GRAVITY);
         let forces = vec![gravity];
-        Self { world, bodies: Vec::new(), forces, attractors: Vec::new(), lanes: Lanes::Auto, threads: 1 }
+        let other = World::default();
+        Self {
+            world,
+            other,
+            bodies: Vec::new(),
+            forces,
+            attractors: Vec::new(),
+            lanes: Lanes::Auto,
+            threads: 1,
+        }
     }
 
     /// The same with contacts solved so many at a time, whatever settings are played.
@@ -191,6 +206,7 @@ impl Player {
     pub(crate) fn with_threads(mut self, threads: usize) -> Self {
         self.threads = threads;
         self.world.divide_all_work();
+        self.other.divide_all_work();
         self.world
             .set_settings(Settings { threads, ..self.world.settings().clone() })
             .expect("good settings");
@@ -298,6 +314,10 @@ impl Player {
             Operation::Clone => {
                 self.world = world.clone();
                 self.world.shrink_to_fit();
+            }
+            Operation::CloneFrom => {
+                self.other.clone_from(world);
+                std::mem::swap(world, &mut self.other);
             }
             Operation::WakeAll => world.wake_all(),
             Operation::Ask(at, along) => ask(world, *at, *along),
