@@ -117,7 +117,7 @@ key u; until_is bodies "$bodies"
 key 5; until_is tool polygon
 move 250 250; xdotool mousedown 1; sleep $hold; move 320 180; xdotool mouseup 1
 until_is bodies $((bodies + 1))
-key w; key 4; until_is tool OBB
+key w; key 4; until_is tool box
 # Two of ten would lie on the polygon, and are left out.
 click 300 300; until_is bodies $((bodies + 9))
 key ctrl+z; until_is bodies $((bodies + 1))

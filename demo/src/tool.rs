@@ -11,6 +11,7 @@ pub(crate) enum Tool {
     /// Drags bodies by a spring, and the picture where there is no body.
     Hand,
     Circle,
+    /// A box that never turns.
     Aabb,
     Obb,
     Polygon,
@@ -40,8 +41,8 @@ impl Tool {
         match self {
             Self::Hand => "drag",
             Self::Circle => "circle",
-            Self::Aabb => "AABB",
-            Self::Obb => "OBB",
+            Self::Aabb => "upright",
+            Self::Obb => "box",
             Self::Polygon => "polygon",
             Self::Global => "attractor",
             Self::Local => "local",
@@ -155,14 +156,22 @@ impl Mould {
         REACH * self.size()
     }
 
-    /// Where what is made lies, from the place that is clicked, m: one, or many in a square.
-    pub(crate) fn offsets(self) -> impl Iterator<Item = Vec2> {
+    /// Where what is made by a click at a place comes to lie, m: there, or in a square around it, of which the places are
+    /// left out where something lies already.
+    pub(crate) fn places(self, world: &World, place: Point) -> Vec<Point> {
+        if self.count() == 1 {
+            return vec![place];
+        }
+        let reach = self.shape().map_or(0.0, |shape| shape.extent());
         let side = f64::from(self.count()).sqrt().ceil() as u32;
-        let pitch = self.shape().map_or(0.0, |shape| 2.1 * shape.extent());
-        let first = -0.5 * pitch * (side - 1) as f32;
-        (0..self.count())
-            .map(move |index| Vec2::new((index % side) as f32, (index / side) as f32) * pitch)
-            .map(move |offset| offset + Vec2::splat(first))
+        let pitch = 2.1 * reach;
+        let first = place + Vec2::splat(-0.5 * pitch * (side - 1) as f32);
+        let places = (0..self.count())
+            .map(|index| first + Vec2::new((index % side) as f32, (index / side) as f32) * pitch);
+        let is_free = |place: &Point| {
+            world.bodies_in(*place + Vec2::splat(-reach), *place + Vec2::splat(reach)).is_empty()
+        };
+        places.filter(is_free).collect()
     }
 
     /// The attractor that is made, if it is one.
@@ -176,8 +185,7 @@ impl Mould {
         Attractor::try_new(place, mass, range).ok()
     }
 
-    /// Adds what is made to a world, moving at `velocity`: one, or many in a square around the place, of which those
-    /// are left out that would lie on something. Whether there was anything to add, and room for it.
+    /// Adds what is made to a world, moving at `velocity`. Whether there was anything to add, and room for it.
     pub(crate) fn cast(self, world: &mut World, place: Point, velocity: Vec2) -> bool {
         if let Some(attractor) = self.attractor(place, world.settings().gravitational_constant) {
             world.add_attractor(attractor);
@@ -185,14 +193,10 @@ impl Mould {
         }
         let Some(shape) = self.shape() else { return false };
         let (material, _) = self.material();
-        let reach = Vec2::splat(shape.extent());
-        let is_one = self.count() == 1;
         let mut is_any = false;
-        for place in self.offsets().map(|offset| place + offset) {
-            if is_one || world.bodies_in(place + -reach, place + reach).is_empty() {
-                let body = if self.is_fixed { Body::fixed(shape) } else { Body::dynamic(shape) };
-                is_any |= world.add(body.at(place).velocity(velocity).material(material)).is_ok();
-            }
+        for place in self.places(world, place) {
+            let body = if self.is_fixed { Body::fixed(shape) } else { Body::dynamic(shape) };
+            is_any |= world.add(body.at(place).velocity(velocity).material(material)).is_ok();
         }
         is_any
     }

@@ -14,6 +14,7 @@ pub const SCENE: Scene = Scene {
     view: View::above(-1.4, 0.0, 26.0, 8.0),
     build,
     readout: Some(readout),
+    ends_after: Some(16.0),
     ..Scene::PLAIN
 };
 

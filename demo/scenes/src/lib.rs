@@ -80,6 +80,8 @@ pub struct Scene {
     pub view: View,
     /// What to try in it, in a sentence, where it is for trying.
     pub hint: Option<&'static str>,
+    /// Time after which all has happened in it, s, where it comes to an end.
+    pub ends_after: Option<f32>,
     /// Whether its seed matters.
     pub is_random: bool,
     /// Whether it is about bodies that have to be told apart by their [`labels`](Self::labels).
@@ -103,6 +105,7 @@ impl Scene {
         summary: "",
         view: View::above(0.0, 0.0, 1.0, 1.0),
         hint: None,
+        ends_after: None,
         is_random: false,
         is_about_names: false,
         is_about_paths: false,

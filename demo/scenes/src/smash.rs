@@ -12,7 +12,7 @@ pub const SCENE: Scene = Scene {
     summary: "A heavy box at 40 m/s ploughs through 2,400 small ones that float in space.",
     view: View::above(-22.0, 0.0, 76.0, 44.0),
     build: |_, settings| build_with(60, 40, settings),
-    hint: Some("R plays it again."),
+    ends_after: Some(6.0),
     ..Scene::PLAIN
 };
 

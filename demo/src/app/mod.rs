@@ -46,6 +46,8 @@ const LONGEST_FRAME: f64 = 1.0 / 15.0;
 const MOST_EDITS: usize = 24;
 /// Share of a new measurement in the time shown.
 const SMOOTHING: f64 = 0.06;
+/// Share of a new frame in the share of slow ones.
+const SLOWING: f32 = 0.1;
 
 /// Time that a frame gives to the world.
 #[derive(Clone, Copy, Debug)]
@@ -81,8 +83,8 @@ pub(crate) struct App {
     /// Worlds before each of the last edits.
     edits: Vec<Vec<Moment>>,
     shows_help: bool,
-    /// Whether frames take so long that the world falls behind.
-    is_slowed: bool,
+    /// Share of the last frames that took so long that the world fell behind.
+    slowed: f32,
     panel: Panel,
     layout: Layout,
     /// Whether the panel was folded, or unfolded, on purpose.
@@ -122,7 +124,7 @@ impl App {
             resting_mouse: Some(Vec2::from(mouse_position())),
             edits: Vec::new(),
             shows_help: false,
-            is_slowed: false,
+            slowed: 0.0,
             panel: Panel::new(start.tab),
             layout,
             is_folded: None,
@@ -170,11 +172,17 @@ impl App {
         let seconds = match time {
             FrameTime::OneTick => tick,
             FrameTime::Seconds(seconds) => {
-                self.is_slowed = seconds > LONGEST_FRAME;
+                let is_slow = f32::from(u8::from(seconds > LONGEST_FRAME));
+                self.slowed += (is_slow - self.slowed) * SLOWING;
                 seconds.min(LONGEST_FRAME) * SPEEDS[self.speed]
             }
         };
         self.advance(seconds);
+        // What comes to an end begins again, unless somebody is at work on it.
+        let is_over = self.scene.ends_after.is_some_and(|end| self.runs[0].seconds > f64::from(end));
+        if is_over && self.edits.is_empty() && self.follows.is_none() {
+            self.restart();
+        }
     }
 
     /// Gives all copies the same simulated time, s.

@@ -64,7 +64,7 @@ impl App {
             edits: self.edits.len(),
             undo_to: self.edits.last().map(|moments| moments[0].seconds),
             draw_time: self.draw_time,
-            is_slowed: self.is_slowed,
+            is_slowed: self.slowed > 0.5,
             is_tall: self.layout.window().h >= TALL && !self.layout.is_upright,
             is_upright: self.layout.is_upright,
             is_folded: self.layout.is_folded,
@@ -169,9 +169,8 @@ impl App {
         if let Some(shape) = self.mould.shape() {
             let tone = theme::ACCENT.mixed(theme::BACKGROUND, 0.5);
             let style = BodyStyle { fill: tone.mixed(theme::BACKGROUND, 0.5), outline: tone };
-            for offset in self.mould.offsets() {
-                let pose = Pose::at(place + offset);
-                self.scenery.draw_shape(self.canvas.batch(), &shape, pose, style, camera);
+            for place in self.mould.places(&self.run_at(at).world, place) {
+                self.scenery.draw_shape(self.canvas.batch(), &shape, Pose::at(place), style, camera);
             }
         }
     }

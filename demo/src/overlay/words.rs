@@ -53,8 +53,8 @@ pub(crate) fn draw_names(
 pub(crate) fn shape_name(shape: &Shape) -> &'static str {
     match shape {
         Shape::Circle(_) => "circle",
-        Shape::Aabb(_) => "AABB",
-        Shape::Obb(_) => "OBB",
+        Shape::Aabb(_) => "upright box",
+        Shape::Obb(_) => "box",
         Shape::Polygon(_) => "polygon",
         _ => "shape",
     }

@@ -57,9 +57,8 @@ pub(super) fn draw(ui: &mut Ui<'_>, shown: Shown<'_>, commands: &mut Vec<Command
 fn hint(tool: Tool) -> &'static str {
     match tool {
         Tool::Hand => "Pull a body by a spring and throw it; drag the ground to move the picture.",
-        Tool::Circle | Tool::Aabb | Tool::Obb | Tool::Polygon => {
-            "Click to make it; pull before letting go to throw it."
-        }
+        Tool::Circle | Tool::Obb | Tool::Polygon => "Click to make it; pull before letting go to throw it.",
+        Tool::Aabb => "Click to make a box that never turns; pull before letting go to throw it.",
         Tool::Global => {
             "Click to put an attractor; at its ring it pulls as strongly as gravity on the Earth. Drag moves it."
         }

@@ -139,7 +139,8 @@ impl Canvas {
         self.rectangle(area, "frame");
     }
 
-    /// Circle, square, diamond, triangle in turn: series differ by form as well as by colour.
+    /// Circle, square, diamond, triangle, the same upside down and a hexagon in turn: series differ by form as well as by
+    /// colour.
     pub(super) fn sign(&mut self, Sign { place: [x, y], series, is_hollow }: Sign) {
         let colour = series % COLOURS;
         let class = format!("mark s{colour} f{colour}{}", if is_hollow { " hollow" } else { "" });
@@ -150,14 +151,16 @@ impl Canvas {
                 .collect::<Vec<_>>()
                 .join(" ")
         };
-        let polygon: &[Place] = match series % 4 {
+        let polygon: &[Place] = match series % COLOURS {
             0 => {
                 self.push(format_args!("<circle class=\"{class}\" cx=\"{x:.1}\" cy=\"{y:.1}\" r=\"4.5\"/>"));
                 return;
             }
             1 => &[[-4.0, -4.0], [4.0, -4.0], [4.0, 4.0], [-4.0, 4.0]],
             2 => &[[0.0, -5.5], [5.5, 0.0], [0.0, 5.5], [-5.5, 0.0]],
-            _ => &[[0.0, -5.2], [5.2, 4.2], [-5.2, 4.2]],
+            3 => &[[0.0, -5.2], [5.2, 4.2], [-5.2, 4.2]],
+            4 => &[[0.0, 5.2], [5.2, -4.2], [-5.2, -4.2]],
+            _ => &[[5.2, 0.0], [2.6, 4.5], [-2.6, 4.5], [-5.2, 0.0], [-2.6, -4.5], [2.6, -4.5]],
         };
         let points = corners(polygon);
         self.push(format_args!("<polygon class=\"{class}\" points=\"{points}\"/>"));
