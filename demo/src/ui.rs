@@ -235,7 +235,9 @@ impl Ui<'_> {
 
     /// A button with a picture at a place of its own; whether it is pressed by the mouse.
     pub(crate) fn small_button(&mut self, place: Place, icon: Icon) -> bool {
-        let is_hovered = place.contains(self.pointer.at);
+        // A finger is thicker than the picture.
+        let room = Vec2::splat(if self.pointer.is_touch { 8.0 } else { 0.0 });
+        let is_hovered = Place { min: place.min - room, max: place.max + room }.contains(self.pointer.at);
         let press = Press { is_hovered, is_focused: false, is_pressed: false, turned: 0 };
         self.ground(place, press, false);
         icon.draw(self.canvas.batch(), place.middle(), theme::MUTED.rgba(255));
