@@ -96,7 +96,7 @@ impl World {
         } else {
             self.type_changed(slot, old_type);
         }
-        // What it bears falls with its mass. Were it to bear what it did, it would be thrown.
+        // Contacts begin with the impulses they had: those that bore a heavy body would throw a light one.
         let share = (body.mass_properties().mass / old_mass).min(1.0);
         for index in contacts {
             let slots = self.contacts[index].slots;
@@ -147,7 +147,7 @@ impl World {
             let moves = |slot: u32| !bodies.is_dynamic(slot) && bodies.state(slot).is_moving();
             is_moved |= contact.slots.into_iter().any(moves);
         });
-        // None of them sleeps yet, or they would not be found by contacts with points.
+        // A contact with points wakes what sleeps.
         debug_assert!(island.iter().all(|&slot| bodies.is_awake(slot)), "half an island sleeps");
         let may_sleep = island.iter().all(|&slot| bodies.motions[slot as usize].may_sleep);
         if is_moved || !may_sleep {

@@ -361,7 +361,8 @@ impl<'a> BodyMut<'a> {
     ///
     /// The force is held over the whole tick. One that depends on where the body is, such as a spring's or the water's, is
     /// half a tick late by that, and gains energy without end: give it as an impulse before each tick,
-    /// `apply_impulse(force * tick_seconds)` in [`advance_with`](World::advance_with), which keeps the energy.
+    /// `apply_impulse(force * tick_seconds)` in [`advance_with`](World::advance_with), which keeps the energy. (Between ticks
+    /// the velocity of what hovers by such impulses is that after a tick of falling: -g·dt/2.)
     #[track_caller]
     pub fn apply_force(&mut self, force: impl Into<Vec2>) -> &mut Self {
         let force = force.into();
