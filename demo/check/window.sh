@@ -215,6 +215,11 @@ key n; until_is overlays -
 key p; until_is overlays names
 close
 
+say "pinball is played with the arrow keys, which change no scene"
+open --scene pinball --size 640x480
+key Right; key Left; next_line; until_is scene pinball
+close
+
 say "every scene for 120 frames"
 for scene in $("$demo" --list | awk '{ print $1 }'); do
     "$demo" --scene "$scene" --frames 120 --samples 1 --report >"$log" 2>"$out/errors" || fail "$scene: $(cat "$out/errors")"

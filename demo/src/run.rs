@@ -19,6 +19,8 @@ const MOST_TICKS: u32 = 64;
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Tick<'a> {
     pub(crate) scene: &'static Scene,
+    /// The keys of a player: the left one, the right one.
+    pub(crate) player: Option<[bool; 2]>,
     /// The spring that drags a body.
     pub(crate) spring: Option<&'a Spring>,
     /// Whether places are kept for trails.
@@ -78,7 +80,10 @@ impl Run {
     fn tick(&mut self, tick: Tick<'_>) {
         self.history.observe(&self.world, self.seconds);
         self.poses.keep(&self.world);
-        tick.scene.before_tick(&mut self.world);
+        match tick.player {
+            Some(keys) => tick.scene.before_tick_played(&mut self.world, keys),
+            None => tick.scene.before_tick(&mut self.world),
+        }
         if let Some(spring) = tick.spring {
             spring.pull(&mut self.world);
         }

@@ -90,6 +90,7 @@ pub struct Scene {
     pub is_about_paths: bool,
     build: fn(u64, Settings) -> World,
     before_tick: Option<fn(&mut World)>,
+    played: Option<fn(&mut World, [bool; 2])>,
     readout: Option<fn(&World) -> String>,
     labels: &'static [Label],
 }
@@ -111,6 +112,7 @@ impl Scene {
         is_about_paths: false,
         build: |_, settings| World::new(settings),
         before_tick: None,
+        played: None,
         readout: None,
         labels: &[],
     };
@@ -134,6 +136,20 @@ impl Scene {
     pub fn before_tick(&self, world: &mut World) {
         if let Some(before_tick) = self.before_tick {
             before_tick(world);
+        }
+    }
+
+    /// Whether somebody can play it, with a key on the left and one on the right.
+    pub fn is_playable(&self) -> bool {
+        self.played.is_some()
+    }
+
+    /// What [`before_tick`](Self::before_tick) does, with a player in place of the scene's own decisions: whether the
+    /// left and the right key are down.
+    pub fn before_tick_played(&self, world: &mut World, keys: [bool; 2]) {
+        match self.played {
+            Some(played) => played(world, keys),
+            None => self.before_tick(world),
         }
     }
 

@@ -1,4 +1,4 @@
-//! A pinball table that plays by itself.
+//! A pinball table that plays by itself, or is played.
 //!
 //! The flippers are kinematic and turn about their ends; before each tick they look where the balls are. A ball
 //! that is lost is shot in again.
@@ -18,6 +18,8 @@ pub const SCENE: Scene = Scene {
     view: View::above(-10.0, 0.0, 26.0, 20.0),
     build,
     before_tick: Some(play),
+    played: Some(played),
+    hint: Some("Play it yourself: ← and → strike, or a finger on either side."),
     ..Scene::PLAIN
 };
 
@@ -110,27 +112,39 @@ fn seat(part: usize) -> Seat {
     Seat { offset: Vec2::new(0.5 * side * FLIPPER, 0.0), angle: 0.0 }
 }
 
-/// Strikes, and shoots lost balls in again.
+/// Strikes where a ball is near, and shoots lost balls in again.
 fn play(world: &mut World) {
-    let balls: Vec<(BodyId, Vec2, Vec2)> = world
-        .bodies()
-        .filter(|&(_, body)| Mark::of(body).part == Some(BALL_PART) && body.body_type() == BodyType::Dynamic)
-        .map(|(id, body)| (id, body.position(), body.velocity()))
-        .collect();
-    for (id, part) in rotor::parts(world, PIVOTS.len()) {
-        // A ball is near when it is over the outer two thirds of the flipper and not above its reach.
-        let is_near = |&(_, place, velocity): &(BodyId, Vec2, Vec2)| {
+    let balls = balls(world);
+    // A ball is near when it is over the outer two thirds of the flipper and not above its reach.
+    let is_raised = [0, 1].map(|part| {
+        balls.iter().any(|&(_, place, velocity)| {
             let from_pivot = place - PIVOTS[part];
             let along = if part == 0 { from_pivot.x } else { -from_pivot.x };
             (0.9..FLIPPER + 0.3).contains(&along) && (-1.6..0.5).contains(&from_pivot.y) && velocity.y < 4.0
-        };
-        swing(world, id, part, balls.iter().any(is_near));
+        })
+    });
+    played(world, is_raised);
+}
+
+/// Strikes where it is told to, and shoots lost balls in again.
+fn played(world: &mut World, is_raised: [bool; 2]) {
+    for (id, part) in rotor::parts(world, PIVOTS.len()) {
+        swing(world, id, part, is_raised[part]);
     }
-    for (place, &(id, at, _)) in balls.iter().enumerate() {
+    for (place, (id, at, _)) in balls(world).into_iter().enumerate() {
         if at.y < BOTTOM || at.y > TOP + 1.0 || at.x.abs() > SIDE + 1.0 {
             shoot(world, id, place);
         }
     }
+}
+
+/// Every ball with its place and velocity.
+fn balls(world: &World) -> Vec<(BodyId, Vec2, Vec2)> {
+    world
+        .bodies()
+        .filter(|&(_, body)| Mark::of(body).part == Some(BALL_PART) && body.body_type() == BodyType::Dynamic)
+        .map(|(id, body)| (id, body.position(), body.velocity()))
+        .collect()
 }
 
 /// Turns a flipper toward its raised angle, or back to rest.
@@ -188,5 +202,20 @@ mod tests {
             }
         }
         assert!(strikes > 0, "no flipper was ever seen to move");
+    }
+
+    /// A flipper is raised while its key is down, the other one rests.
+    #[test]
+    fn a_key_raises_its_flipper() {
+        let mut world = SCENE.build(1, Settings::default());
+        for _ in 0..30 {
+            SCENE.before_tick_played(&mut world, [true, false]);
+            world.step();
+        }
+        for (id, part) in rotor::parts(&world, 2) {
+            let angle = world.body(id).expect("the flipper is there").angle();
+            let expected = angles(part)[1 - part];
+            assert!((angle - expected).abs() < 1e-3, "flipper {part} is at {angle} rad, not {expected}");
+        }
     }
 }

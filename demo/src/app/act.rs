@@ -163,6 +163,7 @@ impl App {
         let compares = self.runs.len() > 1;
         self.runs = vec![Run::new(self.scene, self.seed)];
         self.speed = NORMAL_SPEED;
+        self.player = None;
         self.forget_bodies();
         if compares {
             self.compare();

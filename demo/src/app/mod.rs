@@ -12,7 +12,7 @@ mod hand;
 mod mouse;
 mod picture;
 
-use macroquad::input::mouse_position;
+use macroquad::input::{KeyCode, is_key_down, mouse_position};
 use macroquad::math::Rect;
 use macroquad::time::get_time;
 use macroquad::window::{screen_height, screen_width};
@@ -76,6 +76,8 @@ pub(crate) struct App {
     /// What was last taken hold of.
     selected: Option<BodyId>,
     mould: Mould,
+    /// The left and the right key, once somebody plays the scene.
+    player: Option<[bool; 2]>,
     hand: Hand,
     grip: Option<Grip>,
     /// Where the mouse was when the window opened, px, until it has moved: somewhere by accident.
@@ -119,6 +121,7 @@ impl App {
             hovered: None,
             selected: None,
             mould: Mould::default(),
+            player: None,
             hand: Hand::default(),
             grip: None,
             resting_mouse: Some(Vec2::from(mouse_position())),
@@ -152,6 +155,7 @@ impl App {
             self.act(command);
         }
         let pointer = self.read_mouse();
+        self.read_player();
         self.pass(time);
         let start = get_time();
         let commands = self.draw(pointer);
@@ -160,6 +164,18 @@ impl App {
         self.draw_time += (took - self.draw_time) * share;
         for command in commands {
             self.act(command);
+        }
+    }
+
+    /// Reads the keys of a player, or a finger on one side of the scene, from the first on that somebody presses.
+    fn read_player(&mut self) {
+        let mut keys = [KeyCode::Left, KeyCode::Right].map(is_key_down);
+        let Hand { at, is_down, is_touch, .. } = self.hand;
+        if is_down && is_touch && self.layout.is_scene(at) {
+            keys[usize::from(at.x > self.layout.scene.center().x)] = true;
+        }
+        if self.scene.is_playable() && (self.player.is_some() || keys.contains(&true)) {
+            self.player = Some(keys);
         }
     }
 
@@ -192,7 +208,7 @@ impl App {
             _ => None,
         };
         let keeps_trails = self.overlays.has(crate::overlay::Overlay::Trails);
-        let tick = Tick { scene: self.scene, spring, keeps_trails };
+        let tick = Tick { scene: self.scene, player: self.player, spring, keeps_trails };
         for run in &mut self.runs {
             run.advance(seconds, tick);
         }
