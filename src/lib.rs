@@ -18,6 +18,12 @@
 //! # Ok::<(), BodyError>(())
 //! ```
 //!
+//! # In a game
+//!
+//! [`World::advance`] takes the time of a frame and as many ticks as fit; it comes to the same at any number of frames per
+//! second. [`World::advance_with`] calls back before each tick, for control. [`World::body_mut`] pushes, changes and reads a
+//! body, [`World::contacts_of`] tells what it touches, and [`BodyRef::interpolated_pose`] where to draw it.
+//!
 //! # A step
 //!
 //! | stage | runs on | does |

@@ -29,6 +29,8 @@ fn bad_settings() -> Vec<(&'static str, Settings)> {
     }
     let projection = |iterations| PositionCorrection::Projection { iterations };
     bad.extend([
+        ("max_ticks_per_advance", Settings { max_ticks_per_advance: 0, ..base() }),
+        ("max_ticks_per_advance", Settings { max_ticks_per_advance: 1_000_001, ..base() }),
         ("substeps", Settings { substeps: 0, ..base() }),
         ("substeps", Settings { substeps: 257, ..base() }),
         ("substeps", Settings { substeps: u32::MAX, ..base() }),
