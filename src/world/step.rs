@@ -294,8 +294,10 @@ impl World {
     fn report_events(&mut self) {
         for &Impact { contact: index, speed } in self.solver.impacts.of_step() {
             let contact = &mut self.contacts[index];
-            contact.has_bounced = true;
-            contact.approach_speed = contact.approach_speed.max(speed);
+            // Of several impacts, the first is what the bodies met with.
+            if !std::mem::replace(&mut contact.has_bounced, true) {
+                contact.approach_speed = speed;
+            }
             self.contacts.note_change(index);
         }
         let id_of = |slot: u32| BodyId(self.bodies.records.key_at(slot));

@@ -5,6 +5,7 @@ mod damping_by_count;
 mod fixed_rotation_that_spins;
 mod flying_out_of_a_direct_island;
 mod growing_bounces;
+mod hit_of_a_second_impact;
 mod impulse_far_away;
 mod memory_of_an_emptied_world;
 mod met_in_one_corner;
