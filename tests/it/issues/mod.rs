@@ -16,3 +16,4 @@ mod stale_manifold;
 #[cfg(all(target_os = "linux", feature = "parallel"))]
 mod threads_of_many_worlds;
 mod thrown_by_slow_motion;
+mod wedged_by_friction;
