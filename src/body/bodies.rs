@@ -21,6 +21,8 @@ pub(crate) struct Record {
     /// The caller's override of the mass, kept so that the description can be given back.
     pub(crate) mass_override: Option<f32>,
     pub(crate) fixed_rotation: bool,
+    /// Whether it was told to get to a pose in the next tick, and to stop there.
+    pub(crate) stops_after_tick: bool,
     pub(crate) user_data: u64,
     /// First contact of the body, or `NONE`.
     pub(crate) first_contact: u32,
@@ -155,6 +157,7 @@ impl Bodies {
             inertia,
             mass_override: body.mass,
             fixed_rotation: body.fixed_rotation,
+            stops_after_tick: false,
             user_data: body.user_data,
             first_contact: NONE,
             sleep_group: NONE,

@@ -29,7 +29,7 @@ pub(crate) struct CandidatePairs {
     pairs: Vec<(u32, u32)>,
     /// Scratch, by place.
     states: Vec<PairState>,
-    /// Slots of bodies that have been removed, whose pairs are still here.
+    /// Slots of bodies that have been removed, or are of another type now, whose pairs are still here.
     removed: BitSet,
     has_removed: bool,
 }
@@ -53,7 +53,7 @@ impl CandidatePairs {
         self.pairs.push(pair);
     }
 
-    /// Takes note that the body in `slot` is no more. Its pairs are to be forgotten before pairs are looked for again or
+    /// Takes note that the body in `slot` is no more, or is found by others than before. Its pairs are to be forgotten before pairs are looked for again or
     /// sorted out.
     pub(crate) fn note_removed(&mut self, slot: u32) {
         self.removed.insert(slot);

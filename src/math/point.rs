@@ -4,6 +4,7 @@ use core::fmt;
 use core::ops::{Add, AddAssign, Sub, SubAssign};
 
 use crate::math::Vec2;
+use crate::math::vec2::write_pair;
 
 /// A place in the world, in metres, in `f64`.
 ///
@@ -133,11 +134,7 @@ impl From<Point> for Vec2 {
 /// (x, y) in metres; a precision is that of both: `{:.2}`.
 impl fmt::Display for Point {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str("(")?;
-        self.x.fmt(f)?;
-        f.write_str(", ")?;
-        self.y.fmt(f)?;
-        f.write_str(")")
+        write_pair(f, &self.x, &self.y)
     }
 }
 

@@ -244,14 +244,23 @@ impl<'a> Sum<&'a Self> for Vec2 {
     }
 }
 
+/// Writes (x, y), both in the same format.
+pub(super) fn write_pair(
+    f: &mut fmt::Formatter<'_>,
+    x: &impl fmt::Display,
+    y: &impl fmt::Display,
+) -> fmt::Result {
+    f.write_str("(")?;
+    x.fmt(f)?;
+    f.write_str(", ")?;
+    y.fmt(f)?;
+    f.write_str(")")
+}
+
 /// (x, y); a precision is that of both: `{:.2}`.
 impl fmt::Display for Vec2 {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str("(")?;
-        self.x.fmt(f)?;
-        f.write_str(", ")?;
-        self.y.fmt(f)?;
-        f.write_str(")")
+        write_pair(f, &self.x, &self.y)
     }
 }
 

@@ -6,11 +6,11 @@ use crate::resolution::block::{Row, solve_pair};
 use crate::resolution::constraint::ContactConstraint;
 use crate::resolution::softness::{bias, gap_bias, one_and_compliance};
 
-/// No point asks for an impulse beyond this over its k, m/s. Between walls that leave it no room a body has no impulses that
-/// are enough, and where friction wedges it, they grow by a factor from sweep to sweep. This is what a million bodies bear
-/// against each other that are stopped from the greatest speed there is, 10⁶ m/s; and its product with the friction, up to
-/// 10⁶, is far from overflow.
-pub(crate) const LARGEST_LOAD: f32 = 1e12;
+/// No impulse along a normal is larger than what changes the speed of its point by this, m/s. A body that is wedged between
+/// walls has no impulses that are enough: with friction, each sweep finds them larger by a factor than the last, and after
+/// some hundred they overflow. A million bodies in a row that are stopped from the greatest speed, 10⁶ m/s, need as much, so
+/// that less would let loads through. At 10⁵ times as much the heaviest bodies with the greatest friction overflow.
+pub(crate) const LARGEST_SPEED_CHANGE: f32 = 1e12;
 
 /// What a sweep does, beside stopping the approach.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -133,7 +133,7 @@ impl<L: Lane> ContactConstraint<L> {
             (Row { own: point.normal_k, other: coupling, scale: one }, gap_bias(separation, per_substep))
         };
         // What is small is added first: of that less is lost by rounding.
-        let q = ((vn + bias) - (load + coupling * other_impulse)).max(L::splat(-LARGEST_LOAD));
+        let q = ((vn + bias) - (load + coupling * other_impulse)).max(L::splat(-LARGEST_SPEED_CHANGE));
         // A point that is not there, or pending, asks for nothing, with a harmless 1.
         let is_there = point.normal_k.greater(zero);
         (Row { own: L::select(is_there, row.own, one), ..row }, L::select(is_there, q, zero))

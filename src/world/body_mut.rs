@@ -258,7 +258,7 @@ impl<'a> BodyMut<'a> {
 
     fn velocity_was_set(&mut self) {
         let slot = self.slot();
-        self.world.arriving.retain(|&id| id != self.id);
+        self.record_mut().stops_after_tick = false;
         self.world.cut_velocity(slot);
     }
 
@@ -300,6 +300,7 @@ impl<'a> BodyMut<'a> {
         }
         self.velocity_was_set();
         self.world.update_box(self.slot());
+        self.record_mut().stops_after_tick = true;
         self.world.arriving.push(self.id);
         self
     }

@@ -98,7 +98,7 @@ pub struct World {
     /// Bodies that were given a force for the next tick; some may be in it more than once.
     forced: Vec<Forced>,
     held_forces: HeldForces,
-    /// Kinematic bodies that are on their way to a pose, where they stop at the end of the tick.
+    /// Bodies that were told to get to a pose in the next tick; some may have been told otherwise since, or more than once.
     arriving: Vec<BodyId>,
     pool: ThreadPool,
     memory_use: MemoryUse,

@@ -3,7 +3,7 @@
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use crate::body::description::FARTHEST;
-use crate::body::{Bodies, BodyId, BodyType, Motion, NONE, Record, RestRule, RestWatch};
+use crate::body::{Bodies, BodyId, BodyType, Motion, NONE, RestRule, RestWatch};
 use crate::collision::{AHEAD, Refresh, refresh};
 use crate::compute::{BodyState, Chosen, Executor};
 use crate::math::{Rot, Vec2};
@@ -325,8 +325,8 @@ impl World {
     /// Stops the kinematic bodies that were to get somewhere in this tick.
     fn stop_those_that_arrived(&mut self) {
         for id in self.arriving.drain(..) {
-            let is_kinematic = |record: &Record| record.body_type == BodyType::Kinematic;
-            if self.bodies.records.get(id.0).is_some_and(is_kinematic) {
+            let Some(record) = self.bodies.records.get_mut(id.0) else { continue };
+            if std::mem::take(&mut record.stops_after_tick) && record.body_type == BodyType::Kinematic {
                 let row = self.bodies.motions[id.0.index() as usize].row;
                 self.bodies.states[row as usize] = BodyState::REST;
             }

@@ -73,9 +73,9 @@ impl World {
         for (key, _) in self.bodies.records.iter() {
             let Forcing { force, torque, .. } = self.bodies.forcings[key.index() as usize];
             let is_none = force == Vec2::ZERO && torque == 0.0;
-            let is_known = self.forced.iter().any(|forced| forced.body.0 == key);
+            let is_known = || self.forced.iter().any(|forced| forced.body.0 == key);
             let can_act = self.bodies.is_dynamic(key.index()) && self.bodies.is_awake(key.index());
-            if !(is_none || is_known && can_act && force.is_finite() && torque.is_finite()) {
+            if !(is_none || can_act && is_known() && force.is_finite() && torque.is_finite()) {
                 return Err(format!("{force:?} and {torque} N m wait for body {}", key.index()));
             }
         }

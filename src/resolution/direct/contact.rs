@@ -6,7 +6,7 @@ use crate::math::Vec2;
 use crate::resolution::constraint_graph::{ConstraintGraph, GraphIndex};
 use crate::resolution::direct::row::{Bound, Row};
 use crate::resolution::softness::{bias, gap_bias};
-use crate::resolution::solve_contact::LARGEST_LOAD;
+use crate::resolution::solve_contact::LARGEST_SPEED_CHANGE;
 
 /// A gap below this share of the way from the centre of what moves to the point is rounding, no unit: the point would
 /// be sent to and fro to close it.
@@ -65,7 +65,7 @@ impl ContactPoint {
         };
         // Half the forces have acted before the move, all of them after it.
         let share = if aim == Aim::Push { 0.5 } else { 1.0 };
-        normal_row.bound = Bound::Range([0.0, f64::from(LARGEST_LOAD / point.normal_k)]);
+        normal_row.bound = Bound::Range([0.0, f64::from(LARGEST_SPEED_CHANGE / point.normal_k)]);
         tangent_row.bound =
             Bound::FrictionOf { row: self.first_row, friction: f64::from(constraint.friction) };
         [normal_row.k, tangent_row.k] = [f64::from(point.normal_k), f64::from(friction.mass).recip()];
