@@ -1,6 +1,6 @@
 //! All bodies of a world, in tables indexed by slot.
 
-use crate::body::{Body, BodyId, BodyType, Material, RestRule, RestWatch};
+use crate::body::{Body, BodyId, BodyType, Material, Mixes, RestRule, RestWatch};
 use crate::compute::{BodyState, COLUMN, DistinctIndices, GROUND_ROW, prefetch};
 use crate::math::{Aabb, Point, Pose, Rot, Vec2};
 use crate::shape::{MassProperties, Shape};
@@ -109,6 +109,14 @@ impl Forcing {
     }
 }
 
+impl Mixes {
+    /// Coefficients of friction and restitution between the bodies in two slots.
+    pub(crate) fn of(self, bodies: &Bodies, slots: [u32; 2]) -> (f32, f32) {
+        let [a, b] = slots.map(|slot| bodies.records[slot].material);
+        (self.friction.mix(a.friction, b.friction), self.restitution.mix(a.restitution, b.restitution))
+    }
+}
+
 /// All bodies of a world. A body keeps its slot for life; only the rows of the awake move.
 #[derive(Debug)]
 pub(crate) struct Bodies {
@@ -127,9 +135,24 @@ pub(crate) struct Bodies {
     pub(crate) previous: Vec<Pose>,
     /// The slots of the bodies with rows, in their order, from the row after the ground's on.
     pub(crate) awake: DistinctIndices,
+    /// No body that moves is, or was, thinner or longer, m: smallest width, and greatest distance of an outline from its
+    /// centre.
+    pub(crate) smallest_thickness: f32,
+    pub(crate) largest_extent: f32,
 }
 
-clone_into_buffers!(Bodies { records, motions, forcings, watches, shapes, states, previous, awake });
+clone_into_buffers!(Bodies {
+    records,
+    motions,
+    forcings,
+    watches,
+    shapes,
+    states,
+    previous,
+    awake,
+    smallest_thickness,
+    largest_extent
+});
 
 impl Default for Bodies {
     fn default() -> Self {
@@ -142,6 +165,8 @@ impl Default for Bodies {
             states: vec![BodyState::REST; COLUMN],
             previous: vec![Pose::default()],
             awake: DistinctIndices::default(),
+            smallest_thickness: f32::INFINITY,
+            largest_extent: 0.0,
         }
     }
 }
@@ -176,6 +201,7 @@ impl Bodies {
             is_watched: false,
         };
         motion.fit(body);
+        self.measure(body.body_type, &motion);
         let forcing = Forcing {
             force: Vec2::ZERO,
             torque: 0.0,
@@ -202,6 +228,14 @@ impl Bodies {
             state.angular_velocity = if body.can_turn() { body.angular_velocity } else { 0.0 };
         }
         BodyId(key)
+    }
+
+    /// Takes note of how small and how long a body is.
+    fn measure(&mut self, body_type: BodyType, motion: &Motion) {
+        if body_type != BodyType::Fixed {
+            self.smallest_thickness = self.smallest_thickness.min(motion.thickness);
+            self.largest_extent = self.largest_extent.max(motion.extent);
+        }
     }
 
     /// Takes the body out of every table and gives back its description.
@@ -263,10 +297,12 @@ impl Bodies {
         let motion = &mut self.motions[slot as usize];
         motion.fit(body);
         motion.velocity_compensation = Vec2::ZERO;
+        let fitted = motion.clone();
         if !body.shape.can_rotate() {
             motion.pose.rotation = Rot::IDENTITY;
         }
         self.shapes[slot as usize] = body.shape;
+        self.measure(body.body_type, &fitted);
         if body.body_type != BodyType::Dynamic {
             self.forcings[slot as usize].end_step();
         }

@@ -47,6 +47,13 @@ pub enum Mix {
     Multiply,
 }
 
+/// How the materials of two bodies mix.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Mixes {
+    pub(crate) friction: Mix,
+    pub(crate) restitution: Mix,
+}
+
 impl Mix {
     /// The coefficient of a contact between coefficients `a` and `b`, both 0 or more.
     pub fn mix(self, a: f32, b: f32) -> f32 {

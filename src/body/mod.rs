@@ -14,6 +14,7 @@ pub(crate) use bodies::{Bodies, Forcing, Motion, NONE, Record};
 pub use description::{Body, BodyType};
 pub use error::BodyError;
 pub(crate) use error::Number;
+pub(crate) use material::Mixes;
 pub use material::{Material, Mix};
 pub(crate) use rest::{HORIZON, RestRule, RestWatch};
 

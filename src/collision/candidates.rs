@@ -53,8 +53,15 @@ impl CandidatePairs {
         self.pairs.push(pair);
     }
 
-    /// Takes note that the body in `slot` is no more, or is found by others than before. Its pairs are to be forgotten before pairs are looked for again or
-    /// sorted out.
+    /// Takes out those of some pairs that are here.
+    pub(crate) fn remove(&mut self, pairs: impl Iterator<Item = (u32, u32)>) {
+        let mut pairs: Vec<_> = pairs.collect();
+        pairs.sort_unstable();
+        self.pairs.retain(|pair| pairs.binary_search(pair).is_err());
+    }
+
+    /// Takes note that the body in `slot` is no more, or is found by others than before. Its pairs are to be forgotten before
+    /// pairs are looked for again or sorted out.
     pub(crate) fn note_removed(&mut self, slot: u32) {
         self.removed.insert(slot);
         self.has_removed = true;

@@ -11,7 +11,9 @@ mod refresh;
 pub(crate) use candidates::CandidatePairs;
 pub(crate) use contacts::{AHEAD, ChosenContacts, Contact, Contacts, Frozen};
 pub use detection::detect;
-pub(crate) use detection::{Offset, Touch, detect_flat, detect_from, detect_within, is_flat, sweep, touch};
+pub(crate) use detection::{
+    Offset, Swept, Touch, detect_flat, detect_from, detect_within, gap_between, is_flat, sweep, touch,
+};
 pub(crate) use manifold::Corner;
 pub use manifold::{FeatureId, Manifold, ManifoldPoint};
 pub(crate) use refresh::{Refresh, are_out_of_reach, refresh};

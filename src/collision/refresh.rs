@@ -26,7 +26,7 @@ mod circle;
 use crate::body::{Bodies, Motion};
 use crate::collision::refresh::circle::move_to;
 use crate::collision::{
-    Contact, Frozen, Manifold, ManifoldPoint, Offset, Touch, detect_flat, detect_from, is_flat, sweep,
+    Contact, Frozen, Manifold, ManifoldPoint, Offset, Swept, Touch, detect_flat, detect_from, is_flat, sweep,
 };
 use crate::math::{Rot, Vec2};
 use crate::shape::Shape;
@@ -366,8 +366,9 @@ impl<'a> Pair<'a> {
     /// The manifold of the moment in which the bodies first touch, if they do within the step; separations
     /// are those of now along its normal.
     fn find_where_they_meet(&self, motion: Vec2, margin: f32) -> Option<Manifold> {
-        let (a, b) = (self.shape_a, self.shape_b);
-        let fraction = sweep(a, self.rotation_a, b, self.rotation_b, self.offset.near, motion, 0.0)?;
+        let a = Swept { shape: self.shape_a, rotation: self.rotation_a, spin: 0.0 };
+        let b = Swept { shape: self.shape_b, rotation: self.rotation_b, spin: 0.0 };
+        let fraction = sweep(a, b, self.offset.near, motion, 1.0, 0.0)?;
         let advance = motion * fraction;
         let mut manifold = self.detect_at(self.offset.near + advance, margin)?;
         let closed = manifold.normal.dot(advance);

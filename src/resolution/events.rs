@@ -5,28 +5,40 @@
 //! impulse. The points that wait for it are marked as pending, and the sweeps leave them alone.
 
 mod approach;
+mod continuous;
+mod course;
 mod impacts;
 mod meeting;
 mod queue;
 mod seams;
 
-use crate::body::Bodies;
+use crate::body::{Bodies, Mixes};
 use crate::collision::Contacts;
-use crate::compute::{BodyState, GROUND_ROW};
+use crate::collision::broad_phase::BroadPhase;
+use crate::compute::BodyState;
 use crate::math::Vec2;
 use crate::resolution::constraint_graph::{ConstraintGraph, GraphIndex};
 use crate::resolution::events::approach::bounce_threshold;
+pub(crate) use crate::resolution::events::continuous::{Continuous, Encounter};
+pub(crate) use crate::resolution::events::course::Courses;
 pub(crate) use crate::resolution::events::impacts::{Impact, Impacts};
 use crate::resolution::events::meeting::Meeting;
 pub(crate) use crate::resolution::events::seams::Seams;
 use crate::resolution::integrate::{Kicks, drift, drift_until};
 use crate::resolution::scheme::Scheme;
 
+/// Bodies come much nearer if it is by more than this share of the width of the thinner in a step, no unit: less, and heaps
+/// would be solved by pairs; half of the width, and one may leave the other on the far side.
+const MUCH_NEARER: f32 = 0.25;
+
 /// What events happen to.
 #[derive(Debug)]
 pub(crate) struct EventScene<'a> {
     pub(crate) bodies: &'a mut Bodies,
     pub(crate) contacts: &'a Contacts,
+    pub(crate) broad_phase: &'a BroadPhase,
+    pub(crate) mixes: Mixes,
+    pub(crate) courses: &'a Courses,
     pub(crate) kicks: &'a Kicks,
     pub(crate) graph: &'a mut ConstraintGraph,
     pub(crate) scheme: &'a Scheme,
@@ -73,13 +85,54 @@ impl EventScene<'_> {
         bounce_threshold(self.scheme.restitution_threshold, acceleration, self.h())
     }
 
-    /// Lets two bodies collide that meet at a time within the substep, s, and moves them by what their drift will miss. The
-    /// ground, whose row stands for all that contacts do not move, stays as it is.
-    fn collide(&mut self, home: GraphIndex, meeting: &Meeting, restitution: f32, time: f32) {
-        let mut after = self.states(self.graph.rows(home));
+    /// Coefficients of friction and restitution between the bodies in two slots.
+    fn mixed(&self, slots: [u32; 2]) -> (f32, f32) {
+        self.mixes.of(self.bodies, slots)
+    }
+
+    /// Index of the contact between the bodies in two slots, if they have one.
+    fn contact_of(&self, [a, b]: [u32; 2]) -> Option<u32> {
+        self.contacts.of_body(self.bodies, a).find(|&index| self.contacts[index].other(a) == b)
+    }
+
+    /// The place of the contact between the bodies in two slots in the graph, if it is there.
+    fn home(&self, slots: [u32; 2]) -> Option<GraphIndex> {
+        self.graph.home(self.contact_of(slots)?)
+    }
+
+    /// Whether a contact between the bodies in two slots bears load.
+    fn is_loaded(&self, slots: [u32; 2]) -> bool {
+        self.home(slots).is_some_and(|home| self.graph.is_loaded(home))
+    }
+
+    /// Whether the contact between the bodies in two slots is left to the sweeps of [`Continuous`]: one of them is off course
+    /// and may meet others before, and they may come much nearer.
+    fn is_swept(&self, slots: [u32; 2]) -> bool {
+        let is_off = |slot: u32| self.courses.is_off(self.bodies, self.bodies.motions[slot as usize].row);
+        slots.into_iter().any(is_off) && self.may_come_much_nearer(slots, self.h())
+    }
+
+    /// Whether the bodies in two slots may come much nearer within a step, if so in each of its substeps within a time, s.
+    fn may_come_much_nearer(&self, slots: [u32; 2], time: f32) -> bool {
+        let motions = slots.map(|slot| &self.bodies.motions[slot as usize]);
+        let states = self.states(motions.map(|motion| motion.row));
+        let rim_speeds = [0, 1].map(|index| {
+            let extent = if motions[index].is_round { 0.0 } else { motions[index].extent };
+            states[index].angular_velocity.abs() * extent
+        });
+        let speed =
+            Vec2::from(states[1].velocity - states[0].velocity).norm_1() + rim_speeds[0] + rim_speeds[1];
+        speed * time * self.scheme.substeps as f32
+            > MUCH_NEARER * motions[0].thickness.min(motions[1].thickness)
+    }
+
+    /// Lets two bodies collide that meet at a time within the substep, s, and moves those of them that contacts move by what
+    /// their drift will miss.
+    fn collide(&mut self, rows: [u32; 2], moved: [bool; 2], meeting: &Meeting, restitution: f32, time: f32) {
+        let mut after = self.states(rows);
         meeting.collide(restitution, &mut after);
-        let moved = self.graph.moved_rows(home).into_iter().zip(after);
-        for (row, mut after) in moved.filter(|&(row, _)| row != GROUND_ROW) {
+        let moved = rows.into_iter().zip(after).zip(moved);
+        for ((row, mut after), _) in moved.filter(|&(_, is_moved)| is_moved) {
             let state = &mut self.bodies.states[row as usize];
             self.scheme.limits.cut(&mut after);
             drift_until(time, state, &mut after);

@@ -28,7 +28,7 @@ mod tiers;
 
 pub(crate) use constraint::StepResidual;
 pub(crate) use constraint_graph::ConstraintGraph;
-pub(crate) use events::Impact;
+pub(crate) use events::{Encounter, Impact};
 pub(crate) use integrate::SpeedLimits;
 pub(crate) use islands::{Islands, find_island};
 #[cfg(feature = "report")]

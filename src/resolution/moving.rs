@@ -18,10 +18,10 @@ use crate::resolution::moving_geometry::MovingGeometry;
 /// Far enough that the nearest points of two bodies are found wherever they are, m.
 const ANY_DISTANCE: f32 = 1e9;
 
-/// The manifold of a contact with its bodies in the given states; empty where they cannot be told apart from
-/// bodies that do not touch.
-pub(crate) fn manifold_in(contact: &Contact, bodies: &Bodies, [a, b]: [&BodyState; 2]) -> Manifold {
-    let [slot_a, slot_b] = contact.slots.map(|slot| slot as usize);
+/// The manifold of the bodies in two slots, in the given states; empty where they cannot be told apart from bodies that do
+/// not touch.
+pub(crate) fn manifold_in(slots: [u32; 2], bodies: &Bodies, [a, b]: [&BodyState; 2]) -> Manifold {
+    let [slot_a, slot_b] = slots.map(|slot| slot as usize);
     let (pose_a, pose_b) = (bodies.motions[slot_a].pose, bodies.motions[slot_b].pose);
     let turned = |state: &BodyState, rotation: Rot| {
         Rot { c: state.delta_rotation.c, s: state.delta_rotation.s } * rotation
@@ -41,7 +41,7 @@ pub(crate) fn constraint_in(
     graph: &ConstraintGraph,
     [a, b]: &[BodyState; 2],
 ) -> Option<(ContactConstraint<f32>, f32)> {
-    let manifold = manifold_in(contact, bodies, [a, b]).restricted_to(&contact.manifold)?;
+    let manifold = manifold_in(contact.slots, bodies, [a, b]).restricted_to(&contact.manifold)?;
     let mut constraint = graph.constraint(home);
     constraint.set_manifold_in(&manifold, a, b);
     Some((constraint, manifold.points()[0].separation))

@@ -21,6 +21,8 @@ pub(crate) struct Scheme {
     /// Whether islands under great load may be solved directly.
     pub(crate) adapts: bool,
     pub(crate) warm_starting: bool,
+    /// Whether bodies that are off course are swept.
+    pub(crate) continuous: bool,
     pub(crate) block_solve: bool,
     /// Iterations of position projection at the end of the step, instead of a bias in the sweeps.
     pub(crate) projections: Option<u32>,

@@ -2,8 +2,9 @@
 
 use std::sync::atomic::{AtomicBool, Ordering};
 
-use crate::body::Bodies;
+use crate::body::{Bodies, Mixes};
 use crate::collision::Contacts;
+use crate::collision::broad_phase::BroadPhase;
 use crate::compute::{Chosen, Executor};
 use crate::math::Vec2;
 use crate::resolution::constraint::StepResidual;
@@ -11,7 +12,7 @@ use crate::resolution::constraint_graph::ConstraintGraph;
 use crate::resolution::contact_block::Beginning;
 use crate::resolution::damping::{Damped, is_damped};
 use crate::resolution::direct::{Aim, DirectSolver};
-use crate::resolution::events::{EventScene, Impacts, Seams};
+use crate::resolution::events::{Continuous, Courses, EventScene, Impacts, Seams};
 use crate::resolution::integrate::{Advance, Kick, Kicks, integrate};
 use crate::resolution::islands::Islands;
 use crate::resolution::kernel::{WarmStart, WarmStartTime};
@@ -40,6 +41,8 @@ pub(crate) struct Solver {
     kicks: Kicks,
     damped: Damped,
     pub(crate) impacts: Impacts,
+    pub(crate) continuous: Continuous,
+    courses: Courses,
     moving: MovingContacts,
     seams: Seams,
     direct: DirectSolver,
@@ -52,6 +55,8 @@ pub(crate) struct SolveTables<'a> {
     pub(crate) contacts: &'a mut Contacts,
     pub(crate) graph: &'a mut ConstraintGraph,
     pub(crate) loads: &'a mut Loads,
+    pub(crate) broad_phase: &'a BroadPhase,
+    pub(crate) mixes: Mixes,
     /// Who does the work.
     pub(crate) executor: Executor<'a>,
 }
@@ -64,6 +69,7 @@ pub(crate) struct SolveTables<'a> {
 ///     impacts      what approaches fast enough bounces, each at its time
 ///     push         half of the last impulses, and a sweep that pushes overlaps apart; stiff islands are solved directly
 ///     seams        circles that roll onto another piece of ground meet it, each at its time
+///     continuous   what is off course is swept and meets what is on its way
 ///     drift h      x += h v
 ///     kick h/2     v += h/2 a(x), and damping
 ///     refresh      contacts of circles and loaded corners follow the surface
@@ -87,6 +93,7 @@ pub(crate) fn solve(
         let has_moved = solver.run_impacts(scheme, tables) || (substep > 0 && scheme.relax_iterations == 0);
         solver.push(scheme, tables, has_moved);
         solver.cross_seams(scheme, tables);
+        solver.sweep_those_off_course(scheme, tables);
         solver.drift_and_kick(scheme, tables, acceleration);
         solver.refresh(tables);
         solver.relax(scheme, tables);
@@ -126,12 +133,9 @@ impl Solver {
     /// Impacts of contacts that approach fast enough to bounce; whether there were some, which move bodies.
     fn run_impacts(&mut self, scheme: &Scheme, tables: &mut SolveTables<'_>) -> bool {
         self.seams.release(tables.graph);
-        if self.impacts.len() == 0 {
-            return false;
-        }
-        let SolveTables { bodies, contacts, graph, .. } = tables;
-        let mut scene = EventScene { bodies, contacts, kicks: &self.kicks, graph, scheme };
-        self.impacts.run(&mut scene)
+        self.impacts.begin_substep();
+        let mut scene = event_scene(tables, scheme, &self.kicks, &self.courses);
+        self.impacts.len() > 0 && self.impacts.run(&mut scene)
     }
 
     /// Contacts before the bodies move. `has_moved` says that they have since the last sweep.
@@ -149,8 +153,13 @@ impl Solver {
 
     /// Circles that roll from one piece of ground onto the next during the move.
     fn cross_seams(&mut self, scheme: &Scheme, tables: &mut SolveTables<'_>) {
-        let SolveTables { bodies, contacts, graph, .. } = tables;
-        self.seams.run(&mut EventScene { bodies, contacts, kicks: &self.kicks, graph, scheme });
+        self.seams.run(&mut event_scene(tables, scheme, &self.kicks, &self.courses));
+    }
+
+    /// Bodies whose velocities the contacts have changed, so that they may meet others than they were found with.
+    fn sweep_those_off_course(&mut self, scheme: &Scheme, tables: &mut SolveTables<'_>) {
+        let Self { impacts, continuous, courses, kicks, .. } = self;
+        continuous.run(&mut event_scene(tables, scheme, kicks, courses), impacts);
     }
 
     /// Contacts after the bodies have moved.
@@ -181,6 +190,8 @@ impl Solver {
         acceleration: &impl Acceleration,
     ) {
         self.prepare_kicks(scheme, tables, acceleration);
+        self.courses.begin(tables.bodies, scheme.dt, scheme.continuous);
+        self.continuous.clear();
         let SolveTables { bodies, contacts, graph, executor, .. } = &mut *tables;
         let from = Beginning { contacts, bodies, dt: scheme.dt };
         graph.prepare(*executor, from);
@@ -268,7 +279,7 @@ impl Solver {
     /// Writes impulses back into the contacts and compensations back into the bodies.
     fn finish(&self, scheme: &Scheme, tables: &mut SolveTables<'_>) -> StepResidual {
         let rows = 1..tables.bodies.row_count();
-        let SolveTables { bodies, contacts, graph, loads, executor } = tables;
+        let SolveTables { bodies, contacts, graph, loads, executor, .. } = tables;
         let measure = LoadMeasure::new(scheme.adapts, 1.0 / scheme.substep_time());
         loads.unsolved.extend(self.direct.unsolved_rows().map(|row| bodies.slot_of_row(row as usize)));
         let residual = graph.finish(*executor, &bodies.states, contacts, measure, loads);
@@ -286,6 +297,17 @@ impl Solver {
 pub(super) fn steady(bodies: &Bodies, slot: u32, acceleration: &impl Acceleration) -> Vec2 {
     let (motion, forcing) = (&bodies.motions[slot as usize], &bodies.forcings[slot as usize]);
     acceleration.uniform() * forcing.gravity_scale + forcing.force * motion.inverse_mass
+}
+
+/// What events happen to.
+fn event_scene<'a>(
+    tables: &'a mut SolveTables<'_>,
+    scheme: &'a Scheme,
+    kicks: &'a Kicks,
+    courses: &'a Courses,
+) -> EventScene<'a> {
+    let SolveTables { bodies, contacts, graph, broad_phase, mixes, .. } = tables;
+    EventScene { bodies, contacts, broad_phase, mixes: *mixes, courses, kicks, graph, scheme }
 }
 
 /// One of the warm starts of a substep.

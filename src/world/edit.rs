@@ -95,11 +95,7 @@ impl World {
 
     /// Coefficients of friction and restitution of a contact between the bodies in two slots.
     pub(in crate::world) fn mixed(&self, a: u32, b: u32) -> (f32, f32) {
-        let [a, b] = [a, b].map(|slot| self.bodies.records[slot].material);
-        (
-            self.settings.friction_mix.mix(a.friction, b.friction),
-            self.settings.restitution_mix.mix(a.restitution, b.restitution),
-        )
+        self.settings.mixes().of(&self.bodies, [a, b])
     }
 
     /// Mixes the coefficients of the contacts with these indices anew.

@@ -2,7 +2,7 @@
 
 use core::fmt;
 
-use crate::body::{HORIZON, Mix, Number, RestRule};
+use crate::body::{HORIZON, Mix, Mixes, Number, RestRule};
 use crate::compute::{Lanes, MOST_THREADS};
 use crate::math::{Aabb, Vec2};
 use crate::resolution::{Scheme, SpeedLimits, TierRule};
@@ -55,6 +55,9 @@ pub struct Settings {
     pub split_kick: bool,
     /// Whether contacts begin with the impulse they ended with. Default true.
     pub warm_starting: bool,
+    /// Whether bodies that get their speed within a tick, or spin fast, are swept along their ways, so that they pass
+    /// through nothing. Others pay nothing. Default true.
+    pub continuous: bool,
     /// Whether the two points of a contact are solved together. Default true.
     pub block_solve: bool,
     /// Whether manifolds are kept, and contacts with circles hold still within a step, while the bodies hardly move
@@ -116,6 +119,7 @@ impl Default for Settings {
             relax_iterations: 1,
             split_kick: true,
             warm_starting: true,
+            continuous: true,
             block_solve: true,
             recycling: true,
             position_correction: PositionCorrection::Bias,
@@ -230,6 +234,11 @@ impl Settings {
         }
     }
 
+    /// How the materials of two bodies mix.
+    pub(crate) fn mixes(&self) -> Mixes {
+        Mixes { friction: self.friction_mix, restitution: self.restitution_mix }
+    }
+
     /// Length of a substep, s.
     pub(crate) fn substep_seconds(&self) -> f32 {
         self.tick_seconds() as f32 / self.substeps as f32
@@ -250,6 +259,7 @@ impl Settings {
             split_kick: self.split_kick,
             adapts: self.adaptive,
             warm_starting: self.warm_starting,
+            continuous: self.continuous,
             block_solve: self.block_solve,
             projections: match self.position_correction {
                 PositionCorrection::Bias => None,

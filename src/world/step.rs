@@ -7,7 +7,9 @@ use crate::body::{Bodies, BodyId, BodyType, Motion, NONE, RestRule, RestWatch};
 use crate::collision::{AHEAD, Refresh, refresh};
 use crate::compute::{BodyState, Chosen, Executor};
 use crate::math::{Rot, Vec2};
-use crate::resolution::{Impact, SolveTables, StepResidual, TierTables, begins_at_rest, rescale, solve};
+use crate::resolution::{
+    Encounter, Impact, SolveTables, StepResidual, TierTables, begins_at_rest, rescale, solve,
+};
 use crate::world::World;
 use crate::world::attractor::Field;
 use crate::world::events::{ContactEvent, HitEvent};
@@ -108,15 +110,22 @@ impl World {
         for place in 0..pairs.len() {
             self.contacts.prefetch_beginning(&self.bodies, &pairs, place);
             let (a, b) = pairs[place];
-            let (friction, restitution) = self.mixed(a, b);
-            let index = self.contacts.begin(&mut self.bodies, [a, b], friction, restitution);
-            self.loads.begin_contact(index);
-            if self.bodies.is_awake(a) || self.bodies.is_awake(b) {
-                self.contacts.set_awake(index);
-            }
+            self.begin_contact([a, b]);
         }
         pairs.clear();
         self.new_pairs = pairs;
+    }
+
+    /// Begins the contact of two bodies; returns its index.
+    fn begin_contact(&mut self, slots: [u32; 2]) -> u32 {
+        let [a, b] = slots;
+        let (friction, restitution) = self.mixed(a, b);
+        let index = self.contacts.begin(&mut self.bodies, slots, friction, restitution);
+        self.loads.begin_contact(index);
+        if self.bodies.is_awake(a) || self.bodies.is_awake(b) {
+            self.contacts.set_awake(index);
+        }
+        index
     }
 
     fn is_fixed(&self, slot: u32) -> bool {
@@ -208,7 +217,8 @@ impl World {
     fn solve(&mut self) {
         let settings = &self.settings;
         let rule = settings.tier_rule(self.acceleration.length());
-        let Self { bodies, contacts, graph, loads, pool, .. } = self;
+        let mixes = settings.mixes();
+        let Self { bodies, contacts, graph, loads, pool, broad_phase, .. } = self;
         self.tiers.decide(self.ticks, rule, loads, TierTables { bodies, contacts, graph });
         loads.clear();
         let field = Field {
@@ -222,7 +232,7 @@ impl World {
             rescale(contacts, bodies, &field, [last, now]);
         }
         let executor = Executor { pool, width: scheme.width };
-        let mut tables = SolveTables { bodies, contacts, graph, loads, executor };
+        let mut tables = SolveTables { bodies, contacts, graph, loads, broad_phase, mixes, executor };
         self.residual = solve(&mut self.solver, &scheme, &self.tiers.direct, &mut tables, &field);
     }
 
@@ -287,11 +297,31 @@ impl World {
 
     /// How many contacts may have begun or ceased to touch.
     fn changing_count(&self) -> usize {
-        self.contacts.changing_count() + self.solver.impacts.of_step().len()
+        self.contacts.changing_count()
+            + self.solver.impacts.of_step().len()
+            + self.solver.continuous.encounters().len()
+    }
+
+    /// Begins a contact for each pair of bodies that met within the step and had none. Where they have parted again, the
+    /// next step ends it.
+    fn begin_encountered(&mut self) {
+        let encounters = self.solver.continuous.take_encounters();
+        if !encounters.is_empty() {
+            self.candidates.remove(encounters.iter().map(|encounter| encounter.slots.into()));
+        }
+        for &Encounter { slots, speed } in &encounters {
+            self.broad_phase.take_up_pair(slots);
+            let index = self.begin_contact(slots);
+            let contact = &mut self.contacts[index];
+            (contact.has_bounced, contact.approach_speed) = (true, speed);
+            self.contacts.note_change(index);
+        }
+        self.solver.continuous.give_back(encounters);
     }
 
     /// Reports which contacts began, ended or hit.
     fn report_events(&mut self) {
+        self.begin_encountered();
         for &Impact { contact: index, speed } in self.solver.impacts.of_step() {
             let contact = &mut self.contacts[index];
             // Of several impacts, the first is what the bodies met with.

@@ -3,6 +3,7 @@
 mod allocation;
 mod bad_input;
 mod closed_worlds;
+mod continuous;
 mod determinism;
 mod golden;
 mod house;

@@ -320,6 +320,11 @@ impl BroadPhase {
         report(&met[..count]);
     }
 
+    /// Takes up a pair (a < b) that met without overlapping boxes, if it is not known yet.
+    pub(crate) fn take_up_pair(&mut self, [a, b]: [u32; 2]) {
+        self.pairs.insert(a, b);
+    }
+
     /// Forgets a pair, which ended: the fat boxes no longer overlap, or a body was taken out. It is reported
     /// again when they overlap and one of the two has moved.
     pub(crate) fn forget_pair(&mut self, a: u32, b: u32) {

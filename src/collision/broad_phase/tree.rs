@@ -131,6 +131,15 @@ impl Default for Tree {
 }
 
 impl Tree {
+    /// Takes all leaves out.
+    pub(crate) fn clear(&mut self) {
+        self.pairs.truncate(1);
+        self.pairs[pair_of(ROOT)] = Pair::NOTHING;
+        self.free_pairs.clear();
+        self.leaf_places.clear();
+        self.free_leaves.clear();
+    }
+
     /// How many leaves there are.
     pub(crate) fn len(&self) -> usize {
         self.leaf_places.len() - self.free_leaves.len()

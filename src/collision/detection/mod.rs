@@ -30,7 +30,7 @@ mod tests;
 mod touch;
 
 pub(crate) use large_circle::is_flat;
-pub(crate) use sweep::sweep;
+pub(crate) use sweep::{Swept, gap_between, sweep};
 pub(crate) use touch::Touch;
 
 use core::ops::Neg;

@@ -1,9 +1,10 @@
-//! Sweep: when do two shapes that move without turning first come near.
+//! Sweep: when do two shapes first come near, of which each moves and turns evenly.
 //!
-//! For fast pairs only, so that nothing passes through anything. The distance of two convex shapes is a convex
-//! function of how far one has moved: it falls, then rises. Newton's method from the left therefore never
-//! overshoots the first time it reaches the target, and on stretches where the same straight features face each
-//! other one step is exact (conservative advancement: B. Mirtich, 1996).
+//! For fast pairs only, so that nothing passes through anything. Two shapes are as far apart as the widest strip between
+//! them. A strip along a fixed normal shrinks no faster than the shapes approach each other along it and their outlines turn
+//! into it, so that until it has shrunk to the target they are farther apart: a step by that time is never too long
+//! (conservative advancement: B. Mirtich, 1996). Where nothing turns, the distance is a convex function of how far one has
+//! moved, the step is Newton's, and on stretches where the same straight features face each other one step is exact.
 
 use crate::collision::detection::closest::Closest;
 use crate::collision::detection::polygon_polygon::best_face;
@@ -12,42 +13,75 @@ use crate::math::{Rot, Vec2};
 use crate::shape::{Hull, Shape};
 
 /// Newton's method doubles the digits at each step, but where the shapes only graze it gains one bit: after
-/// 40 steps the fraction has all the bits that `f32` has, either way.
+/// 40 steps the time has all the bits that `f32` has, either way. What turns may not have come near by then.
 const MAX_STEPS: usize = 40;
 
-/// Part of `motion`, m, the translation of b relative to a, after which the shapes first come within `target`, m,
-/// of each other; neither turns on the way. 0 where they already are, `None` where they never do.
+/// What turns is near its target within this part of the width of the thinner shape, no unit: each step closes a part of
+/// what is left, and would never end.
+const TOLERANCE: f32 = 1e-3;
+
+/// A shape that turns evenly.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Swept<'a> {
+    pub(crate) shape: &'a Shape,
+    /// As it begins.
+    pub(crate) rotation: Rot,
+    /// rad/s. The outline of a circle does not turn.
+    pub(crate) spin: f32,
+}
+
+impl Swept<'_> {
+    /// As it is after `time`, s.
+    fn rotation_after(&self, time: f32) -> Rot {
+        if self.spin == 0.0 { self.rotation } else { Rot::from_angle(self.spin * time) * self.rotation }
+    }
+
+    /// How fast its outline may come closer along any direction by turning, m/s.
+    fn rim_speed(&self) -> f32 {
+        if matches!(self.shape, Shape::Circle(_)) { 0.0 } else { self.spin.abs() * self.shape.extent() }
+    }
+}
+
+/// When two shapes first come within `target`, m, of each other, s, if not later than `until`: the centre of b starts at
+/// `offset`, m, from that of a, and moves with `velocity`, m/s, against it. 0 where they already are.
 ///
-/// A negative target asks for an overlap of that depth. Never late: at the fraction returned the distance is the
-/// target or, by rounding, a little more.
+/// A negative target asks for an overlap of that depth. Never late: at the time returned the distance is the target or, by
+/// rounding and the tolerance of what turns, a little more; more than that where 40 steps were not enough.
 pub(crate) fn sweep(
-    shape_a: &Shape,
-    rotation_a: Rot,
-    shape_b: &Shape,
-    rotation_b: Rot,
+    a: Swept<'_>,
+    b: Swept<'_>,
     offset: Vec2,
-    motion: Vec2,
+    velocity: Vec2,
+    until: f32,
     target: f32,
 ) -> Option<f32> {
-    let mut fraction = 0.0;
+    let rim_speed = a.rim_speed() + b.rim_speed();
+    let tolerance =
+        if rim_speed == 0.0 { 0.0 } else { TOLERANCE * a.shape.thickness().min(b.shape.thickness()) };
+    let mut time = 0.0;
     for _ in 0..MAX_STEPS {
-        let place = offset + motion * fraction;
-        let gap = gap_of(shape_a, rotation_a, shape_b, rotation_b, place)?;
+        let place = offset + velocity * time;
+        let gap = gap_of(a.shape, a.rotation_after(time), b.shape, b.rotation_after(time), place)?;
         let left = gap.distance - target;
-        if left <= noise_of(place) {
-            return Some(fraction);
+        if left <= noise_of(place) + tolerance {
+            return Some(time);
         }
-        // How fast the distance shrinks: its gradient is the normal.
-        let approach = -gap.normal.dot(motion);
+        // How fast the strip shrinks: the gradient of the distance is the normal.
+        let approach = rim_speed - gap.normal.dot(velocity);
         if approach <= 0.0 {
             return None;
         }
-        fraction += left / approach;
-        if !within(fraction, 1.0) {
+        time += left / approach;
+        if !within(time, until) {
             return None;
         }
     }
-    Some(fraction)
+    Some(time)
+}
+
+/// The distance of two shapes as they begin, m, negative where they overlap.
+pub(crate) fn gap_between(a: Swept<'_>, b: Swept<'_>, offset: Vec2) -> Option<f32> {
+    gap_of(a.shape, a.rotation, b.shape, b.rotation, offset).map(|gap| gap.distance)
 }
 
 /// A strip between two shapes.

@@ -1,7 +1,7 @@
 //! The begin of the step: contacts made into the constraints of a block.
 
 use crate::body::{Bodies, Motion};
-use crate::collision::{Contact, Contacts};
+use crate::collision::{Contact, Contacts, Manifold};
 use crate::compute::{COLUMN, Columns, GROUND_ROW, Lane, RowPairs};
 use crate::resolution::constraint::{ConstraintPoint, ContactConstraint, THERE, Turns};
 use crate::resolution::contact_block::{BlockMarks, ContactBlock, Fit};
@@ -27,22 +27,22 @@ fn is_circle_on_ground([a, b]: [&Motion; 2]) -> bool {
 }
 
 impl ContactConstraint<f32> {
-    /// That of a contact between two bodies, but for the effective masses of the points that are there.
+    /// That of a manifold between two bodies, but for the effective masses of the points that are there.
     #[inline(always)]
-    fn new(contact: &Contact, [a, b]: [&Motion; 2]) -> Self {
+    pub(crate) fn new(manifold: &Manifold, friction: f32, [a, b]: [&Motion; 2]) -> Self {
         let turns = |motion: &Motion| if motion.is_round { 0.0 } else { 1.0 };
         let mut constraint = Self {
             inverse_mass_a: a.inverse_mass,
             inverse_mass_b: b.inverse_mass,
             inverse_inertia_a: a.inverse_inertia,
             inverse_inertia_b: b.inverse_inertia,
-            normal: contact.manifold.normal.into(),
-            friction: contact.friction,
+            normal: manifold.normal.into(),
+            friction,
             turns: Turns { a: turns(a), b: turns(b) },
             ..Self::default()
         };
         let places = constraint.points.iter_mut().zip(&mut constraint.frictions);
-        for ((to, friction), point) in places.zip(contact.manifold.points()) {
+        for ((to, friction), point) in places.zip(manifold.points()) {
             *to = ConstraintPoint {
                 anchor_a: point.anchor_a.into(),
                 anchor_b: point.anchor_b.into(),
@@ -91,7 +91,7 @@ impl ContactBlock {
         let motions = contact.slots.map(|slot| &bodies.motions[slot as usize]);
         let [a, b] = motions;
         (rows_a[place], rows_b[place]) = (a.row, b.row);
-        let constraint = ContactConstraint::new(contact, motions);
+        let constraint = ContactConstraint::new(&contact.manifold, contact.friction, motions);
         self.columns.store::<f32>(place, constraint);
         self.has_circles |= a.is_round | b.is_round;
         // A spin of 0 stays 0, and not -0, where nothing can change it.

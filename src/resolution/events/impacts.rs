@@ -36,6 +36,7 @@ use crate::resolution::events::EventScene;
 use crate::resolution::events::approach::{Look, Substep, approach};
 use crate::resolution::events::meeting::Meeting;
 use crate::resolution::events::queue::{Expected, ImpactQueue, Neighbours};
+use crate::resolution::integrate::drift_until;
 use crate::resolution::moving::manifold_in;
 
 /// How often two bodies may be struck within a substep before their contact is left to the sweeps, as if there were no
@@ -62,12 +63,18 @@ pub(crate) struct Impact {
 }
 
 /// What a body has been through in this substep.
-#[derive(Clone, Copy, Debug, Default)]
+#[derive(Clone, Copy, Debug)]
 struct RowImpacts {
     /// How many impacts.
     count: u32,
     /// Time of the last, s.
     last: f32,
+    /// As it went on from there.
+    after: BodyState,
+}
+
+impl RowImpacts {
+    const NONE: Self = Self { count: 0, last: 0.0, after: BodyState::REST };
 }
 
 /// The impacts stage and its buffers.
@@ -93,6 +100,7 @@ pub(crate) struct Impacts {
 impl Impacts {
     /// Forgets the contacts of the last step.
     pub(crate) fn clear(&mut self) {
+        self.begin_substep();
         self.blocks.clear();
         self.neighbours.reset(0);
         self.impacts.clear();
@@ -117,7 +125,7 @@ impl Impacts {
 
     /// Lets everything bounce that meets within this substep, in the order of time. Whether that has moved any body.
     pub(crate) fn run(&mut self, scene: &mut EventScene<'_>) -> bool {
-        self.by_row.resize(scene.bodies.row_count(), RowImpacts::default());
+        self.by_row.resize(scene.bodies.row_count(), RowImpacts::NONE);
         self.look_at_all(scene);
         self.looks_left = LOOKS_PER_CONTACT * self.len;
         while let Some(expected) = self.queue.pop() {
@@ -130,11 +138,30 @@ impl Impacts {
                 self.meet(expected, scene);
             }
         }
-        let have_moved = !self.hit_rows.is_empty();
+        !self.hit_rows.is_empty()
+    }
+
+    /// Begins a substep.
+    pub(crate) fn begin_substep(&mut self) {
         for row in self.hit_rows.drain(..) {
-            self.by_row[row as usize] = RowImpacts::default();
+            self.by_row[row as usize] = RowImpacts::NONE;
         }
-        have_moved
+    }
+
+    /// When the last impact of a row was in this substep, s; 0 where there was none. What has changed its velocity since acts
+    /// from then on.
+    pub(super) fn resume(&self, row: u32, state: &mut BodyState) -> f32 {
+        let Some(RowImpacts { last, after, .. }) = self.by_row.get(row as usize).filter(|row| row.count > 0)
+        else {
+            return 0.0;
+        };
+        drift_until(*last, after, state);
+        *last
+    }
+
+    /// Takes note of an impact that was found otherwise.
+    pub(super) fn note(&mut self, contact: u32, speed: f32) {
+        self.impacts.push(Impact { contact, speed });
     }
 
     /// Finds the points that are pending, and expects the impacts that may come.
@@ -169,9 +196,27 @@ impl Impacts {
             .is_some_and(|least| least >= STRIKES_PER_SUBSTEP)
     }
 
-    /// Queues the next impact of a contact, if it comes within this substep, and marks the points that approach fast but
-    /// are still apart as pending.
+    /// Queues the next impact of a contact, if it comes within this substep.
     fn expect(&mut self, contact: GraphIndex, scene: &mut EventScene<'_>) {
+        let Some(Approach { rows, gaps, speeds, acceleration }) = self.mark(contact, scene) else { return };
+        let h = scene.h();
+        let time_of = |index: usize| time_of_impact(gaps[index], speeds[index]?, acceleration, h);
+        let first = [0, 1].into_iter().filter_map(time_of).fold(f32::INFINITY, f32::min);
+        // Never before an earlier impact of either body: until then it moved otherwise.
+        let earliest = rows.iter().fold(0.0, |last: f32, &row| last.max(self.by_row[row as usize].last));
+        let time = first.max(earliest);
+        // What is off course may meet others before, unless it meets at once.
+        let slots = scene.contacts[scene.graph.contact_at(contact)].slots;
+        if time <= h && (time == earliest || !scene.is_swept(slots)) {
+            let impacts_before = self.impacts_of(rows);
+            self.queue.push(Expected { time, contact, impacts_before, looks_in_vain: 0 });
+        }
+    }
+
+    /// Marks the points of a contact as pending that approach fast enough to bounce but are still apart. How they approach,
+    /// if they do so that fast.
+    #[inline(always)]
+    fn mark(&self, contact: GraphIndex, scene: &mut EventScene<'_>) -> Option<Approach> {
         let (rows, block, place) = scene.graph.block(contact);
         let (rows, constraint) = (rows.get(place), block.load(place));
         let pair = scene.states(rows);
@@ -183,21 +228,14 @@ impl Impacts {
             speeds = speeds.map(|speed| speed.filter(|&speed| speed < -threshold && !is_wedged));
         }
         if speeds == [None; 2] {
-            return scene.graph.set_pending(contact, [false; 2]);
+            scene.graph.set_pending(contact, [false; 2]);
+            return None;
         }
-        let (h, [a, b]) = (scene.h(), &pair);
-        let separations = [0, 1].map(|index| constraint.separation(&constraint.points[index], a, b));
-        let is_pending = [0, 1].map(|index| speeds[index].is_some() && separations[index] > 0.0);
-        scene.graph.set_pending(contact, is_pending);
+        let [a, b] = &pair;
+        let gaps = [0, 1].map(|index| constraint.separation(&constraint.points[index], a, b));
+        scene.graph.set_pending(contact, [0, 1].map(|index| speeds[index].is_some() && gaps[index] > 0.0));
         let acceleration = Vec2::from(constraint.normal).dot(scene.acceleration(rows));
-        let time_of = |index: usize| time_of_impact(separations[index], speeds[index]?, acceleration, h);
-        let first = [0, 1].into_iter().filter_map(time_of).fold(f32::INFINITY, f32::min);
-        // Never before an earlier impact of either body: until then it moved otherwise.
-        let time = rows.iter().fold(first, |time, &row| time.max(self.by_row[row as usize].last));
-        if time <= h {
-            let impacts_before = self.impacts_of(rows);
-            self.queue.push(Expected { time, contact, impacts_before, looks_in_vain: 0 });
-        }
+        Some(Approach { rows, gaps, speeds, acceleration })
     }
 
     /// Looks at two bodies at the time they should meet, and lets them bounce if they do.
@@ -206,7 +244,7 @@ impl Impacts {
         let (index, rows) = (scene.graph.contact_at(home), scene.graph.rows(home));
         let contact = &scene.contacts[index];
         let there = scene.bent_states_at(rows, time);
-        let manifold = manifold_in(contact, scene.bodies, [&there[0], &there[1]]);
+        let manifold = manifold_in(contact.slots, scene.bodies, [&there[0], &there[1]]);
         let mut constraint = scene.graph.constraint(home);
         constraint.set_manifold_in(&manifold, &there[0], &there[1]);
         let gained = manifold.normal.dot(scene.acceleration(rows)) * (time - 0.5 * scene.h());
@@ -216,14 +254,16 @@ impl Impacts {
         let Some(meeting) = meeting else { return };
         if !meeting.is_now() {
             // The surfaces have turned away from each other since: they meet later.
-            let later = time + meeting.gap / meeting.speed;
-            if later <= scene.h() && looks_in_vain < LOOKS_IN_VAIN {
+            let later = time + meeting.gap / meeting.fastest;
+            let may_look_again = looks_in_vain < LOOKS_IN_VAIN && !scene.is_swept(contact.slots);
+            if later <= scene.h() && may_look_again {
                 self.queue.push(Expected { time: later, looks_in_vain: looks_in_vain + 1, ..expected });
             }
             return;
         }
-        self.impacts.push(Impact { contact: index, speed: meeting.speed });
-        scene.collide(home, &meeting, contact.restitution, time);
+        self.impacts.push(Impact { contact: index, speed: meeting.speed() });
+        let are_moved = scene.graph.moved_rows(home).map(|row| row != GROUND_ROW);
+        scene.collide(rows, are_moved, &meeting, contact.restitution, time);
         if manifold.has_features_of(&contact.manifold) {
             scene.graph.set_geometry(home, &constraint);
         } else if let Some(manifold) = manifold.restricted_to(&contact.manifold) {
@@ -233,7 +273,8 @@ impl Impacts {
         let moved = scene.graph.moved_rows(home);
         for row in moved.into_iter().filter(|&row| row != GROUND_ROW) {
             let of_row = &mut self.by_row[row as usize];
-            *of_row = RowImpacts { count: of_row.count + 1, last: time };
+            let after = scene.bodies.states[row as usize];
+            *of_row = RowImpacts { count: of_row.count + 1, last: time, after };
             self.hit_rows.push(row);
         }
         self.expect(home, scene);
@@ -242,6 +283,32 @@ impl Impacts {
 
     /// Expects the impacts of the other contacts of two bodies anew, but for those under load.
     fn look_again(&mut self, rows: [u32; 2], own: GraphIndex, scene: &mut EventScene<'_>) {
+        let neighbours = self.take_neighbours(scene);
+        for contact in rows.into_iter().flat_map(|row| neighbours.of(row)) {
+            self.looks_left = self.looks_left.saturating_sub(1);
+            if contact != own && !scene.graph.is_loaded(contact) {
+                self.expect(contact, scene);
+            }
+        }
+        self.neighbours = neighbours;
+    }
+
+    /// Marks the points of all contacts of a body anew, but for those under load, as its velocity has changed.
+    pub(super) fn mark_again(&mut self, row: u32, scene: &mut EventScene<'_>) {
+        if self.len == 0 {
+            return;
+        }
+        let neighbours = self.take_neighbours(scene);
+        for contact in neighbours.of(row) {
+            if !scene.graph.is_loaded(contact) {
+                self.mark(contact, scene);
+            }
+        }
+        self.neighbours = neighbours;
+    }
+
+    /// The contacts that may bounce by the rows that they move, found as they are first asked for.
+    fn take_neighbours(&mut self, scene: &EventScene<'_>) -> Neighbours {
         let mut neighbours = std::mem::take(&mut self.neighbours);
         if neighbours.is_empty() {
             neighbours.reset(scene.bodies.row_count());
@@ -253,14 +320,19 @@ impl Impacts {
                 });
             }
         }
-        for contact in rows.into_iter().flat_map(|row| neighbours.of(row)) {
-            self.looks_left = self.looks_left.saturating_sub(1);
-            if contact != own && !scene.graph.is_loaded(contact) {
-                self.expect(contact, scene);
-            }
-        }
-        self.neighbours = neighbours;
+        neighbours
     }
+}
+
+/// How a contact approaches that may bounce.
+struct Approach {
+    rows: [u32; 2],
+    /// Per point, m.
+    gaps: [f32; 2],
+    /// Of the points that approach fast enough, m/s, negative.
+    speeds: [Option<f32>; 2],
+    /// Of b against a along the normal, m/s².
+    acceleration: f32,
 }
 
 /// Speed of a point along the normal in the middle of the substep, m/s, negative, if it approaches fast enough to bounce.

@@ -18,8 +18,8 @@ pub(super) struct Meeting {
     speeds: [Option<f32>; 2],
     /// Smallest gap of a point that approaches, m.
     pub(super) gap: f32,
-    /// Greatest speed of approach, m/s, positive.
-    pub(super) speed: f32,
+    /// Greatest speed of approach of any point, m/s, positive.
+    pub(super) fastest: f32,
     /// Gaps that differ by no more than this are closed together, m.
     tolerance: f32,
 }
@@ -43,14 +43,15 @@ impl Meeting {
         });
         let all = || approaches.into_iter().flatten();
         let gap = all().map(|(gap, _)| gap).reduce(f32::min)?;
-        let speed = -all().fold(0.0, |least: f32, (_, speed)| least.min(speed));
-        let tolerance = TOLERANCE * speed * h;
-        let takes_part = |(of_point, speed)| (of_point <= gap + tolerance).then_some(speed);
+        let fastest = -all().fold(0.0, |least: f32, (_, speed)| least.min(speed));
+        let tolerance = TOLERANCE * fastest * h;
+        // All that overlap have met.
+        let takes_part = |(of_point, speed)| (of_point <= gap.max(0.0) + tolerance).then_some(speed);
         Some(Self {
             constraint,
             speeds: approaches.map(|point| point.and_then(takes_part)),
             gap,
-            speed,
+            fastest,
             tolerance,
         })
     }
@@ -58,6 +59,11 @@ impl Meeting {
     /// Whether they have met.
     pub(super) fn is_now(&self) -> bool {
         self.gap <= self.tolerance
+    }
+
+    /// Greatest speed of approach of the points that take part, m/s, positive.
+    pub(super) fn speed(&self) -> f32 {
+        -self.speeds.into_iter().flatten().fold(0.0, f32::min)
     }
 
     /// Turns the approach speed u of each point that takes part into -e u, with the restitution e.

@@ -187,7 +187,8 @@ impl Piece {
         let meeting = Meeting::new(constraint, gaps, &there, 0.0, 0.0, scene.h());
         let Some(meeting) = meeting.filter(Meeting::is_now) else { return false };
         self.be_ahead(false, scene.graph);
-        scene.collide(home, &meeting, 0.0, time);
+        let are_moved = scene.graph.moved_rows(home).map(|row| row != GROUND_ROW);
+        scene.collide(self.rows, are_moved, &meeting, 0.0, time);
         true
     }
 }

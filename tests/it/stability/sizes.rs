@@ -31,11 +31,6 @@ fn a_disc_on_a_vertex_stays_or_rolls_but_does_not_sink() {
 }
 
 #[test]
-fn gravel_comes_to_rest_at_the_edge_of_ground_10_km_wide() {
-    hold(&["gravel-edge"]);
-}
-
-#[test]
 fn boxes_stand_on_a_planet() {
     hold(&["planet-as-ground"]);
 }

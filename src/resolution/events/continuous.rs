@@ -1,0 +1,443 @@
+//! Continuous collision: bodies that are off course are swept, so that nothing passes through anything.
+//!
+//! A body whose velocity was changed within the step, or that spins fast, is swept along its way in the substep, against
+//! everything that is near it: a question to the tree for that body only. What it meets is met at its time, with restitution
+//! and friction, and goes on from there with the rest of the substep; both bodies are then swept anew. This goes on in the
+//! order of time until nothing meets any more.
+//!
+//! What has touched before is for the sweeps of the solver, which know the whole heap: a pair under load, or without
+//! restitution, is met again only if it would go deeper by a good part of its width.
+//!
+//! Cost: nothing where nobody is off course; else a question to the tree per body and event, and a sweep for each pair whose
+//! circles meet. The events of a substep are bounded. Beyond, bodies are stopped at the surface of what they meet, and keep
+//! their velocity: time is lost, but nothing passes.
+
+use std::cmp::Reverse;
+use std::collections::BinaryHeap;
+
+use crate::body::NONE;
+use crate::collision::broad_phase::Tree;
+use crate::collision::{Swept, gap_between, is_flat, sweep};
+use crate::compute::BodyState;
+use crate::math::{Aabb, Rot, Vec2};
+use crate::resolution::constraint::ContactConstraint;
+use crate::resolution::events::impacts::Impacts;
+use crate::resolution::events::meeting::Meeting;
+use crate::resolution::events::{EventScene, MUCH_NEARER};
+use crate::resolution::integrate::drift;
+use crate::resolution::moving::manifold_in;
+
+/// How many events a substep may have, for each body that is off course and beside: a disc that bounces to and fro in a box
+/// at 10 km/s has ten.
+const EVENTS_PER_TRAVELLER: usize = 32;
+const EVENTS_BESIDE: usize = 256;
+
+/// Points meet that are within this share of the width of the thinner body, no unit: the sweep of what turns ends within half
+/// of that. Of a long box that touches with one end, the other end is not there yet.
+const MEETS_WITHIN: f32 = 2e-3;
+
+/// How often a body may be struck at short intervals, of less than this share of the substep, before its bounces are left to
+/// the sweeps, as if there were no restitution: more happens only where it is wedged, as each bounce is weaker than the last.
+const QUICK_STRIKES: u32 = 16;
+const QUICK: f32 = 1.0 / 256.0;
+
+/// Two bodies without a contact that met within the step.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Encounter {
+    /// Slots of a and b; a is the smaller.
+    pub(crate) slots: [u32; 2],
+    /// Speed of the first approach, m/s.
+    pub(crate) speed: f32,
+}
+
+/// A body that is swept in this substep.
+#[derive(Clone, Copy, Debug)]
+struct Traveller {
+    row: u32,
+    slot: u32,
+    /// Its box in the tree of ways.
+    leaf: u32,
+    /// Its way is straight from this time of the substep on, s.
+    from: f32,
+    /// Where it was stopped, if it was.
+    halted: Option<BodyState>,
+    /// How often its way has changed.
+    version: u32,
+    /// How often it was struck at short intervals.
+    quick_strikes: u32,
+}
+
+/// A meeting that is expected: its time, s, as bits, which sort as the numbers do, the two bodies, and the versions of their
+/// ways.
+type Expected = (u32, [u32; 2], [u32; 2]);
+
+/// The stage and its buffers.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Continuous {
+    travellers: Vec<Traveller>,
+    /// By row: its traveller, or `NONE`.
+    by_row: Vec<u32>,
+    /// The boxes of the ways of travellers, by slot.
+    ways: Tree,
+    queue: BinaryHeap<Reverse<Expected>>,
+    encounters: Vec<Encounter>,
+    /// Scratch: the rows of those that are off course as the stage begins.
+    off_course: Vec<u32>,
+    events_left: usize,
+    /// Scratch: what is near a way.
+    near: Vec<u32>,
+}
+
+impl Continuous {
+    /// Forgets the pairs of the last step.
+    pub(crate) fn clear(&mut self) {
+        self.encounters.clear();
+    }
+
+    /// Hands over the pairs without contacts that met in this step, in the order of time.
+    pub(crate) fn take_encounters(&mut self) -> Vec<Encounter> {
+        std::mem::take(&mut self.encounters)
+    }
+
+    /// Takes back the memory of the pairs that were handed over.
+    pub(crate) fn give_back(&mut self, mut encounters: Vec<Encounter>) {
+        encounters.clear();
+        self.encounters = encounters;
+    }
+
+    /// Pairs without contacts that met in this step, in the order of time.
+    pub(crate) fn encounters(&self) -> &[Encounter] {
+        &self.encounters
+    }
+
+    /// Sweeps those that are off course, before bodies move.
+    pub(crate) fn run(&mut self, scene: &mut EventScene<'_>, impacts: &mut Impacts) {
+        let mut off = std::mem::take(&mut self.off_course);
+        scene.courses.find_off(scene.bodies, &mut off);
+        if !off.is_empty() {
+            self.by_row.resize(scene.bodies.row_count(), NONE);
+            self.events_left = EVENTS_BESIDE + EVENTS_PER_TRAVELLER * off.len();
+            for &row in &off {
+                let from = impacts.resume(row, &mut scene.bodies.states[row as usize]);
+                self.take_up(row, from, scene);
+            }
+            for index in 0..off.len() {
+                self.look(index, Some(index), scene);
+            }
+            while let Some(Reverse((bits, slots, versions))) = self.queue.pop() {
+                if versions == self.versions(slots, scene) {
+                    self.meet(f32::from_bits(bits), slots, scene, impacts);
+                }
+            }
+            self.finish(scene);
+        }
+        self.off_course = off;
+    }
+
+    /// Puts those that were stopped where the move takes them to their place, and lets all go.
+    fn finish(&mut self, scene: &mut EventScene<'_>) {
+        for Traveller { row, halted, .. } in self.travellers.drain(..) {
+            self.by_row[row as usize] = NONE;
+            if let Some(there) = halted {
+                let state = &mut scene.bodies.states[row as usize];
+                let mut before =
+                    BodyState { velocity: state.velocity, angular_velocity: state.angular_velocity, ..there };
+                drift(&mut before, -scene.scheme.substep_time());
+                *state = before;
+            }
+        }
+        self.ways.clear();
+    }
+
+    /// Takes up the body in a row, whose way is straight from a time on, s; returns its index.
+    fn take_up(&mut self, row: u32, from: f32, scene: &EventScene<'_>) -> usize {
+        let index = self.travellers.len();
+        let slot = scene.bodies.slot_of_row(row as usize);
+        self.by_row[row as usize] = index as u32;
+        self.travellers.push(Traveller {
+            row,
+            slot,
+            leaf: 0,
+            from,
+            halted: None,
+            version: 1,
+            quick_strikes: 0,
+        });
+        self.travellers[index].leaf = self.ways.insert(self.way_of(index, scene), slot);
+        index
+    }
+
+    /// The traveller in a row, if there is one.
+    fn traveller(&self, row: u32) -> Option<&Traveller> {
+        self.travellers.get(*self.by_row.get(row as usize)? as usize)
+    }
+
+    /// The body in a slot at a time of the substep, s, with the velocity of its way from there on.
+    fn state_at(&self, slot: u32, time: f32, scene: &EventScene<'_>) -> BodyState {
+        let row = scene.bodies.motions[slot as usize].row;
+        if let Some(Traveller { halted: Some(there), .. }) = self.traveller(row) {
+            return *there;
+        }
+        let mut state = scene.bodies.states[row as usize];
+        drift(&mut state, time);
+        state
+    }
+
+    /// From when on the way of the body in a slot is straight, s.
+    fn from(&self, slot: u32, scene: &EventScene<'_>) -> f32 {
+        self.traveller(scene.bodies.motions[slot as usize].row).map_or(0.0, |traveller| traveller.from)
+    }
+
+    fn versions(&self, slots: [u32; 2], scene: &EventScene<'_>) -> [u32; 2] {
+        slots.map(|slot| {
+            self.traveller(scene.bodies.motions[slot as usize].row).map_or(0, |traveller| traveller.version)
+        })
+    }
+
+    /// The box around what is left of the way of a traveller.
+    fn way_of(&self, index: usize, scene: &EventScene<'_>) -> Aabb {
+        let Traveller { slot, from, .. } = self.travellers[index];
+        let motion = &scene.bodies.motions[slot as usize];
+        let state = self.state_at(slot, from, scene);
+        let extent = Vec2::new(motion.extent, motion.extent);
+        let aabb = Aabb::around(motion.pose.center + state.delta_position.into(), -extent, extent);
+        aabb.swept(Vec2::from(state.velocity) * (scene.h() - from))
+    }
+
+    /// Sweeps a traveller against everything near its way, but for the travellers `before` an index, which have done so.
+    fn look(&mut self, index: usize, before: Option<usize>, scene: &EventScene<'_>) {
+        let Traveller { slot, row, .. } = self.travellers[index];
+        let way = self.ways.aabb(self.travellers[index].leaf);
+        let mut near = std::mem::take(&mut self.near);
+        let index_of = |slot: u32| self.by_row[scene.bodies.motions[slot as usize].row as usize];
+        scene.broad_phase.query(way, |other| {
+            if index_of(other) == NONE {
+                near.push(other);
+            }
+            true
+        });
+        self.ways.query(way, |other| {
+            if other != slot && before.is_none_or(|before| index_of(other) as usize > before) {
+                near.push(other);
+            }
+            true
+        });
+        let is_moved = scene.bodies.states[row as usize].is_moving();
+        for other in near.drain(..) {
+            let is_any_dynamic = scene.bodies.is_dynamic(slot) || scene.bodies.is_dynamic(other);
+            if is_any_dynamic && (is_moved || scene.bodies.is_awake(other)) {
+                self.expect([slot.min(other), slot.max(other)], 0.0, scene);
+            }
+        }
+        self.near = near;
+    }
+
+    /// Two bodies as the sweep sees them, the centre of b from that of a, m, and its velocity against it, m/s.
+    fn swept<'s>(
+        scene: &'s EventScene<'_>,
+        slots: [u32; 2],
+        [a, b]: &[BodyState; 2],
+    ) -> ([Swept<'s>; 2], Vec2, Vec2) {
+        let bodies = &*scene.bodies;
+        let of = |slot: u32, state: &BodyState| Swept {
+            shape: &bodies.shapes[slot as usize],
+            rotation: Rot { c: state.delta_rotation.c, s: state.delta_rotation.s }
+                * bodies.motions[slot as usize].pose.rotation,
+            spin: state.angular_velocity,
+        };
+        let moved = Vec2::from(b.delta_position - a.delta_position);
+        let offset = (bodies.center(slots[1]) - bodies.center(slots[0])) + moved;
+        ([of(slots[0], a), of(slots[1], b)], offset, (b.velocity - a.velocity).into())
+    }
+
+    /// Queues the next meeting of two bodies, if it comes within this substep, not before a time, s.
+    fn expect(&mut self, slots: [u32; 2], not_before: f32, scene: &EventScene<'_>) {
+        let h = scene.h();
+        let from = slots.map(|slot| self.from(slot, scene)).into_iter().fold(not_before, f32::max);
+        let pair = slots.map(|slot| self.state_at(slot, from, scene));
+        let motions = slots.map(|slot| &scene.bodies.motions[slot as usize]);
+        let ([a, b], offset, velocity) = Self::swept(scene, slots, &pair);
+        // What finds a circle flat has its contact, as the box of that is all around.
+        if is_flat(motions.map(|motion| (motion.is_round, motion.extent))) {
+            return;
+        }
+        if !circles_meet(offset, velocity * (h - from), motions[0].extent + motions[1].extent) {
+            return;
+        }
+        if !scene.may_come_much_nearer(slots, h - from) && scene.contact_of(slots).is_some() {
+            return;
+        }
+        let Some(mut time) = sweep(a, b, offset, velocity, h - from, 0.0) else { return };
+        if time == 0.0 && !self.bounces_now(slots, from, scene) {
+            let thickness = motions[0].thickness.min(motions[1].thickness);
+            let deeper = MUCH_NEARER * thickness;
+            let deepest = Self::gap_before(slots, scene).min(-deeper);
+            let goes_on = |meeting: Meeting| meeting.speed() * (h - from) > MEETS_WITHIN * thickness;
+            let Some(mut later) = sweep(a, b, offset, velocity, h - from, deepest) else { return };
+            if later == 0.0 && !self.meeting(slots, from, scene).is_some_and(|met| goes_on(met.meeting)) {
+                // They turn, and another corner may come.
+                let deepest = gap_between(a, b, offset).unwrap_or(0.0) - deeper;
+                later = match sweep(a, b, offset, velocity, h - from, deepest) {
+                    Some(later) => later,
+                    None => return,
+                };
+            }
+            time = later;
+        }
+        // Positive zero, whose bits are the smallest.
+        let bits = (from + time + 0.0).to_bits();
+        self.queue.push(Reverse((bits, slots, self.versions(slots, scene))));
+    }
+
+    /// The distance of two bodies as the step began, m, negative where they overlapped.
+    fn gap_before(slots: [u32; 2], scene: &EventScene<'_>) -> f32 {
+        let ([a, b], offset, _) = Self::swept(scene, slots, &[BodyState::REST; 2]);
+        gap_between(a, b, offset).unwrap_or(0.0)
+    }
+
+    /// Whether two bodies that touch at a time, s, approach so fast that they bounce.
+    fn bounces_now(&self, slots: [u32; 2], time: f32, scene: &EventScene<'_>) -> bool {
+        let (_, restitution) = scene.mixed(slots);
+        restitution > 0.0
+            && !scene.is_loaded(slots)
+            && !self.are_wedged(slots, scene)
+            && self.meeting(slots, time, scene).is_some_and(|met| met.is_fast)
+    }
+
+    /// How two bodies meet at a time, s; `None` if they do not approach each other there.
+    fn meeting(&self, slots: [u32; 2], time: f32, scene: &EventScene<'_>) -> Option<Met> {
+        let there = slots.map(|slot| self.state_at(slot, time, scene));
+        let motions = slots.map(|slot| &scene.bodies.motions[slot as usize]);
+        let rows = motions.map(|motion| motion.row);
+        let manifold = manifold_in(slots, scene.bodies, [&there[0], &there[1]]);
+        let mut constraint = ContactConstraint::new(&manifold, scene.mixed(slots).0, motions);
+        constraint.find_masses::<2>();
+        let gained = manifold.normal.dot(scene.acceleration(rows)) * (time - 0.5 * scene.h());
+        let near = MEETS_WITHIN * motions[0].thickness.min(motions[1].thickness);
+        let gaps = [0, 1].map(|index| {
+            manifold.points().get(index).map(|point| point.separation).filter(|&gap| gap <= near)
+        });
+        let meeting = Meeting::new(constraint, gaps, &there, gained, 0.0, scene.h())?;
+        let is_fast = meeting.speed() > scene.bounce_threshold(manifold.normal, rows);
+        Some(Met { meeting, is_fast })
+    }
+
+    /// Lets two bodies collide at a time, s.
+    fn meet(&mut self, time: f32, slots: [u32; 2], scene: &mut EventScene<'_>, impacts: &mut Impacts) {
+        if self.events_left == 0 {
+            return self.halt(slots, time, scene);
+        }
+        self.events_left -= 1;
+        let Some(Met { meeting, is_fast }) = self.meeting(slots, time, scene) else {
+            // The surfaces turn away from each other where they touch; elsewhere they may still meet.
+            return self.expect(slots, time, scene);
+        };
+        if slots.into_iter().any(|slot| scene.bodies.is_dynamic(slot) && !scene.bodies.is_awake(slot)) {
+            // It wakes in the next step, as its contact begins.
+            self.note(slots, meeting.speed(), scene, impacts);
+            return self.halt(slots, time, scene);
+        }
+        let bounces = is_fast && !scene.is_loaded(slots) && !self.are_wedged(slots, scene);
+        let restitution = if bounces { scene.mixed(slots).1 } else { 0.0 };
+        self.note(slots, meeting.speed(), scene, impacts);
+        let rows = slots.map(|slot| scene.bodies.motions[slot as usize].row);
+        let moved = slots.map(|slot| scene.bodies.is_dynamic(slot) && !self.is_halted(slot, scene));
+        scene.collide(rows, moved, &meeting, restitution, time);
+        if let Some(home) = scene.home(slots) {
+            scene.graph.set_pending(home, [false; 2]);
+        }
+        for (row, _) in rows.into_iter().zip(moved).filter(|&(_, is_moved)| is_moved) {
+            impacts.mark_again(row, scene);
+        }
+        self.go_on(slots, moved, time, scene);
+    }
+
+    /// Whether one of two bodies was struck too often at short intervals.
+    fn are_wedged(&self, slots: [u32; 2], scene: &EventScene<'_>) -> bool {
+        let strikes = |slot: u32| {
+            let row = scene.bodies.motions[slot as usize].row;
+            self.traveller(row).map_or(0, |traveller| traveller.quick_strikes)
+        };
+        slots.into_iter().any(|slot| strikes(slot) >= QUICK_STRIKES)
+    }
+
+    fn is_halted(&self, slot: u32, scene: &EventScene<'_>) -> bool {
+        let row = scene.bodies.motions[slot as usize].row;
+        self.traveller(row).is_some_and(|traveller| traveller.halted.is_some())
+    }
+
+    /// Takes note that two bodies have met.
+    fn note(&mut self, slots: [u32; 2], speed: f32, scene: &EventScene<'_>, impacts: &mut Impacts) {
+        match scene.contact_of(slots) {
+            Some(contact) => impacts.note(contact, speed),
+            None if self.encounters.iter().any(|encounter| encounter.slots == slots) => {}
+            None => self.encounters.push(Encounter { slots, speed }),
+        }
+    }
+
+    /// Stops two bodies where they are at a time, s, until the substep ends; they keep their velocities.
+    fn halt(&mut self, slots: [u32; 2], time: f32, scene: &mut EventScene<'_>) {
+        let halts = slots.map(|slot| {
+            scene.bodies.is_dynamic(slot) && scene.bodies.is_awake(slot) && !self.is_halted(slot, scene)
+        });
+        for (slot, _) in slots.into_iter().zip(halts).filter(|&(_, halts)| halts) {
+            let state = self.state_at(slot, time, scene);
+            let there = BodyState { velocity: BodyState::REST.velocity, angular_velocity: 0.0, ..state };
+            let row = scene.bodies.motions[slot as usize].row;
+            let index = match self.by_row[row as usize] {
+                NONE => self.take_up(row, time, scene),
+                index => index as usize,
+            };
+            self.travellers[index].halted = Some(there);
+        }
+        self.go_on(slots, halts, time, scene);
+    }
+
+    /// Sweeps those of two bodies whose ways have changed at a time, s, anew from there.
+    fn go_on(&mut self, slots: [u32; 2], have_changed: [bool; 2], time: f32, scene: &EventScene<'_>) {
+        let changed = slots.into_iter().zip(have_changed).filter(|&(_, has_changed)| has_changed);
+        let indices: [Option<usize>; 2] = {
+            let mut changed = changed.map(|(slot, _)| {
+                let row = scene.bodies.motions[slot as usize].row;
+                match self.by_row[row as usize] {
+                    NONE => self.take_up(row, time, scene),
+                    index => index as usize,
+                }
+            });
+            [changed.next(), changed.next()]
+        };
+        for index in indices.into_iter().flatten() {
+            let traveller = &mut self.travellers[index];
+            let is_quick = time - traveller.from < QUICK * scene.h();
+            traveller.quick_strikes = if is_quick { traveller.quick_strikes + 1 } else { 0 };
+            traveller.from = time;
+            traveller.version += 1;
+            let leaf = traveller.leaf;
+            self.ways.move_leaf(leaf, self.way_of(index, scene));
+        }
+        for index in indices.into_iter().flatten() {
+            self.look(index, None, scene);
+        }
+    }
+}
+
+/// Two bodies that meet.
+struct Met {
+    meeting: Meeting,
+    /// Whether they approach fast enough to bounce.
+    is_fast: bool,
+}
+
+/// Whether a point that starts at `offset` and moves by `motion`, m, comes within a distance of `reach`, m, of the origin.
+fn circles_meet(offset: Vec2, motion: Vec2, reach: f32) -> bool {
+    let (along, length_squared) = (-offset.dot(motion), motion.length_squared());
+    let nearest = if along <= 0.0 || length_squared == 0.0 {
+        offset
+    } else {
+        offset + motion * (along / length_squared).min(1.0)
+    };
+    // The rounding of numbers as large as these.
+    let noise = 8.0 * f32::EPSILON * (offset.norm_1() + motion.norm_1());
+    let reach = reach + noise;
+    nearest.length_squared() <= reach * reach
+}

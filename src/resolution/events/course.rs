@@ -1,0 +1,90 @@
+//! Which bodies are off course: they move otherwise than their contacts were made for.
+//!
+//! Contacts are found once per step, for bodies that go on with the velocity they have as it begins, along straight ways and
+//! without turning far. A body that is struck within the step, or spins fast, may meet what it has no contact with. It is off
+//! course if it may stray by more than half its own width from where it is expected: then it is to be swept. What strays by
+//! less is still on the same side of everything when the next step finds its contacts.
+//!
+//! Cost: one comparison of all velocities with those of the step's begin, in which nearly all steps find nobody.
+
+use crate::body::Bodies;
+use crate::compute::{BodyState, GROUND_ROW};
+
+/// A body is off course if it may stray by more than this share of its width, no unit.
+const STRAYS_BY: f32 = 0.5;
+
+/// How many bodies are looked at together: hardly ever is one of them off course.
+const BLOCK: usize = 8;
+
+/// What bodies were expected to do.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Courses {
+    /// By row: velocity, m/s, and angular velocity, rad/s, as the step began, and 0, an angle. Empty where nobody is swept.
+    then: Vec<[f32; 4]>,
+    /// Length of the step, s.
+    dt: f32,
+}
+
+impl Courses {
+    /// Takes down what bodies are expected to do in a step of `dt`, s, if they are to be swept at all.
+    pub(crate) fn begin(&mut self, bodies: &Bodies, dt: f32, are_swept: bool) {
+        self.dt = dt;
+        self.then.clear();
+        if are_swept {
+            let unturned =
+                |state: &BodyState| [state.velocity.x, state.velocity.y, state.angular_velocity, 0.0];
+            self.then.extend(bodies.states[..bodies.row_count()].iter().map(unturned));
+        }
+    }
+
+    /// Finds the rows of those that are off course.
+    pub(super) fn find_off(&self, bodies: &Bodies, rows: &mut Vec<u32>) {
+        rows.clear();
+        let most = self.on_course(bodies.smallest_thickness, bodies.largest_extent);
+        let blocks = bodies.states.chunks(BLOCK).zip(self.then.chunks(BLOCK));
+        for (first, (states, then)) in (0..).step_by(BLOCK).zip(blocks) {
+            let mut greatest = [0.0; 4];
+            for (state, then) in states.iter().zip(then) {
+                let changes = changes(state, then);
+                greatest = std::array::from_fn(|index| larger(greatest[index], changes[index]));
+            }
+            if greatest.into_iter().zip(most).any(|(of, most)| of > most) {
+                rows.extend((first..first + then.len() as u32).filter(|&row| self.is_off(bodies, row)));
+            }
+        }
+    }
+
+    /// Changes within which no body is off course, whatever its width and extent, m: each may take a quarter of the way.
+    fn on_course(&self, smallest_thickness: f32, largest_extent: f32) -> [f32; 4] {
+        let way = 0.25 * STRAYS_BY * smallest_thickness;
+        let speed = way / self.dt;
+        [speed, speed, speed / largest_extent, (2.0 * way / largest_extent).sqrt() / self.dt]
+    }
+
+    /// Whether the body in a row is off course.
+    pub(super) fn is_off(&self, bodies: &Bodies, row: u32) -> bool {
+        let Some(then) = self.then.get(row as usize).filter(|_| row != GROUND_ROW) else { return false };
+        let motion = &bodies.motions[bodies.slot_of_row(row as usize) as usize];
+        let extent = if motion.is_round { 0.0 } else { motion.extent };
+        self.strays(changes(&bodies.states[row as usize], then), extent) > STRAYS_BY * motion.thickness
+    }
+
+    /// How far a body may stray in the step, m, by its changes. A turn by the angle θ is expected to move its outline, of
+    /// this `extent`, m, along a straight line, from which it strays by θ²/2.
+    fn strays(&self, [x, y, spin, turn]: [f32; 4], extent: f32) -> f32 {
+        let angle = turn * self.dt;
+        (x + y) * self.dt + (spin * self.dt + 0.5 * angle * angle) * extent
+    }
+}
+
+/// What has changed of a body since the step began: its velocity, m/s, its angular velocity, rad/s, and its angle, as a rate,
+/// rad/s.
+fn changes(state: &BodyState, then: &[f32; 4]) -> [f32; 4] {
+    let now = [state.velocity.x, state.velocity.y, state.angular_velocity, state.angular_velocity];
+    std::array::from_fn(|index| (now[index] - then[index]).abs())
+}
+
+/// The larger of two numbers; unlike `f32::max` one instruction in lanes.
+fn larger(a: f32, b: f32) -> f32 {
+    if b > a { b } else { a }
+}
