@@ -9,7 +9,7 @@
 //! restitution, is met again only if it would go deeper by a good part of its width.
 //!
 //! Cost: nothing where nobody is off course; else a question to the tree per body and event, and a sweep for each pair whose
-//! circles meet. The events of a substep are bounded. Beyond, bodies are stopped at the surface of what they meet, and keep
+//! circles meet. The sweeps of a substep are bounded. Beyond, bodies are stopped at the surface of what they meet, and keep
 //! their velocity: time is lost, but nothing passes.
 
 use std::cmp::Reverse;
@@ -27,10 +27,10 @@ use crate::resolution::events::{EventScene, MUCH_NEARER};
 use crate::resolution::integrate::drift;
 use crate::resolution::moving::manifold_in;
 
-/// How many events a substep may have, for each body that is off course and beside: a disc that bounces to and fro in a box
-/// at 10 km/s has ten.
-const EVENTS_PER_TRAVELLER: usize = 32;
-const EVENTS_BESIDE: usize = 256;
+/// How many pairs may be swept in a substep, for each body that is off course and beside, before bodies are stopped: a disc
+/// that bounces to and fro between two walls at 10 km/s takes a hundred, a heap that is struck some ten for each body.
+const SWEEPS_PER_TRAVELLER: usize = 128;
+const SWEEPS_BESIDE: usize = 1024;
 
 /// Points meet that are within this share of the width of the thinner body, no unit: the sweep of what turns ends within half
 /// of that. Of a long box that touches with one end, the other end is not there yet.
@@ -83,7 +83,7 @@ pub(crate) struct Continuous {
     encounters: Vec<Encounter>,
     /// Scratch: the rows of those that are off course as the stage begins.
     off_course: Vec<u32>,
-    events_left: usize,
+    sweeps_left: usize,
     /// Scratch: what is near a way.
     near: Vec<u32>,
 }
@@ -116,7 +116,7 @@ impl Continuous {
         scene.courses.find_off(scene.bodies, &mut off);
         if !off.is_empty() {
             self.by_row.resize(scene.bodies.row_count(), NONE);
-            self.events_left = EVENTS_BESIDE + EVENTS_PER_TRAVELLER * off.len();
+            self.sweeps_left = SWEEPS_BESIDE + SWEEPS_PER_TRAVELLER * off.len();
             for &row in &off {
                 let from = impacts.resume(row, &mut scene.bodies.states[row as usize]);
                 self.take_up(row, from, scene);
@@ -267,6 +267,7 @@ impl Continuous {
         if !scene.may_come_much_nearer(slots, h - from) && scene.contact_of(slots).is_some() {
             return;
         }
+        self.sweeps_left = self.sweeps_left.saturating_sub(1);
         let Some(mut time) = sweep(a, b, offset, velocity, h - from, 0.0) else { return };
         if time == 0.0 && !self.bounces_now(slots, from, scene) {
             let thickness = motions[0].thickness.min(motions[1].thickness);
@@ -324,10 +325,9 @@ impl Continuous {
 
     /// Lets two bodies collide at a time, s.
     fn meet(&mut self, time: f32, slots: [u32; 2], scene: &mut EventScene<'_>, impacts: &mut Impacts) {
-        if self.events_left == 0 {
+        if self.sweeps_left == 0 {
             return self.halt(slots, time, scene);
         }
-        self.events_left -= 1;
         let Some(Met { meeting, is_fast }) = self.meeting(slots, time, scene) else {
             // The surfaces turn away from each other where they touch; elsewhere they may still meet.
             return self.expect(slots, time, scene);
