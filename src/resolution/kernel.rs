@@ -179,6 +179,11 @@ impl SweepOver {
         }
         let (before, pair_before) = (block.load_active::<L>(place), states.gather_velocities(place));
         let (mut after, mut pair) = (before, pair_before);
+        // Before the move half of the impulses along the tangent have acted; the warm start after it does as much again.
+        let (acted, whole) = if self.sweep.friction { (1.0, 1.0) } else { (0.5, 2.0) };
+        for friction in &mut after.frictions {
+            friction.impulse = friction.impulse * L::splat(acted);
+        }
         for _ in 0..COLD_SWEEPS {
             let sweep = Sweep { friction: true, ..self.sweep };
             after.solve::<2, false>(sweep, self.per_substep, &mut pair);
@@ -187,11 +192,8 @@ impl SweepOver {
             let (point, friction) = (&mut after.points[index], &mut after.frictions[index]);
             let impulse_before = before.points[index].normal_impulse;
             point.normal_impulse = L::select(is_cold, point.normal_impulse, impulse_before);
-            if !self.sweep.friction {
-                // The warm start after the move does as much again.
-                friction.impulse = friction.impulse + friction.impulse;
-            }
-            friction.impulse = L::select(is_cold, friction.impulse, before.frictions[index].impulse);
+            let impulse = friction.impulse * L::splat(whole);
+            friction.impulse = L::select(is_cold, impulse, before.frictions[index].impulse);
         }
         block.store_normal_impulses::<L, 2>(place, &after);
         block.store_friction_impulses::<L, 2>(place, &after);

@@ -2,6 +2,7 @@
 
 mod asleep_in_motion;
 mod damping_by_count;
+mod energy_of_many_iterations;
 mod fixed_rotation_that_spins;
 mod flying_out_of_a_direct_island;
 mod growing_bounces;
