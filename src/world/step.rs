@@ -4,7 +4,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 
 use crate::body::description::FARTHEST;
 use crate::body::{Bodies, BodyId, BodyType, Motion, NONE, RestRule, RestWatch};
-use crate::collision::{AHEAD, Refresh, refresh};
+use crate::collision::{AHEAD, Refresh, are_out_of_reach, refresh};
 use crate::compute::{BodyState, Chosen, Executor};
 use crate::math::{Rot, Vec2};
 use crate::resolution::{
@@ -83,9 +83,14 @@ impl World {
     pub(in crate::world) fn find_pairs(&mut self) {
         // A new body may have the place of one that was removed.
         self.candidates.forget_removed(&mut self.broad_phase);
-        let bodies = &self.bodies;
-        let mut pairs = std::mem::take(&mut self.new_pairs);
-        let accept = |a, b| bodies.is_dynamic(a) || bodies.is_dynamic(b);
+        let (bodies, mut pairs) = (&self.bodies, std::mem::take(&mut self.new_pairs));
+        let dt = self.settings.tick_seconds() as f32;
+        let accept = |slots: [u32; 2], is_fast: [bool; 2]| {
+            // Pairs of a fast body that is awake are looked for again in the next step.
+            let comes_again = (0..2).any(|index| is_fast[index] && bodies.is_awake(slots[index]));
+            slots.into_iter().any(|slot| bodies.is_dynamic(slot))
+                && !(comes_again && are_out_of_reach(bodies, slots, dt))
+        };
         self.broad_phase.find_pairs(&self.pool, accept, &mut pairs);
         for &(a, b) in &pairs {
             for (sleeper, other) in [(a, b), (b, a)] {
@@ -148,8 +153,9 @@ impl World {
                 let [a, b] = contact.slots;
                 refresh(contact, bodies, how);
                 let has_points = !contact.manifold.points().is_empty();
-                // Bodies with points are, whatever their boxes say, which may part meanwhile.
-                let is_close = has_points || broad_phase.overlap(a, b);
+                // Bodies with points are, whatever their boxes say, which may part meanwhile. Pairs of fast ones come again.
+                let is_kept = |[a, b]: [u32; 2]| !(broad_phase.is_fast(a) || broad_phase.is_fast(b));
+                let is_close = has_points || (broad_phase.overlap(a, b) && is_kept([a, b]));
                 let is_misplaced = graph.is_misplaced(index, contact);
                 *is_close_now = (!is_close || is_misplaced).then_some(is_close);
             }

@@ -43,6 +43,11 @@ const MARGIN_OF_SIDE: f32 = 0.0625;
 /// the tree every fifth step. More would make long boxes with many false neighbours.
 const STEPS_AHEAD: f32 = 5.0;
 
+/// But not farther than this many mean sides of the tight box, or one step where that is farther: the pairs of long boxes grow
+/// with the square of their length. A body that moves so far in a step counts as moved in each, and none of its pairs is kept
+/// that does not come within reach in the next.
+const SIDES_AHEAD: f32 = 8.0;
+
 /// The same for a body that is near no other, where there are no false neighbours. With [`TOO_BIG`] times
 /// [`STEPS_AHEAD`], the box would be too big as soon as a fast body slows down a little.
 const STEPS_AHEAD_ALONE: f32 = 9.0;
@@ -69,6 +74,19 @@ enum Home {
     Absent,
     Fixed(u32),
     Movable(u32),
+    /// As movable, with a fat box that holds no more than the next step.
+    Fast(u32),
+}
+
+impl Home {
+    /// The leaf of what may move.
+    #[inline(always)]
+    fn movable(self) -> Option<u32> {
+        match self {
+            Self::Movable(leaf) | Self::Fast(leaf) => Some(leaf),
+            Self::Absent | Self::Fixed(_) => None,
+        }
+    }
 }
 
 /// What the broad phase keeps of a body.
@@ -126,7 +144,7 @@ impl BroadPhase {
         match proxy.home {
             Home::Absent => debug_assert!(false, "body {body} is not here"),
             Home::Fixed(leaf) => _ = self.fixed.remove(leaf),
-            Home::Movable(leaf) => _ = self.movable.remove(leaf),
+            Home::Movable(leaf) | Home::Fast(leaf) => _ = self.movable.remove(leaf),
         }
         if let Some(at) = proxy.moved_at {
             self.moved.swap_remove(at as usize);
@@ -164,7 +182,9 @@ impl BroadPhase {
         let (reach, wanted) = match proxy.home {
             Home::Absent => return false,
             Home::Fixed(_) => (tight, tight),
-            Home::Movable(_) => (tight.swept(motion), fattened(tight, motion * STEPS_AHEAD)),
+            Home::Movable(_) | Home::Fast(_) => {
+                (tight.swept(motion), fattened(tight, motion * steps_ahead(tight, motion, STEPS_AHEAD)))
+            }
         };
         let stays = proxy.fat.contains(reach) && proxy.fat.perimeter() <= TOO_BIG * wanted.perimeter();
         !stays
@@ -190,10 +210,7 @@ impl BroadPhase {
     /// its place in the tree, and what is there its parent.
     #[inline(always)]
     pub(crate) fn prefetch_leaf(&self, list: &[u32], place: usize) {
-        let leaf_of = |body: u32| match self.proxies[body as usize].home {
-            Home::Movable(leaf) => Some(leaf),
-            Home::Absent | Home::Fixed(_) => None,
-        };
+        let leaf_of = |body: u32| self.proxies[body as usize].home.movable();
         if let Some(leaf) = list.get(place + 1).and_then(|&body| leaf_of(body)) {
             self.movable.prefetch_parent(leaf);
         }
@@ -219,8 +236,10 @@ impl BroadPhase {
                 proxy.fat = tight;
                 self.fixed.move_leaf(leaf, tight);
             }
-            Home::Movable(leaf) => {
-                let steps = if is_alone { STEPS_AHEAD_ALONE } else { STEPS_AHEAD };
+            Home::Movable(leaf) | Home::Fast(leaf) => {
+                let most = if is_alone { STEPS_AHEAD_ALONE } else { STEPS_AHEAD };
+                let steps = steps_ahead(tight, motion, most);
+                proxy.home = if steps > 1.0 { Home::Movable(leaf) } else { Home::Fast(leaf) };
                 proxy.fat = fattened(tight, motion * steps);
                 self.movable.move_leaf(leaf, proxy.fat);
             }
@@ -249,27 +268,39 @@ impl BroadPhase {
         self.fat_aabb(a).overlaps(self.fat_aabb(b))
     }
 
-    /// How many bodies have a new fat box since pairs were last looked for.
+    /// Whether a body moves so far in a step that its pairs are looked for anew in each.
+    #[inline]
+    pub(crate) fn is_fast(&self, body: u32) -> bool {
+        matches!(self.proxies[body as usize].home, Home::Fast(_))
+    }
+
+    /// How many bodies have a new fat box since pairs were last looked for, or are fast.
     pub(crate) fn moved_count(&self) -> usize {
         self.moved.len()
     }
 
     /// Appends to `out` the pairs (a < b) that are new: the fat boxes overlap, one of the two moved, one of the
-    /// two is movable, the pair is not known yet, and `accept` takes it. They are in ascending order, and known
-    /// from now on. Then no body counts as moved any more.
+    /// two is movable, the pair is not known yet, and `accept`, told which of the two are fast, takes it. They are in ascending order, and known
+    /// from now on. Then no body counts as moved any more, but for those that are fast.
     pub(crate) fn find_pairs(
         &mut self,
         pool: &ThreadPool,
-        accept: impl Fn(u32, u32) -> bool + Sync,
+        accept: impl Fn([u32; 2], [bool; 2]) -> bool + Sync,
         out: &mut Vec<(u32, u32)>,
     ) {
         let first_new = out.len();
         let new = Mutex::new(&mut *out);
         let this = &*self;
         pool.run(&this.moved[..], WALK_COST, |moved| this.find_pairs_of(moved, &accept, &new));
-        for body in self.moved.drain(..) {
-            self.proxies[body as usize].moved_at = None;
-        }
+        let Self { moved, proxies, .. } = self;
+        let mut count = 0;
+        moved.retain(|&body| {
+            let proxy = &mut proxies[body as usize];
+            let is_fast = matches!(proxy.home, Home::Fast(_));
+            proxy.moved_at = is_fast.then_some(count);
+            count += u32::from(is_fast);
+            is_fast
+        });
         // The order in which the trees were walked is that of their history; the numbers' is the caller's.
         out[first_new..].sort_unstable();
         for &(a, b) in &out[first_new..] {
@@ -281,14 +312,16 @@ impl BroadPhase {
     fn find_pairs_of(
         &self,
         moved: &[u32],
-        accept: &impl Fn(u32, u32) -> bool,
+        accept: &impl Fn([u32; 2], [bool; 2]) -> bool,
         new: &Mutex<&mut Vec<(u32, u32)>>,
     ) {
         let mut search = Search::new();
         // Pairs that were met and may be known.
         let (mut met, mut count) = ([(0, 0); ASKED_TOGETHER], 0);
         let report = |met: &[(u32, u32)]| {
-            let is_new = |&(a, b): &(u32, u32)| !self.pairs.contains(a, b) && accept(a, b);
+            let is_new = |&(a, b): &(u32, u32)| {
+                !self.pairs.contains(a, b) && accept([a, b], [a, b].map(|body| self.is_fast(body)))
+            };
             lock(new).extend(met.iter().copied().filter(is_new));
         };
         for (place, &body) in moved.iter().enumerate() {
@@ -306,7 +339,7 @@ impl BroadPhase {
                     count = 0;
                 }
             };
-            let other_tree = if let Home::Movable(leaf) = proxy.home {
+            let other_tree = if let Some(leaf) = proxy.home.movable() {
                 self.movable.search_around(leaf, &mut search, &mut meet);
                 &self.fixed
             } else {
@@ -376,7 +409,7 @@ impl BroadPhase {
             let (tree, leaf) = match proxy.home {
                 Home::Absent => continue,
                 Home::Fixed(leaf) => (&self.fixed, leaf),
-                Home::Movable(leaf) => (&self.movable, leaf),
+                Home::Movable(leaf) | Home::Fast(leaf) => (&self.movable, leaf),
             };
             present += 1;
             if tree.value(leaf) as usize != body || tree.aabb(leaf) != proxy.fat {
@@ -398,6 +431,14 @@ impl BroadPhase {
             Err(format!("{marked} marked as moved, not as listed"))
         }
     }
+}
+
+/// How many steps of a body's `motion`, m, its fat box holds, if not the `most`.
+#[inline(always)]
+fn steps_ahead(tight: Aabb, motion: Vec2, most: f32) -> f32 {
+    let longest = 0.25 * SIDES_AHEAD * tight.perimeter();
+    // A body at rest has all it may have, as 1/0 is infinite.
+    most.min((longest / motion.norm_1()).max(1.0))
 }
 
 /// The fat box of a movable body whose motion ahead it is to hold. It holds `tight.swept(ahead)`, and what is swept by a

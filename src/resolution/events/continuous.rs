@@ -26,6 +26,7 @@ use crate::resolution::events::meeting::Meeting;
 use crate::resolution::events::{EventScene, MUCH_NEARER};
 use crate::resolution::integrate::drift;
 use crate::resolution::moving::manifold_in;
+use crate::store::PairSet;
 
 /// How many pairs may be swept in a substep, for each body that is off course and beside, before bodies are stopped: a disc
 /// that bounces to and fro between two walls at 10 km/s takes a hundred, a heap that is struck some ten for each body.
@@ -81,6 +82,8 @@ pub(crate) struct Continuous {
     ways: Tree,
     queue: BinaryHeap<Reverse<Expected>>,
     encounters: Vec<Encounter>,
+    /// The pairs of them.
+    encountered: PairSet,
     /// Scratch: the rows of those that are off course as the stage begins.
     off_course: Vec<u32>,
     sweeps_left: usize,
@@ -91,7 +94,9 @@ pub(crate) struct Continuous {
 impl Continuous {
     /// Forgets the pairs of the last step.
     pub(crate) fn clear(&mut self) {
-        self.encounters.clear();
+        for Encounter { slots: [a, b], .. } in self.encounters.drain(..) {
+            self.encountered.remove(a, b);
+        }
     }
 
     /// Hands over the pairs without contacts that met in this step, in the order of time.
@@ -100,9 +105,9 @@ impl Continuous {
     }
 
     /// Takes back the memory of the pairs that were handed over.
-    pub(crate) fn give_back(&mut self, mut encounters: Vec<Encounter>) {
-        encounters.clear();
+    pub(crate) fn give_back(&mut self, encounters: Vec<Encounter>) {
         self.encounters = encounters;
+        self.clear();
     }
 
     /// Pairs without contacts that met in this step, in the order of time.
@@ -370,8 +375,10 @@ impl Continuous {
     fn note(&mut self, slots: [u32; 2], speed: f32, scene: &EventScene<'_>, impacts: &mut Impacts) {
         match scene.contact_of(slots) {
             Some(contact) => impacts.note(contact, speed),
-            None if self.encounters.iter().any(|encounter| encounter.slots == slots) => {}
-            None => self.encounters.push(Encounter { slots, speed }),
+            None if self.encountered.insert(slots[0], slots[1]) => {
+                self.encounters.push(Encounter { slots, speed });
+            }
+            None => {}
         }
     }
 

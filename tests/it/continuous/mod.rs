@@ -1,5 +1,6 @@
 //! Nothing passes through anything: what gets its speed within the step is looked at again.
 
+mod samples;
 mod walls;
 
 use rand::rngs::Xoshiro256PlusPlus;

@@ -36,8 +36,7 @@ fn no_number_of_iterations_makes_energy() {
         for adaptive in [false, true] {
             for phase in 0..10_u8 {
                 for (columns, spacing) in [(2, 0.25), (4, 0.22), (5, 0.28)] {
-                    let settings =
-                        Settings { iterations, relax_iterations, adaptive, ..Settings::default() };
+                    let settings = Settings { iterations, relax_iterations, adaptive, ..Settings::default() };
                     let mut world = room(columns, spacing, 0.37 * f32::from(phase), settings);
                     let start = world.kinetic_energy();
                     for tick in 0..120 {
