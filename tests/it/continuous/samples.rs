@@ -17,7 +17,7 @@ fn a_skinny_box_thrown_at_a_thin_floor_with_a_post_stays_above() {
             let mut world = earth();
             add(&mut world, Body::fixed(Shape::obb(200.0, 0.01)));
             add(&mut world, Body::fixed(Shape::obb(0.2, 2.0)).at([0.0, 1.005]));
-            let thrown = Body::dynamic(shape.clone()).at([random.random_range(-1.0..1.0), 8.0]);
+            let thrown = Body::dynamic(shape).at([random.random_range(-1.0..1.0), 8.0]);
             let thrown = thrown.velocity([0.0, -100.0]).angular_velocity(random.random_range(-50.0..50.0));
             let thrown = add(&mut world, thrown.angle(random.random_range(-3.0..3.0)));
             for tick in 0..120 {
@@ -130,7 +130,7 @@ fn a_fast_door_does_not_leave_anybody_behind() {
             let bodies: Vec<_> = (0..5)
                 .map(|index| {
                     let at = [0.3 * f64::from(index), -1.2 + 0.6 * f64::from(index)];
-                    add(&mut world, Body::dynamic(shape.clone()).at(at))
+                    add(&mut world, Body::dynamic(shape).at(at))
                 })
                 .collect();
             for _ in 0..20 {

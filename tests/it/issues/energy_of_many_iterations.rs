@@ -9,8 +9,8 @@ const SIDE: f32 = 0.2;
 
 /// As many boxes in rows and columns, each with 2 m/s in a direction of its own, in a room that leaves each a square of
 /// `spacing`, m.
-fn room(columns: u16, spacing: f32, phase: f32, settings: Settings) -> World {
-    let mut world = World::new(Settings { sleep: false, ..settings });
+fn room(columns: u16, spacing: f32, phase: f32, settings: &Settings) -> World {
+    let mut world = World::new(Settings { sleep: false, ..settings.clone() });
     let half = 0.5 * f32::from(columns) * spacing;
     let long = 2.0 * half + 2.0;
     let rubs = |body: Body| body.friction(0.4).restitution(0.0);
@@ -37,7 +37,7 @@ fn no_number_of_iterations_makes_energy() {
             for phase in 0..10_u8 {
                 for (columns, spacing) in [(2, 0.25), (4, 0.22), (5, 0.28)] {
                     let settings = Settings { iterations, relax_iterations, adaptive, ..Settings::default() };
-                    let mut world = room(columns, spacing, 0.37 * f32::from(phase), settings);
+                    let mut world = room(columns, spacing, 0.37 * f32::from(phase), &settings);
                     let start = world.kinetic_energy();
                     for tick in 0..120 {
                         world.step();
