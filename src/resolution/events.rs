@@ -11,6 +11,7 @@ mod impacts;
 mod meeting;
 mod queue;
 mod seams;
+mod strikes;
 
 use crate::body::{Bodies, Mixes};
 use crate::collision::Contacts;
@@ -24,6 +25,7 @@ pub(crate) use crate::resolution::events::course::Courses;
 pub(crate) use crate::resolution::events::impacts::{Impact, Impacts};
 use crate::resolution::events::meeting::Meeting;
 pub(crate) use crate::resolution::events::seams::Seams;
+pub(crate) use crate::resolution::events::strikes::Strikes;
 use crate::resolution::integrate::{Kicks, drift, drift_until};
 use crate::resolution::scheme::Scheme;
 
@@ -39,6 +41,7 @@ pub(crate) struct EventScene<'a> {
     pub(crate) broad_phase: &'a BroadPhase,
     pub(crate) mixes: Mixes,
     pub(crate) courses: &'a Courses,
+    pub(crate) strikes: &'a mut Strikes,
     pub(crate) kicks: &'a Kicks,
     pub(crate) graph: &'a mut ConstraintGraph,
     pub(crate) scheme: &'a Scheme,
@@ -137,6 +140,7 @@ impl EventScene<'_> {
             self.scheme.limits.cut(&mut after);
             drift_until(time, state, &mut after);
             *state = after;
+            self.strikes.note(row, time, after);
         }
     }
 }

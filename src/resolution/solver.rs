@@ -12,7 +12,7 @@ use crate::resolution::constraint_graph::ConstraintGraph;
 use crate::resolution::contact_block::Beginning;
 use crate::resolution::damping::{Damped, is_damped};
 use crate::resolution::direct::{Aim, DirectSolver};
-use crate::resolution::events::{Continuous, Courses, EventScene, Impacts, Seams};
+use crate::resolution::events::{Continuous, Courses, EventScene, Impacts, Seams, Strikes};
 use crate::resolution::integrate::{Advance, Kick, Kicks, integrate};
 use crate::resolution::islands::Islands;
 use crate::resolution::kernel::{WarmStart, WarmStartTime};
@@ -43,6 +43,7 @@ pub(crate) struct Solver {
     pub(crate) impacts: Impacts,
     pub(crate) continuous: Continuous,
     courses: Courses,
+    strikes: Strikes,
     moving: MovingContacts,
     seams: Seams,
     direct: DirectSolver,
@@ -133,9 +134,9 @@ impl Solver {
     /// Impacts of contacts that approach fast enough to bounce; whether there were some, which move bodies.
     fn run_impacts(&mut self, scheme: &Scheme, tables: &mut SolveTables<'_>) -> bool {
         self.seams.release(tables.graph);
-        self.impacts.begin_substep();
-        let mut scene = event_scene(tables, scheme, &self.kicks, &self.courses);
-        self.impacts.len() > 0 && self.impacts.run(&mut scene)
+        let Self { impacts, kicks, courses, strikes, .. } = self;
+        strikes.begin_substep(tables.bodies.row_count());
+        impacts.len() > 0 && impacts.run(&mut event_scene(tables, scheme, kicks, courses, strikes))
     }
 
     /// Contacts before the bodies move. `has_moved` says that they have since the last sweep.
@@ -153,13 +154,14 @@ impl Solver {
 
     /// Circles that roll from one piece of ground onto the next during the move.
     fn cross_seams(&mut self, scheme: &Scheme, tables: &mut SolveTables<'_>) {
-        self.seams.run(&mut event_scene(tables, scheme, &self.kicks, &self.courses));
+        let Self { seams, kicks, courses, strikes, .. } = self;
+        seams.run(&mut event_scene(tables, scheme, kicks, courses, strikes));
     }
 
     /// Bodies whose velocities the contacts have changed, so that they may meet others than they were found with.
     fn sweep_those_off_course(&mut self, scheme: &Scheme, tables: &mut SolveTables<'_>) {
-        let Self { impacts, continuous, courses, kicks, .. } = self;
-        continuous.run(&mut event_scene(tables, scheme, kicks, courses), impacts);
+        let Self { impacts, continuous, courses, kicks, strikes, .. } = self;
+        continuous.run(&mut event_scene(tables, scheme, kicks, courses, strikes), impacts);
     }
 
     /// Contacts after the bodies have moved.
@@ -305,9 +307,10 @@ fn event_scene<'a>(
     scheme: &'a Scheme,
     kicks: &'a Kicks,
     courses: &'a Courses,
+    strikes: &'a mut Strikes,
 ) -> EventScene<'a> {
     let SolveTables { bodies, contacts, graph, broad_phase, mixes, .. } = tables;
-    EventScene { bodies, contacts, broad_phase, mixes: *mixes, courses, kicks, graph, scheme }
+    EventScene { bodies, contacts, broad_phase, mixes: *mixes, courses, strikes, kicks, graph, scheme }
 }
 
 /// One of the warm starts of a substep.

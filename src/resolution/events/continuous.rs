@@ -123,7 +123,7 @@ impl Continuous {
             self.by_row.resize(scene.bodies.row_count(), NONE);
             self.sweeps_left = SWEEPS_BESIDE + SWEEPS_PER_TRAVELLER * off.len();
             for &row in &off {
-                let from = impacts.resume(row, &mut scene.bodies.states[row as usize]);
+                let from = scene.strikes.resume(row, &mut scene.bodies.states[row as usize]);
                 self.take_up(row, from, scene);
             }
             for index in 0..off.len() {

@@ -36,7 +36,6 @@ use crate::resolution::events::EventScene;
 use crate::resolution::events::approach::{Look, Substep, approach};
 use crate::resolution::events::meeting::Meeting;
 use crate::resolution::events::queue::{Expected, ImpactQueue, Neighbours};
-use crate::resolution::integrate::drift_until;
 use crate::resolution::moving::manifold_in;
 
 /// How often two bodies may be struck within a substep before their contact is left to the sweeps, as if there were no
@@ -62,21 +61,6 @@ pub(crate) struct Impact {
     pub(crate) speed: f32,
 }
 
-/// What a body has been through in this substep.
-#[derive(Clone, Copy, Debug)]
-struct RowImpacts {
-    /// How many impacts.
-    count: u32,
-    /// Time of the last, s.
-    last: f32,
-    /// As it went on from there.
-    after: BodyState,
-}
-
-impl RowImpacts {
-    const NONE: Self = Self { count: 0, last: 0.0, after: BodyState::REST };
-}
-
 /// The impacts stage and its buffers.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Impacts {
@@ -90,9 +74,6 @@ pub(crate) struct Impacts {
     queue: ImpactQueue,
     /// Of those that may bounce; empty before the first impact of a step.
     neighbours: Neighbours,
-    by_row: Vec<RowImpacts>,
-    /// Rows with an impact in this substep.
-    hit_rows: Vec<u32>,
     /// How many looks at contacts are left in this substep.
     looks_left: usize,
 }
@@ -100,7 +81,6 @@ pub(crate) struct Impacts {
 impl Impacts {
     /// Forgets the contacts of the last step.
     pub(crate) fn clear(&mut self) {
-        self.begin_substep();
         self.blocks.clear();
         self.neighbours.reset(0);
         self.impacts.clear();
@@ -125,7 +105,6 @@ impl Impacts {
 
     /// Lets everything bounce that meets within this substep, in the order of time. Whether that has moved any body.
     pub(crate) fn run(&mut self, scene: &mut EventScene<'_>) -> bool {
-        self.by_row.resize(scene.bodies.row_count(), RowImpacts::NONE);
         self.look_at_all(scene);
         self.looks_left = LOOKS_PER_CONTACT * self.len;
         while let Some(expected) = self.queue.pop() {
@@ -134,29 +113,11 @@ impl Impacts {
                 continue;
             }
             // An impact of one of the bodies since then had it expected anew.
-            if expected.impacts_before == self.impacts_of(scene.graph.rows(expected.contact)) {
+            if expected.impacts_before == impacts_of(scene.graph.rows(expected.contact), scene) {
                 self.meet(expected, scene);
             }
         }
-        !self.hit_rows.is_empty()
-    }
-
-    /// Begins a substep.
-    pub(crate) fn begin_substep(&mut self) {
-        for row in self.hit_rows.drain(..) {
-            self.by_row[row as usize] = RowImpacts::NONE;
-        }
-    }
-
-    /// When the last impact of a row was in this substep, s; 0 where there was none. What has changed its velocity since acts
-    /// from then on.
-    pub(super) fn resume(&self, row: u32, state: &mut BodyState) -> f32 {
-        let Some(RowImpacts { last, after, .. }) = self.by_row.get(row as usize).filter(|row| row.count > 0)
-        else {
-            return 0.0;
-        };
-        drift_until(*last, after, state);
-        *last
+        !scene.strikes.are_none()
     }
 
     /// Takes note of an impact that was found otherwise.
@@ -182,33 +143,19 @@ impl Impacts {
         self.due = due;
     }
 
-    /// How many impacts two bodies have been through in this substep.
-    fn impacts_of(&self, rows: [u32; 2]) -> u32 {
-        rows.iter().map(|&row| self.by_row[row as usize].count).sum()
-    }
-
-    /// Whether two bodies were struck so often that the sweeps take what is left between them.
-    fn are_wedged(&self, rows: [u32; 2]) -> bool {
-        let moved = rows.iter().filter(|&&row| row != GROUND_ROW);
-        moved
-            .map(|&row| self.by_row[row as usize].count)
-            .min()
-            .is_some_and(|least| least >= STRIKES_PER_SUBSTEP)
-    }
-
     /// Queues the next impact of a contact, if it comes within this substep.
     fn expect(&mut self, contact: GraphIndex, scene: &mut EventScene<'_>) {
-        let Some(Approach { rows, gaps, speeds, acceleration }) = self.mark(contact, scene) else { return };
+        let Some(Approach { rows, gaps, speeds, acceleration }) = Self::mark(contact, scene) else { return };
         let h = scene.h();
         let time_of = |index: usize| time_of_impact(gaps[index], speeds[index]?, acceleration, h);
         let first = [0, 1].into_iter().filter_map(time_of).fold(f32::INFINITY, f32::min);
         // Never before an earlier impact of either body: until then it moved otherwise.
-        let earliest = rows.iter().fold(0.0, |last: f32, &row| last.max(self.by_row[row as usize].last));
+        let earliest = rows.iter().fold(0.0, |last: f32, &row| last.max(scene.strikes.last(row)));
         let time = first.max(earliest);
         // What is off course may meet others before, unless it meets at once.
         let slots = scene.contacts[scene.graph.contact_at(contact)].slots;
         if time <= h && (time == earliest || !scene.is_swept(slots)) {
-            let impacts_before = self.impacts_of(rows);
+            let impacts_before = impacts_of(rows, scene);
             self.queue.push(Expected { time, contact, impacts_before, looks_in_vain: 0 });
         }
     }
@@ -216,7 +163,7 @@ impl Impacts {
     /// Marks the points of a contact as pending that approach fast enough to bounce but are still apart. How they approach,
     /// if they do so that fast.
     #[inline(always)]
-    fn mark(&self, contact: GraphIndex, scene: &mut EventScene<'_>) -> Option<Approach> {
+    fn mark(contact: GraphIndex, scene: &mut EventScene<'_>) -> Option<Approach> {
         let (rows, block, place) = scene.graph.block(contact);
         let (rows, constraint) = (rows.get(place), block.load(place));
         let pair = scene.states(rows);
@@ -224,7 +171,7 @@ impl Impacts {
         let mut speeds = [0, 1].map(|index| approaching(&constraint, index, least, &pair));
         if speeds != [None; 2] {
             let threshold = scene.bounce_threshold(constraint.normal.into(), rows);
-            let is_wedged = self.are_wedged(scene.graph.moved_rows(contact));
+            let is_wedged = are_wedged(scene.graph.moved_rows(contact), scene);
             speeds = speeds.map(|speed| speed.filter(|&speed| speed < -threshold && !is_wedged));
         }
         if speeds == [None; 2] {
@@ -272,10 +219,7 @@ impl Impacts {
         }
         let moved = scene.graph.moved_rows(home);
         for row in moved.into_iter().filter(|&row| row != GROUND_ROW) {
-            let of_row = &mut self.by_row[row as usize];
-            let after = scene.bodies.states[row as usize];
-            *of_row = RowImpacts { count: of_row.count + 1, last: time, after };
-            self.hit_rows.push(row);
+            scene.strikes.count_impact(row);
         }
         self.expect(home, scene);
         self.look_again(moved, home, scene);
@@ -301,7 +245,7 @@ impl Impacts {
         let neighbours = self.take_neighbours(scene);
         for contact in neighbours.of(row) {
             if !scene.graph.is_loaded(contact) {
-                self.mark(contact, scene);
+                Self::mark(contact, scene);
             }
         }
         self.neighbours = neighbours;
@@ -322,6 +266,17 @@ impl Impacts {
         }
         neighbours
     }
+}
+
+/// How many impacts two bodies have been through in this substep.
+fn impacts_of(rows: [u32; 2], scene: &EventScene<'_>) -> u32 {
+    rows.into_iter().map(|row| scene.strikes.impacts(row)).sum()
+}
+
+/// Whether two bodies were struck so often that the sweeps take what is left between them.
+fn are_wedged(rows: [u32; 2], scene: &EventScene<'_>) -> bool {
+    let moved = rows.into_iter().filter(|&row| row != GROUND_ROW);
+    moved.map(|row| scene.strikes.impacts(row)).min().is_some_and(|least| least >= STRIKES_PER_SUBSTEP)
 }
 
 /// How a contact approaches that may bounce.

@@ -131,11 +131,15 @@ impl Seams {
                     rest = rest + pass_load_on(pieces, next, now, scene);
                 }
             }
-            let h = scene.h();
-            let state = &mut scene.bodies.states[pieces[0].row() as usize];
+            let (h, row) = (scene.h(), pieces[0].row());
+            let state = &mut scene.bodies.states[row as usize];
             let before = *state;
             state.velocity = state.velocity + rest;
             drift_until(h, &before, state);
+            if now > 0.0 {
+                // The rest acts after the move: what is swept from here on goes where it goes.
+                scene.strikes.note(row, now, *state);
+            }
         }
     }
 }

@@ -77,6 +77,32 @@ fn what_flies_past_an_edge_is_not_stopped() {
     }
 }
 
+/// A disc that flies into the corner of two walls of a centimetre meets one and then, in the same substep, the other, which
+/// throws it back along the first by its spin.
+#[test]
+fn a_disc_thrown_into_a_corner_stays_there() {
+    for (tick_rate, substeps) in [(30.0, 1), (60.0, 1), (60.0, 4)] {
+        for restitution in [0.0, 0.5, 1.0] {
+            for phase in 0..20_u8 {
+                let mut world = World::new(Settings { tick_rate, substeps, ..Settings::default() });
+                let wall = |shape: Shape, at: [f64; 2]| Body::fixed(shape).at(at).restitution(restitution);
+                add(&mut world, wall(Shape::rectangle(0.01, 40.0), [0.005, 0.0]));
+                add(&mut world, wall(Shape::rectangle(40.0, 0.01), [0.0, 0.005]));
+                let before = 0.06 + 0.2 * f64::from(phase);
+                let disc = Body::dynamic(Shape::circle(0.05)).at([-before, -1.04 * before]);
+                let disc = add(&mut world, disc.velocity([70.0, 70.0]).restitution(restitution));
+                for tick in 0..20 {
+                    world.step();
+                    let [x, y] = place(&world, disc);
+                    let name =
+                        format!("{tick_rate} Hz, {substeps}, restitution {restitution}, phase {phase}");
+                    assert!(x < 0.0 && y < 0.0, "{name}: at {x}, {y} m at tick {tick}");
+                }
+            }
+        }
+    }
+}
+
 /// A disc at 300 m/s whose target is made fixed after it was set up.
 #[test]
 fn a_bullet_meets_what_was_made_fixed() {
