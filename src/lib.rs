@@ -115,7 +115,7 @@ pub(crate) mod store;
 pub(crate) mod testing;
 pub mod world;
 
-pub use body::{Body, BodyError, BodyId, BodyType, Material, Mix};
+pub use body::{Body, BodyError, BodyId, BodyType, Filter, Material, Mix};
 pub use collision::{FeatureId, Manifold, ManifoldPoint};
 pub use math::{Aabb, Point, Pose, Rot, Vec2};
 pub use shape::{Shape, ShapeError};
@@ -129,10 +129,10 @@ pub use world::{
 pub mod prelude {
     pub use crate::{
         Aabb, Attractor, AttractorError, AttractorId, Body, BodyError, BodyId, BodyMut, BodyRef, BodyType,
-        Clock, ContactEvent, ContactRef, Counters, Events, FeatureId, Force, ForceError, ForceId, HitEvent,
-        Lanes, Manifold, ManifoldPoint, Material, Mix, Point, Pose, PositionCorrection, Profile, RayHit,
-        Refusal, Rot, Settings, SettingsError, Shape, ShapeError, Stage, StageReport, StepError, Tier, Vec2,
-        World, collision,
+        Clock, ContactEvent, ContactRef, Counters, Events, FeatureId, Filter, Force, ForceError, ForceId,
+        HitEvent, Lanes, Manifold, ManifoldPoint, Material, Mix, Point, Pose, PositionCorrection, Profile,
+        RayHit, Refusal, Rot, Settings, SettingsError, Shape, ShapeError, Stage, StageReport, StepError,
+        Tier, Vec2, World, collision,
     };
 }
 

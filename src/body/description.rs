@@ -3,7 +3,7 @@
 use core::fmt;
 
 use crate::body::error::check_range;
-use crate::body::{BodyError, Material};
+use crate::body::{BodyError, Filter, Material, Role};
 use crate::math::{Point, Pose, Rot, Vec2};
 use crate::shape::{MassProperties, Shape};
 
@@ -71,6 +71,7 @@ pub struct Body {
     pub(crate) angular_damping: f32,
     pub(crate) may_sleep: bool,
     pub(crate) user_data: u64,
+    pub(crate) role: Role,
 }
 
 impl Body {
@@ -90,6 +91,7 @@ impl Body {
             angular_damping: 0.0,
             may_sleep: true,
             user_data: 0,
+            role: Role::default(),
         }
     }
 
@@ -215,6 +217,13 @@ impl Body {
         self
     }
 
+    /// Which bodies it collides with. Default: all.
+    #[must_use]
+    pub fn filter(mut self, filter: Filter) -> Self {
+        self.role.filter = filter;
+        self
+    }
+
     /// A number of the caller's own, which the engine keeps and never reads.
     #[must_use]
     pub fn user_data(mut self, user_data: u64) -> Self {
@@ -286,6 +295,11 @@ impl Body {
     /// Whether it may be put to sleep.
     pub fn get_may_sleep(&self) -> bool {
         self.may_sleep
+    }
+
+    /// Which bodies it collides with.
+    pub fn get_filter(&self) -> Filter {
+        self.role.filter
     }
 
     /// The caller's own number.

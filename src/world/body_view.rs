@@ -2,7 +2,7 @@
 
 use core::fmt;
 
-use crate::body::{Body, BodyId, BodyType, Forcing, Material, Motion, NONE, Record};
+use crate::body::{Body, BodyId, BodyType, Filter, Forcing, Material, Motion, NONE, Record, Role};
 use crate::compute::BodyState;
 use crate::math::{Aabb, Point, Pose, Rot, Vec2};
 use crate::shape::Shape;
@@ -36,6 +36,10 @@ impl<'a> BodyRef<'a> {
 
     fn forcing(&self) -> &'a Forcing {
         &self.world.bodies.forcings[self.slot() as usize]
+    }
+
+    fn role(&self) -> Role {
+        self.world.bodies.roles.of(self.slot())
     }
 
     fn state(&self) -> &'a BodyState {
@@ -179,6 +183,11 @@ impl<'a> BodyRef<'a> {
     /// Angular damping, 1/s.
     pub fn angular_damping(&self) -> f32 {
         self.forcing().angular_damping
+    }
+
+    /// Which bodies it collides with.
+    pub fn filter(&self) -> Filter {
+        self.role().filter
     }
 
     /// The caller's own number.

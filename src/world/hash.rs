@@ -1,10 +1,12 @@
 //! The state of a world as one number.
 
+use crate::body::{Filter, Role};
 use crate::world::World;
 
 impl World {
-    /// A hash over the id, pose and velocity of every body. Two worlds with the same past have the same
-    /// hash, on every machine and build; it changes when any bit of a pose or velocity does.
+    /// A hash over the id, pose and velocity of every body, and over filters and pairs that do not collide, where there are
+    /// some. Two worlds with the same past have the same hash, on every machine and build; it changes when any bit of these
+    /// does.
     pub fn state_hash(&self) -> u64 {
         let mut hash = Fnv::new();
         for (key, _) in self.bodies.records.iter() {
@@ -19,6 +21,13 @@ impl World {
             {
                 hash.write(u64::from(value.to_bits()));
             }
+            let role = self.bodies.roles.of(key.index());
+            if role != Role::default() {
+                hash.write_role(role);
+            }
+        }
+        for (a, b) in self.bodies.roles.parted() {
+            hash.write(u64::from(a) << 32 | u64::from(b));
         }
         hash.0
     }
@@ -30,6 +39,13 @@ struct Fnv(u64);
 impl Fnv {
     fn new() -> Self {
         Self(0xCBF2_9CE4_8422_2325)
+    }
+
+    fn write_role(&mut self, Role { filter }: Role) {
+        let Filter { category, mask, group } = filter;
+        for word in [category, mask, group as u64] {
+            self.write(word);
+        }
     }
 
     fn write(&mut self, word: u64) {

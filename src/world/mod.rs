@@ -5,6 +5,7 @@ mod attractor;
 mod body_change;
 mod body_mut;
 mod body_view;
+mod collisions;
 mod conserved;
 mod contact_view;
 mod edit;

@@ -88,8 +88,7 @@ impl World {
         let accept = |slots: [u32; 2], is_fast: [bool; 2]| {
             // Pairs of a fast body that is awake are looked for again in the next step.
             let comes_again = (0..2).any(|index| is_fast[index] && bodies.is_awake(slots[index]));
-            slots.into_iter().any(|slot| bodies.is_dynamic(slot))
-                && !(comes_again && are_out_of_reach(bodies, slots, dt))
+            bodies.may_collide(slots[0], slots[1]) && !(comes_again && are_out_of_reach(bodies, slots, dt))
         };
         self.broad_phase.find_pairs(&self.pool, accept, &mut pairs);
         for &(a, b) in &pairs {

@@ -16,6 +16,7 @@ mod queries;
 mod random_use;
 #[cfg(feature = "report")]
 mod report;
+mod roles;
 mod sleep;
 mod slow_motion;
 mod stability;

@@ -229,8 +229,7 @@ impl Continuous {
         });
         let is_moved = scene.bodies.states[row as usize].is_moving();
         for other in near.drain(..) {
-            let is_any_dynamic = scene.bodies.is_dynamic(slot) || scene.bodies.is_dynamic(other);
-            if is_any_dynamic && (is_moved || scene.bodies.is_awake(other)) {
+            if scene.bodies.may_collide(slot, other) && (is_moved || scene.bodies.is_awake(other)) {
                 self.expect([slot.min(other), slot.max(other)], 0.0, scene);
             }
         }
