@@ -120,19 +120,19 @@ pub use collision::{FeatureId, Manifold, ManifoldPoint};
 pub use math::{Aabb, Point, Pose, Rot, Vec2};
 pub use shape::{Shape, ShapeError};
 pub use world::{
-    Attractor, AttractorError, AttractorId, BodyMut, BodyRef, Clock, ContactEvent, ContactRef, Counters,
-    Events, Force, ForceError, ForceId, HitEvent, Lanes, PositionCorrection, Profile, RayHit, Refusal,
-    Settings, SettingsError, Stage, StageReport, StepError, Tier, World,
+    Attractor, AttractorError, AttractorId, BodyMut, BodyRef, Clock, ClosestHit, ContactEvent, ContactRef,
+    Counters, Events, Force, ForceError, ForceId, HitEvent, Lanes, PositionCorrection, Profile, QueryFilter,
+    RayHit, Refusal, Settings, SettingsError, ShapeHit, Stage, StageReport, StepError, Tier, World,
 };
 
 /// Everything a program needs by name.
 pub mod prelude {
     pub use crate::{
         Aabb, Attractor, AttractorError, AttractorId, Body, BodyError, BodyId, BodyMut, BodyRef, BodyType,
-        Clock, ContactEvent, ContactRef, Counters, Events, FeatureId, Filter, Force, ForceError, ForceId,
-        HitEvent, Lanes, Manifold, ManifoldPoint, Material, Mix, Point, Pose, PositionCorrection, Profile,
-        RayHit, Refusal, Rot, Settings, SettingsError, Shape, ShapeError, Stage, StageReport, StepError,
-        Tier, Vec2, World, collision,
+        Clock, ClosestHit, ContactEvent, ContactRef, Counters, Events, FeatureId, Filter, Force, ForceError,
+        ForceId, HitEvent, Lanes, Manifold, ManifoldPoint, Material, Mix, Point, Pose, PositionCorrection,
+        Profile, QueryFilter, RayHit, Refusal, Rot, Settings, SettingsError, Shape, ShapeError, ShapeHit,
+        Stage, StageReport, StepError, Tier, Vec2, World, collision,
     };
 }
 

@@ -30,7 +30,7 @@ pub use contact_view::ContactRef;
 pub use events::{ContactEvent, Events, HitEvent, Refusal};
 pub use force::{Force, ForceError, ForceId};
 pub use profile::{Clock, Counters, Profile, Stage, StageReport};
-pub use query::RayHit;
+pub use query::{ClosestHit, QueryFilter, RayHit, ShapeHit};
 pub use settings::{PositionCorrection, Settings, SettingsError};
 
 use crate::body::{Bodies, BodyId};
