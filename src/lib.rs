@@ -33,6 +33,7 @@
 //! | solve | awake bodies | substeps: forces, impacts, contacts, motion |
 //! | finalize | awake bodies | adds the motion to the poses, updates boxes that bodies have left |
 //! | events | awake contacts | what began, ended, hit |
+//! | sensors | sensors | what began and ceased to overlap them |
 //! | sleep | bodies long at rest | puts islands in equilibrium to sleep |
 //!
 //! A stage without input does not run, and [`World::profile`] shows it.
@@ -122,7 +123,8 @@ pub use shape::{Shape, ShapeError};
 pub use world::{
     Attractor, AttractorError, AttractorId, BodyMut, BodyRef, Clock, ClosestHit, ContactEvent, ContactRef,
     Counters, Events, Force, ForceError, ForceId, HitEvent, Lanes, PositionCorrection, Profile, QueryFilter,
-    RayHit, Refusal, Settings, SettingsError, ShapeHit, Stage, StageReport, StepError, Tier, World,
+    RayHit, Refusal, SensorEvent, Settings, SettingsError, ShapeHit, Stage, StageReport, StepError, Tier,
+    World,
 };
 
 /// Everything a program needs by name.
@@ -131,8 +133,8 @@ pub mod prelude {
         Aabb, Attractor, AttractorError, AttractorId, Body, BodyError, BodyId, BodyMut, BodyRef, BodyType,
         Clock, ClosestHit, ContactEvent, ContactRef, Counters, Events, FeatureId, Filter, Force, ForceError,
         ForceId, HitEvent, Lanes, Manifold, ManifoldPoint, Material, Mix, Point, Pose, PositionCorrection,
-        Profile, QueryFilter, RayHit, Refusal, Rot, Settings, SettingsError, Shape, ShapeError, ShapeHit,
-        Stage, StageReport, StepError, Tier, Vec2, World, collision,
+        Profile, QueryFilter, RayHit, Refusal, Rot, SensorEvent, Settings, SettingsError, Shape, ShapeError,
+        ShapeHit, Stage, StageReport, StepError, Tier, Vec2, World, collision,
     };
 }
 

@@ -224,6 +224,20 @@ impl Body {
         self
     }
 
+    /// Whether the body is a sensor: it touches nothing and nothing touches it, and the world takes note of what overlaps it, as
+    /// [`Events::sensor_began`](crate::Events::sensor_began), [`sensor_ended`](crate::Events::sensor_ended) and
+    /// [`World::sensor_overlaps`](crate::World::sensor_overlaps) tell. Default false.
+    ///
+    /// It may be of any type and moves as another of that type; it sees bodies of every type, asleep or awake, and other
+    /// sensors, as far as [filters](Self::filter) let the two meet. What it overlaps is found at the end of each step, touching
+    /// included. A body that goes through it within a step, or through which it goes, has begun and ended in that step, if it
+    /// was straight on its way and not both are so fast.
+    #[must_use]
+    pub fn sensor(mut self, is_sensor: bool) -> Self {
+        self.role.is_sensor = is_sensor;
+        self
+    }
+
     /// A number of the caller's own, which the engine keeps and never reads.
     #[must_use]
     pub fn user_data(mut self, user_data: u64) -> Self {
@@ -300,6 +314,11 @@ impl Body {
     /// Which bodies it collides with.
     pub fn get_filter(&self) -> Filter {
         self.role.filter
+    }
+
+    /// Whether it is a sensor.
+    pub fn get_sensor(&self) -> bool {
+        self.role.is_sensor
     }
 
     /// The caller's own number.

@@ -9,6 +9,8 @@ use crate::body::Filter;
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct Role {
     pub(crate) filter: Filter,
+    /// Whether it only takes note of what overlaps it.
+    pub(crate) is_sensor: bool,
 }
 
 /// The roles of all bodies, and the pairs that were parted.
@@ -19,9 +21,11 @@ pub(crate) struct Roles {
     /// Slots of bodies that do not collide with each other, whatever their filters: each pair both ways round, sorted, so that
     /// those of one body are found together.
     parted: Vec<(u32, u32)>,
+    /// The slots of sensors, ascending.
+    sensors: Vec<u32>,
 }
 
-clone_into_buffers!(Roles { by_slot, parted });
+clone_into_buffers!(Roles { by_slot, parted, sensors });
 
 impl Roles {
     /// The role of the body in `slot`.
@@ -40,6 +44,16 @@ impl Roles {
             self.by_slot.resize(place + 1, Role::default());
         }
         self.by_slot[place] = role;
+        match (self.sensors.binary_search(&slot), role.is_sensor) {
+            (Err(place), true) => self.sensors.insert(place, slot),
+            (Ok(place), false) => _ = self.sensors.remove(place),
+            _ => {}
+        }
+    }
+
+    /// The slots of sensors, ascending.
+    pub(crate) fn sensors(&self) -> &[u32] {
+        &self.sensors
     }
 
     /// Forgets the body in `slot`, which is removed.
@@ -93,11 +107,13 @@ impl Roles {
     /// Whether the roles of two bodies let them collide.
     #[inline(always)]
     pub(crate) fn may_collide(&self, a: u32, b: u32) -> bool {
-        self.by_slot.is_empty() && self.parted.is_empty() || self.may_meet(a, b)
+        let is_sensor = |slot: u32| self.of(slot).is_sensor;
+        let are_usual = self.by_slot.is_empty() && self.parted.is_empty();
+        are_usual || self.may_meet(a, b) && !is_sensor(a) && !is_sensor(b)
     }
 
     /// Whether two bodies are anything to each other: by their filters, and as they were not parted.
-    fn may_meet(&self, a: u32, b: u32) -> bool {
+    pub(crate) fn may_meet(&self, a: u32, b: u32) -> bool {
         self.of(a).filter.collides_with(self.of(b).filter) && !self.are_parted(a, b)
     }
 }
@@ -137,12 +153,13 @@ mod tests {
         roles.set(7, Role::default());
         assert!(roles.by_slot.is_empty(), "the default needs no room");
         let filter = Filter { category: 4, ..Filter::DEFAULT };
-        roles.set(7, Role { filter });
+        roles.set(7, Role { filter, is_sensor: true });
+        assert_eq!(roles.sensors(), [7]);
         assert_eq!(
             (roles.of(7).filter, roles.of(6), roles.of(8)),
             (filter, Role::default(), Role::default())
         );
         roles.forget(7);
-        assert_eq!(roles.of(7), Role::default());
+        assert_eq!((roles.of(7), roles.sensors().len()), (Role::default(), 0));
     }
 }

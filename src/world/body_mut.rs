@@ -81,6 +81,7 @@ read_like_body_ref! {
     angular_damping() -> f32;
     user_data() -> u64;
     filter() -> Filter;
+    is_sensor() -> bool;
     may_sleep() -> bool;
     is_sleeping() -> bool;
     contains(place: impl Into<Point>) -> bool;

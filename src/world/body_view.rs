@@ -190,6 +190,11 @@ impl<'a> BodyRef<'a> {
         self.role().filter
     }
 
+    /// Whether it is a sensor, which only takes note of what overlaps it.
+    pub fn is_sensor(&self) -> bool {
+        self.role().is_sensor
+    }
+
     /// The caller's own number.
     pub fn user_data(&self) -> u64 {
         self.record().user_data

@@ -38,6 +38,7 @@ impl World {
         if collide == collided {
             return Some(collided);
         }
+        self.sensors.note_edit();
         self.wake_slot(a);
         self.wake_slot(b);
         if collide {
@@ -89,6 +90,7 @@ impl World {
         for index in ending {
             self.end_contact(index);
         }
+        self.sensors.note_edit();
         self.candidates.note_removed(slot);
         self.broad_phase.mark_moved(slot);
     }

@@ -15,7 +15,7 @@ use crate::shape::{MIN_SIZE, Shape};
 use crate::world::World;
 
 impl World {
-    /// The bodies at a place (m), their outlines included, by ascending id. None for a place that is not
+    /// The bodies at a place (m), sensors too, their outlines included, by ascending id. None for a place that is not
     /// finite.
     pub fn bodies_at(&self, place: impl Into<Point>) -> Vec<BodyId> {
         let place = place.into();
@@ -35,7 +35,7 @@ impl World {
         found
     }
 
-    /// The bodies that share a point with a box given by two corners (m), by ascending id. None for a box
+    /// The bodies, sensors too, that share a point with a box given by two corners (m), by ascending id. None for a box
     /// that is not finite or has its corners the wrong way round.
     pub fn bodies_in(&self, min: impl Into<Point>, max: impl Into<Point>) -> Vec<BodyId> {
         let (min, max) = (min.into(), max.into());

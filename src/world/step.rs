@@ -34,6 +34,7 @@ impl World {
     /// solve     awake bodies          the substep loop: forces, impacts, contacts, motion
     /// finalize  awake bodies          adds the motion to the poses; boxes follow
     /// events    changing contacts     what began, ended, hit; what left the bounds is removed
+    /// sensors   sensors               what began and ceased to overlap them
     /// sleep     bodies long at rest   islands in equilibrium leave the step
     /// ```
     ///
@@ -67,6 +68,7 @@ impl World {
         profile.run_stage(Stage::Events, self.changing_count(), || self.report_events());
         self.remove_those_that_left();
         self.stop_those_that_arrived();
+        profile.run_stage(Stage::Sensors, self.sensor_work(), || self.find_sensor_overlaps());
         self.events.sort();
         let resting = if sleep::is_due(self.ticks, self.settings.tick_rate) { self.resting } else { 0 };
         profile.run_stage(Stage::Sleep, resting, || self.put_to_sleep());

@@ -2,10 +2,10 @@
 
 use core::fmt;
 
-use crate::body::BodyId;
+use crate::body::{BodyId, Role};
 use crate::world::{BodyRef, World};
 
-/// Which bodies a query finds: by default all. It borrows what it is given and allocates nothing.
+/// Which bodies a query finds: by default all but sensors. It borrows what it is given and allocates nothing.
 ///
 /// ```
 /// # use rustycs::prelude::*;
@@ -26,15 +26,23 @@ use crate::world::{BodyRef, World};
 pub struct QueryFilter<'a> {
     mask: u64,
     category: Option<u64>,
+    sensors: bool,
     ignored: Option<BodyId>,
     all_ignored: &'a [BodyId],
     predicate: Option<&'a dyn Fn(BodyRef<'_>) -> bool>,
 }
 
 impl<'a> QueryFilter<'a> {
-    /// All bodies.
+    /// All bodies but sensors.
     pub const fn new() -> Self {
-        Self { mask: u64::MAX, category: None, ignored: None, all_ignored: &[], predicate: None }
+        let (mask, sensors) = (u64::MAX, false);
+        Self { mask, category: None, sensors, ignored: None, all_ignored: &[], predicate: None }
+    }
+
+    /// Whether sensors are found too.
+    pub const fn sensors(mut self, sensors: bool) -> Self {
+        self.sensors = sensors;
+        self
     }
 
     /// Only bodies of these categories, see [`Filter`](crate::Filter).
@@ -85,7 +93,7 @@ impl Default for QueryFilter<'_> {
 impl fmt::Debug for QueryFilter<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let mut shown = f.debug_struct("QueryFilter");
-        shown.field("mask", &self.mask).field("category", &self.category);
+        shown.field("mask", &self.mask).field("category", &self.category).field("sensors", &self.sensors);
         shown.field("ignored", &self.ignored).field("all_ignored", &self.all_ignored);
         shown.field("has_predicate", &self.predicate.is_some()).finish()
     }
@@ -94,7 +102,10 @@ impl fmt::Debug for QueryFilter<'_> {
 impl World {
     /// Whether a query is about the body in `slot` at all, as far as its predicate is not asked.
     pub(super) fn is_asked_about(&self, filter: &QueryFilter<'_>, slot: u32) -> bool {
-        let of_body = self.bodies.roles.of(slot).filter;
+        let Role { filter: of_body, is_sensor, .. } = self.bodies.roles.of(slot);
+        if is_sensor && !filter.sensors {
+            return false;
+        }
         if of_body.category & filter.mask == 0 || filter.category.is_some_and(|own| of_body.mask & own == 0) {
             return false;
         }

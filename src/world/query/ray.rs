@@ -19,7 +19,7 @@ pub struct RayHit {
 }
 
 impl World {
-    /// The first body on the way from `origin` (m) along `translation` (m). A ray that begins in a body hits
+    /// The first body on the way from `origin` (m) along `translation` (m) that is no sensor. A ray that begins in a body hits
     /// it at once. `None` where there is nothing, or the ray is not finite or has no length.
     pub fn ray_cast(&self, origin: impl Into<Point>, translation: impl Into<Vec2>) -> Option<RayHit> {
         self.ray_cast_with(origin, translation, &QueryFilter::new())
@@ -50,7 +50,7 @@ impl World {
         nearest
     }
 
-    /// All bodies on the way from `origin` (m) along `translation` (m), nearest first. None where the ray is
+    /// All bodies but sensors on the way from `origin` (m) along `translation` (m), nearest first. None where the ray is
     /// not finite or has no length.
     pub fn ray_cast_all(&self, origin: impl Into<Point>, translation: impl Into<Vec2>) -> Vec<RayHit> {
         self.ray_cast_all_with(origin, translation, &QueryFilter::new())

@@ -1,3 +1,4 @@
-//! What bodies are to what they meet: filters and pairs that do not collide.
+//! What bodies are to what they meet: filters, pairs that do not collide, sensors.
 
 mod filters;
+mod sensors;
