@@ -36,7 +36,7 @@ pub(crate) const STRONGEST: f64 = 1e18;
 const MASSES: [f64; 2] = [1e-12, 1e15];
 /// Moments of inertia, kg m²: the masses times the squares of reasonable extents.
 const INERTIAS: [f64; 2] = [1e-18, 1e25];
-/// Largest coefficient of friction, gravity scale or damping (1/s): far above use, far from overflow.
+/// Largest coefficient of friction, gravity scale, damping (1/s) or surface speed (m/s): far above use, far from overflow.
 const LARGEST_FACTOR: f64 = 1e6;
 
 /// A body to be added to a world: a shape with a place, a motion and a material.
@@ -238,6 +238,22 @@ impl Body {
         self
     }
 
+    /// Speed of the surface against the body, m/s, as that of a conveyor belt, which goes round while the body stays: friction
+    /// draws what touches it along. Positive goes clockwise, so that it takes what lies on top to the right. Default 0.
+    ///
+    /// ```
+    /// # use rustycs::prelude::*;
+    /// # let mut world = World::new(Settings::default());
+    /// let belt = world.add(Body::fixed(Shape::aabb(20.0, 1.0)).surface_speed(2.0))?;
+    /// world.body_mut(belt).unwrap().set_surface_speed(-2.0);
+    /// # Ok::<(), BodyError>(())
+    /// ```
+    #[must_use]
+    pub fn surface_speed(mut self, speed: f32) -> Self {
+        self.role.surface_speed = speed;
+        self
+    }
+
     /// A number of the caller's own, which the engine keeps and never reads.
     #[must_use]
     pub fn user_data(mut self, user_data: u64) -> Self {
@@ -321,6 +337,11 @@ impl Body {
         self.role.is_sensor
     }
 
+    /// Speed of its surface, m/s.
+    pub fn get_surface_speed(&self) -> f32 {
+        self.role.surface_speed
+    }
+
     /// The caller's own number.
     pub fn get_user_data(&self) -> u64 {
         self.user_data
@@ -367,6 +388,7 @@ impl Body {
         check_gravity_scale(self.gravity_scale)?;
         check_damping("the linear damping", self.linear_damping)?;
         check_damping("the angular damping", self.angular_damping)?;
+        check_surface_speed(self.role.surface_speed)?;
         if is_dynamic {
             let MassProperties { mass, inertia } = self.mass_properties();
             check_range("the mass", f64::from(mass), MASSES, "kg")?;
@@ -406,6 +428,10 @@ pub(crate) fn check_friction(friction: f32) -> Result<(), BodyError> {
 
 pub(crate) fn check_restitution(restitution: f32) -> Result<(), BodyError> {
     check_range("the restitution", f64::from(restitution), [0.0, 1.0], "")
+}
+
+pub(crate) fn check_surface_speed(speed: f32) -> Result<(), BodyError> {
+    check_range("the surface speed", f64::from(speed), [-LARGEST_FACTOR, LARGEST_FACTOR], "m/s")
 }
 
 pub(crate) fn check_gravity_scale(scale: f32) -> Result<(), BodyError> {

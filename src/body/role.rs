@@ -11,6 +11,8 @@ pub(crate) struct Role {
     pub(crate) filter: Filter,
     /// Whether it only takes note of what overlaps it.
     pub(crate) is_sensor: bool,
+    /// Speed of its surface against itself, m/s; positive takes what lies on top to the right.
+    pub(crate) surface_speed: f32,
 }
 
 /// The roles of all bodies, and the pairs that were parted.
@@ -23,9 +25,11 @@ pub(crate) struct Roles {
     parted: Vec<(u32, u32)>,
     /// The slots of sensors, ascending.
     sensors: Vec<u32>,
+    /// Whether any surface moves, or has.
+    has_surface_speeds: bool,
 }
 
-clone_into_buffers!(Roles { by_slot, parted, sensors });
+clone_into_buffers!(Roles { by_slot, parted, sensors, has_surface_speeds });
 
 impl Roles {
     /// The role of the body in `slot`.
@@ -44,6 +48,7 @@ impl Roles {
             self.by_slot.resize(place + 1, Role::default());
         }
         self.by_slot[place] = role;
+        self.has_surface_speeds |= role.surface_speed != 0.0;
         match (self.sensors.binary_search(&slot), role.is_sensor) {
             (Err(place), true) => self.sensors.insert(place, slot),
             (Ok(place), false) => _ = self.sensors.remove(place),
@@ -112,6 +117,18 @@ impl Roles {
         are_usual || self.may_meet(a, b) && !is_sensor(a) && !is_sensor(b)
     }
 
+    /// Speed of the surface of the second of two bodies against that of the first, beside how these move, along the tangent of
+    /// their contact, m/s; `None` where neither surface moves. Both surfaces go round their bodies clockwise, and past each other
+    /// in opposite directions: their speeds add up.
+    #[inline(always)]
+    pub(crate) fn surface_speed(&self, [a, b]: [u32; 2]) -> Option<f32> {
+        if !self.has_surface_speeds {
+            return None;
+        }
+        let speed = self.of(a).surface_speed + self.of(b).surface_speed;
+        (speed != 0.0).then_some(speed)
+    }
+
     /// Whether two bodies are anything to each other: by their filters, and as they were not parted.
     pub(crate) fn may_meet(&self, a: u32, b: u32) -> bool {
         self.of(a).filter.collides_with(self.of(b).filter) && !self.are_parted(a, b)
@@ -153,7 +170,7 @@ mod tests {
         roles.set(7, Role::default());
         assert!(roles.by_slot.is_empty(), "the default needs no room");
         let filter = Filter { category: 4, ..Filter::DEFAULT };
-        roles.set(7, Role { filter, is_sensor: true });
+        roles.set(7, Role { filter, is_sensor: true, ..Role::default() });
         assert_eq!(roles.sensors(), [7]);
         assert_eq!(
             (roles.of(7).filter, roles.of(6), roles.of(8)),

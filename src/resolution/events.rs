@@ -126,11 +126,12 @@ impl EventScene<'_> {
             > MUCH_NEARER * motions[0].thickness.min(motions[1].thickness)
     }
 
-    /// Lets two bodies collide that meet at a time within the substep, s, and moves those of them that contacts move by what
+    /// Lets the bodies in two slots collide that meet at a time within the substep, s, and moves those of them that contacts move by what
     /// their drift will miss.
-    fn collide(&mut self, rows: [u32; 2], moved: [bool; 2], meeting: &Meeting, restitution: f32, time: f32) {
+    fn collide(&mut self, slots: [u32; 2], moved: [bool; 2], meeting: &Meeting, restitution: f32, time: f32) {
+        let rows = slots.map(|slot| self.bodies.motions[slot as usize].row);
         let mut after = self.states(rows);
-        meeting.collide(restitution, &mut after);
+        meeting.collide(restitution, self.bodies.roles.surface_speed(slots), &mut after);
         let moved = rows.into_iter().zip(after).zip(moved);
         for ((row, mut after), _) in moved.filter(|&(_, is_moved)| is_moved) {
             let state = &mut self.bodies.states[row as usize];

@@ -82,6 +82,7 @@ read_like_body_ref! {
     user_data() -> u64;
     filter() -> Filter;
     is_sensor() -> bool;
+    surface_speed() -> f32;
     may_sleep() -> bool;
     is_sleeping() -> bool;
     contains(place: impl Into<Point>) -> bool;
@@ -133,7 +134,7 @@ impl<'a> BodyMut<'a> {
     /// Refuses what a game does every frame, and says so.
     #[track_caller]
     #[expect(clippy::manual_assert, reason = "the build decides, not a condition")]
-    fn refuse(&mut self, error: BodyError) -> &mut Self {
+    pub(in crate::world) fn refuse(&mut self, error: BodyError) -> &mut Self {
         if cfg!(debug_assertions) {
             panic!("{error}");
         }

@@ -195,6 +195,11 @@ impl<'a> BodyRef<'a> {
         self.role().is_sensor
     }
 
+    /// Speed of its surface against the body, m/s.
+    pub fn surface_speed(&self) -> f32 {
+        self.role().surface_speed
+    }
+
     /// The caller's own number.
     pub fn user_data(&self) -> u64 {
         self.record().user_data

@@ -1,9 +1,28 @@
-//! Which bodies collide: by their filters, and pair by pair.
+//! Which bodies collide: by their filters, and pair by pair; and how fast their surfaces go.
 
+use crate::body::description::check_surface_speed;
 use crate::body::{BodyId, Filter};
 use crate::world::{BodyMut, World};
 
 impl BodyMut<'_> {
+    /// Sets the speed of the surface against the body, m/s, see [`Body::surface_speed`](crate::Body::surface_speed). What touches
+    /// it wakes, unless it is the speed it has. Refused beyond ±10⁶ m/s.
+    #[track_caller]
+    pub fn set_surface_speed(&mut self, speed: f32) -> &mut Self {
+        if let Err(error) = check_surface_speed(speed) {
+            return self.refuse(error);
+        }
+        let slot = self.slot();
+        let mut role = self.world.bodies.roles.of(slot);
+        if role.surface_speed != speed {
+            role.surface_speed = speed;
+            self.world.bodies.roles.set(slot, role);
+            self.world.wake_slot(slot);
+            self.world.wake_neighbours(slot);
+        }
+        self
+    }
+
     /// Sets which bodies it collides with. Contacts with others end, and new ones begin in the next step; what it touched
     /// wakes.
     pub fn set_filter(&mut self, filter: Filter) {

@@ -346,7 +346,7 @@ impl Continuous {
         self.note(slots, meeting.speed(), scene, impacts);
         let rows = slots.map(|slot| scene.bodies.motions[slot as usize].row);
         let moved = slots.map(|slot| scene.bodies.is_dynamic(slot) && !self.is_halted(slot, scene));
-        scene.collide(rows, moved, &meeting, restitution, time);
+        scene.collide(slots, moved, &meeting, restitution, time);
         if let Some(home) = scene.home(slots) {
             scene.graph.set_pending(home, [false; 2]);
         }

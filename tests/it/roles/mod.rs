@@ -1,4 +1,5 @@
 //! What bodies are to what they meet: filters, pairs that do not collide, sensors.
 
+mod conveyors;
 mod filters;
 mod sensors;
