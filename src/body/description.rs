@@ -238,6 +238,27 @@ impl Body {
         self
     }
 
+    /// Makes the body a one-way floor: bodies pass that move along this `direction`, and those that come against it are borne.
+    /// It is of any length, and turns with the body.
+    ///
+    /// What comes near decides for itself: from the free side it is borne until it leaves the surface or slips off the end; from
+    /// below or from the side, or if it began within the floor, it passes until it has left. To let one body drop through, part
+    /// the two for a moment by [`World::set_collision`](crate::World::set_collision).
+    ///
+    /// ```
+    /// # use rustycs::prelude::*;
+    /// # let mut world = World::new(Settings::default());
+    /// world.add(Body::fixed(Shape::aabb(4.0, 0.2)).one_way([0.0, 1.0]))?; // can be jumped through from below
+    /// # Ok::<(), BodyError>(())
+    /// ```
+    #[must_use]
+    pub fn one_way(mut self, direction: impl Into<Vec2>) -> Self {
+        let direction = direction.into();
+        // What has no direction is refused when it is added.
+        self.role.one_way = Some(direction.normalized().unwrap_or(direction));
+        self
+    }
+
     /// Speed of the surface against the body, m/s, as that of a conveyor belt, which goes round while the body stays: friction
     /// draws what touches it along. Positive goes clockwise, so that it takes what lies on top to the right. Default 0.
     ///
@@ -337,6 +358,11 @@ impl Body {
         self.role.is_sensor
     }
 
+    /// The direction, of length 1, in which bodies pass it, if it is a one-way floor.
+    pub fn get_one_way(&self) -> Option<Vec2> {
+        self.role.one_way
+    }
+
     /// Speed of its surface, m/s.
     pub fn get_surface_speed(&self) -> f32 {
         self.role.surface_speed
@@ -389,6 +415,7 @@ impl Body {
         check_damping("the linear damping", self.linear_damping)?;
         check_damping("the angular damping", self.angular_damping)?;
         check_surface_speed(self.role.surface_speed)?;
+        check_one_way(self.role.one_way)?;
         if is_dynamic {
             let MassProperties { mass, inertia } = self.mass_properties();
             check_range("the mass", f64::from(mass), MASSES, "kg")?;
@@ -432,6 +459,12 @@ pub(crate) fn check_restitution(restitution: f32) -> Result<(), BodyError> {
 
 pub(crate) fn check_surface_speed(speed: f32) -> Result<(), BodyError> {
     check_range("the surface speed", f64::from(speed), [-LARGEST_FACTOR, LARGEST_FACTOR], "m/s")
+}
+
+/// Checks that a direction, if there is one, has a length: 1, or what is none.
+pub(crate) fn check_one_way(direction: Option<Vec2>) -> Result<(), BodyError> {
+    let length = direction.map_or(1.0, |direction| f64::from(direction.length()));
+    check_range("the length of the one-way direction", length, [1e-6, 1e6], "")
 }
 
 pub(crate) fn check_gravity_scale(scale: f32) -> Result<(), BodyError> {

@@ -4,6 +4,7 @@
 //! nothing, and asks nothing but whether there is one.
 
 use crate::body::Filter;
+use crate::math::Vec2;
 
 /// What a body is to what it meets.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -13,6 +14,8 @@ pub(crate) struct Role {
     pub(crate) is_sensor: bool,
     /// Speed of its surface against itself, m/s; positive takes what lies on top to the right.
     pub(crate) surface_speed: f32,
+    /// Of a one-way floor, the direction in which bodies pass it, in its frame; length 1.
+    pub(crate) one_way: Option<Vec2>,
 }
 
 /// The roles of all bodies, and the pairs that were parted.
@@ -27,9 +30,11 @@ pub(crate) struct Roles {
     sensors: Vec<u32>,
     /// Whether any surface moves, or has.
     has_surface_speeds: bool,
+    /// Whether there are one-way floors, or were.
+    has_one_ways: bool,
 }
 
-clone_into_buffers!(Roles { by_slot, parted, sensors, has_surface_speeds });
+clone_into_buffers!(Roles { by_slot, parted, sensors, has_surface_speeds, has_one_ways });
 
 impl Roles {
     /// The role of the body in `slot`.
@@ -49,6 +54,7 @@ impl Roles {
         }
         self.by_slot[place] = role;
         self.has_surface_speeds |= role.surface_speed != 0.0;
+        self.has_one_ways |= role.one_way.is_some();
         match (self.sensors.binary_search(&slot), role.is_sensor) {
             (Err(place), true) => self.sensors.insert(place, slot),
             (Ok(place), false) => _ = self.sensors.remove(place),
@@ -115,6 +121,12 @@ impl Roles {
         let is_sensor = |slot: u32| self.of(slot).is_sensor;
         let are_usual = self.by_slot.is_empty() && self.parted.is_empty();
         are_usual || self.may_meet(a, b) && !is_sensor(a) && !is_sensor(b)
+    }
+
+    /// Whether one of two bodies is a one-way floor.
+    #[inline(always)]
+    pub(crate) fn are_one_way(&self, slots: [u32; 2]) -> bool {
+        self.has_one_ways && slots.into_iter().any(|slot| self.of(slot).one_way.is_some())
     }
 
     /// Speed of the surface of the second of two bodies against that of the first, beside how these move, along the tangent of

@@ -13,8 +13,8 @@ mod queue;
 mod seams;
 
 use crate::body::{Bodies, Mixes};
-use crate::collision::Contacts;
 use crate::collision::broad_phase::BroadPhase;
+use crate::collision::{Contacts, OneWay, is_on_free_side};
 use crate::compute::BodyState;
 use crate::math::Vec2;
 use crate::resolution::constraint_graph::{ConstraintGraph, GraphIndex};
@@ -25,6 +25,7 @@ pub(crate) use crate::resolution::events::impacts::{Impact, Impacts};
 use crate::resolution::events::meeting::Meeting;
 pub(crate) use crate::resolution::events::seams::Seams;
 use crate::resolution::integrate::{Kicks, drift, drift_until};
+use crate::resolution::moving::manifold_in;
 use crate::resolution::scheme::Scheme;
 
 /// Bodies come much nearer if it is by more than this share of the width of the thinner in a step, no unit: less, and heaps
@@ -103,6 +104,21 @@ impl EventScene<'_> {
     /// Whether a contact between the bodies in two slots bears load.
     fn is_loaded(&self, slots: [u32; 2]) -> bool {
         self.home(slots).is_some_and(|home| self.graph.is_loaded(home))
+    }
+
+    /// Whether two bodies that touch in these states pass through each other, as one is a one-way floor.
+    fn is_passing(&self, slots: [u32; 2], [a, b]: &[BodyState; 2]) -> bool {
+        if !self.bodies.roles.are_one_way(slots) {
+            return false;
+        }
+        match self.contact_of(slots).and_then(|index| self.contacts[index].one_way) {
+            Some(OneWay::Bears) => false,
+            Some(OneWay::Passes) => true,
+            _ => {
+                let manifold = manifold_in(slots, self.bodies, [a, b]);
+                !is_on_free_side(self.bodies, slots, &manifold, (b.velocity - a.velocity).into())
+            }
+        }
     }
 
     /// Whether the contact between the bodies in two slots is left to the sweeps of [`Continuous`]: one of them is off course

@@ -195,6 +195,11 @@ impl<'a> BodyRef<'a> {
         self.role().is_sensor
     }
 
+    /// The direction, in its frame and of length 1, in which bodies pass it, if it is a one-way floor.
+    pub fn one_way(&self) -> Option<Vec2> {
+        self.role().one_way
+    }
+
     /// Speed of its surface against the body, m/s.
     pub fn surface_speed(&self) -> f32 {
         self.role().surface_speed

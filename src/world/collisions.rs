@@ -1,10 +1,31 @@
-//! Which bodies collide: by their filters, and pair by pair; and how fast their surfaces go.
+//! Which bodies collide: by their filters, and pair by pair; from which side they pass; and how fast their surfaces go.
 
-use crate::body::description::check_surface_speed;
-use crate::body::{BodyId, Filter};
+use crate::body::description::{check_one_way, check_surface_speed};
+use crate::body::{BodyError, BodyId, Filter};
+use crate::math::Vec2;
 use crate::world::{BodyMut, World};
 
 impl BodyMut<'_> {
+    /// Makes the body a one-way floor in this direction, see [`Body::one_way`](crate::Body::one_way), or, by `None`, one that is
+    /// passed by none. What touches it wakes, and decides anew whether it passes.
+    ///
+    /// # Errors
+    /// [`BodyError`], if the direction is not finite or has no length.
+    pub fn set_one_way(&mut self, direction: impl Into<Option<Vec2>>) -> Result<(), BodyError> {
+        let direction = direction.into().map(|direction| direction.normalized().unwrap_or(direction));
+        check_one_way(direction)?;
+        let slot = self.slot();
+        let mut role = self.world.bodies.roles.of(slot);
+        if role.one_way != direction {
+            role.one_way = direction;
+            self.world.bodies.roles.set(slot, role);
+            self.world.wake_slot(slot);
+            self.world.wake_neighbours(slot);
+            self.world.contacts.decide_anew(&self.world.bodies, slot);
+        }
+        Ok(())
+    }
+
     /// Sets the speed of the surface against the body, m/s, see [`Body::surface_speed`](crate::Body::surface_speed). What touches
     /// it wakes, unless it is the speed it has. Refused beyond ±10⁶ m/s.
     #[track_caller]

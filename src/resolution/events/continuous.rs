@@ -273,6 +273,9 @@ impl Continuous {
         }
         self.sweeps_left = self.sweeps_left.saturating_sub(1);
         let Some(mut time) = sweep(a, b, offset, velocity, h - from, 0.0) else { return };
+        if scene.is_passing(slots, &slots.map(|slot| self.state_at(slot, from + time, scene))) {
+            return;
+        }
         if time == 0.0 && !self.bounces_now(slots, from, scene) {
             let thickness = motions[0].thickness.min(motions[1].thickness);
             let deeper = MUCH_NEARER * thickness;

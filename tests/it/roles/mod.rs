@@ -2,4 +2,5 @@
 
 mod conveyors;
 mod filters;
+mod one_way;
 mod sensors;
