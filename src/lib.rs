@@ -53,7 +53,7 @@
 //! | 0 | `store` | generational ids, slots, bit set, pair set |
 //! | 0 | `compute` | numbers in lanes (scalar, SSE2, NEON, AVX2, AVX-512), the width chosen at run time, the hot rows of bodies, threads |
 //! | 1 | [`shape`] | circle, boxes, convex polygon; mass, rays, points |
-//! | 2 | [`body`] | description, material, and how many bodies are kept |
+//! | 2 | [`body`] | description, material, role, and how many bodies are kept |
 //! | 3 | [`collision`] | broad phase, detection, manifolds, contacts |
 //! | 4 | `resolution` | the solver: substeps, constraint graph, contact kernel, direct solve, impacts, islands |
 //! | 5 | [`world`] | the world, its step, and everything that can be asked of it |
