@@ -33,6 +33,7 @@
 //! | solve | awake bodies | substeps: forces, impacts, contacts, motion |
 //! | finalize | awake bodies | adds the motion to the poses, updates boxes that bodies have left |
 //! | events | awake contacts | what began, ended, hit |
+//! | sensors | sensors | what began and ceased to overlap them |
 //! | sleep | bodies long at rest | puts islands in equilibrium to sleep |
 //!
 //! A stage without input does not run, and [`World::profile`] shows it.
@@ -52,7 +53,7 @@
 //! | 0 | `store` | generational ids, slots, bit set, pair set |
 //! | 0 | `compute` | numbers in lanes (scalar, SSE2, NEON, AVX2, AVX-512), the width chosen at run time, the hot rows of bodies, threads |
 //! | 1 | [`shape`] | circle, boxes, convex polygon; mass, rays, points |
-//! | 2 | [`body`] | description, material, and how many bodies are kept |
+//! | 2 | [`body`] | description, material, role, and how many bodies are kept |
 //! | 3 | [`collision`] | broad phase, detection, manifolds, contacts |
 //! | 4 | `resolution` | the solver: substeps, constraint graph, contact kernel, direct solve, impacts, islands |
 //! | 5 | [`world`] | the world, its step, and everything that can be asked of it |
@@ -115,24 +116,25 @@ pub(crate) mod store;
 pub(crate) mod testing;
 pub mod world;
 
-pub use body::{Body, BodyError, BodyId, BodyType, Material, Mix};
+pub use body::{Body, BodyError, BodyId, BodyType, Filter, Material, Mix};
 pub use collision::{FeatureId, Manifold, ManifoldPoint};
 pub use math::{Aabb, Point, Pose, Rot, Vec2};
 pub use shape::{Shape, ShapeError};
 pub use world::{
-    Attractor, AttractorError, AttractorId, BodyMut, BodyRef, Clock, ContactEvent, ContactRef, Counters,
-    Events, Force, ForceError, ForceId, HitEvent, Lanes, PositionCorrection, Profile, RayHit, Refusal,
-    Settings, SettingsError, Stage, StageReport, StepError, Tier, World,
+    Attractor, AttractorError, AttractorId, BodyMut, BodyRef, Clock, ClosestHit, ContactEvent, ContactRef,
+    Counters, Events, Force, ForceError, ForceId, HitEvent, Lanes, PositionCorrection, Profile, QueryFilter,
+    RayHit, Refusal, SensorEvent, Settings, SettingsError, ShapeHit, Stage, StageReport, StepError, Tier,
+    World,
 };
 
 /// Everything a program needs by name.
 pub mod prelude {
     pub use crate::{
         Aabb, Attractor, AttractorError, AttractorId, Body, BodyError, BodyId, BodyMut, BodyRef, BodyType,
-        Clock, ContactEvent, ContactRef, Counters, Events, FeatureId, Force, ForceError, ForceId, HitEvent,
-        Lanes, Manifold, ManifoldPoint, Material, Mix, Point, Pose, PositionCorrection, Profile, RayHit,
-        Refusal, Rot, Settings, SettingsError, Shape, ShapeError, Stage, StageReport, StepError, Tier, Vec2,
-        World, collision,
+        Clock, ClosestHit, ContactEvent, ContactRef, Counters, Events, FeatureId, Filter, Force, ForceError,
+        ForceId, HitEvent, Lanes, Manifold, ManifoldPoint, Material, Mix, Point, Pose, PositionCorrection,
+        Profile, QueryFilter, RayHit, Refusal, Rot, SensorEvent, Settings, SettingsError, Shape, ShapeError,
+        ShapeHit, Stage, StageReport, StepError, Tier, Vec2, World, collision,
     };
 }
 

@@ -1,6 +1,6 @@
 //! All bodies of a world, in tables indexed by slot.
 
-use crate::body::{Body, BodyId, BodyType, Material, Mixes, RestRule, RestWatch};
+use crate::body::{Body, BodyId, BodyType, Material, Mixes, RestRule, RestWatch, Roles};
 use crate::compute::{BodyState, COLUMN, DistinctIndices, GROUND_ROW, prefetch};
 use crate::math::{Aabb, Point, Pose, Rot, Vec2};
 use crate::shape::{MassProperties, Shape};
@@ -129,6 +129,7 @@ pub(crate) struct Bodies {
     pub(crate) watches: Vec<RestWatch>,
     /// By slot.
     pub(crate) shapes: Vec<Shape>,
+    pub(crate) roles: Roles,
     /// By row: the ground, then every awake body that can move; and rows at rest that are no body's, to whole columns.
     pub(crate) states: Vec<BodyState>,
     /// By row: the pose before the last tick, or since when the body is there; that of the ground has no meaning.
@@ -147,6 +148,7 @@ clone_into_buffers!(Bodies {
     forcings,
     watches,
     shapes,
+    roles,
     states,
     previous,
     awake,
@@ -162,6 +164,7 @@ impl Default for Bodies {
             forcings: Vec::new(),
             watches: Vec::new(),
             shapes: Vec::new(),
+            roles: Roles::default(),
             states: vec![BodyState::REST; COLUMN],
             previous: vec![Pose::default()],
             awake: DistinctIndices::default(),
@@ -221,6 +224,7 @@ impl Bodies {
             self.forcings[slot as usize] = forcing;
             self.shapes[slot as usize] = body.shape;
         }
+        self.roles.set(slot, body.role);
         if body.body_type != BodyType::Fixed {
             let row = self.give_row(slot);
             let state = &mut self.states[row as usize];
@@ -243,6 +247,7 @@ impl Bodies {
         self.records.get(key)?;
         let description = self.describe(key.index());
         self.take_row(key.index());
+        self.roles.forget(key.index());
         self.records.remove(key);
         Some(description)
     }
@@ -254,6 +259,7 @@ impl Bodies {
         self.motions.truncate(slots);
         self.forcings.truncate(slots);
         self.shapes.truncate(slots);
+        self.roles.trim(slots);
         self.awake.trim();
         self.states.truncate(self.row_count().next_multiple_of(COLUMN));
     }
@@ -283,6 +289,7 @@ impl Bodies {
             angular_damping: forcing.angular_damping,
             may_sleep: motion.may_sleep,
             user_data: record.user_data,
+            role: self.roles.of(slot),
         }
     }
 
@@ -302,6 +309,7 @@ impl Bodies {
             motion.pose.rotation = Rot::IDENTITY;
         }
         self.shapes[slot as usize] = body.shape;
+        self.roles.set(slot, body.role);
         self.measure(body.body_type, &fitted);
         if body.body_type != BodyType::Dynamic {
             self.forcings[slot as usize].end_step();
@@ -393,6 +401,12 @@ impl Bodies {
     #[inline(always)]
     pub(crate) fn is_dynamic(&self, slot: u32) -> bool {
         self.motions[slot as usize].inverse_mass > 0.0
+    }
+
+    /// Whether the bodies in two slots collide where they meet.
+    #[inline(always)]
+    pub(crate) fn may_collide(&self, a: u32, b: u32) -> bool {
+        (self.is_dynamic(a) || self.is_dynamic(b)) && self.roles.may_collide(a, b)
     }
 
     /// Whether the solver moves the body in `slot` in this step.

@@ -3,7 +3,7 @@
 use core::fmt;
 
 use crate::body::error::check_range;
-use crate::body::{BodyError, Material};
+use crate::body::{BodyError, Filter, Material, Role};
 use crate::math::{Point, Pose, Rot, Vec2};
 use crate::shape::{MassProperties, Shape};
 
@@ -36,7 +36,7 @@ pub(crate) const STRONGEST: f64 = 1e18;
 const MASSES: [f64; 2] = [1e-12, 1e15];
 /// Moments of inertia, kg m²: the masses times the squares of reasonable extents.
 const INERTIAS: [f64; 2] = [1e-18, 1e25];
-/// Largest coefficient of friction, gravity scale or damping (1/s): far above use, far from overflow.
+/// Largest coefficient of friction, gravity scale, damping (1/s) or surface speed (m/s): far above use, far from overflow.
 const LARGEST_FACTOR: f64 = 1e6;
 
 /// A body to be added to a world: a shape with a place, a motion and a material.
@@ -71,6 +71,7 @@ pub struct Body {
     pub(crate) angular_damping: f32,
     pub(crate) may_sleep: bool,
     pub(crate) user_data: u64,
+    pub(crate) role: Role,
 }
 
 impl Body {
@@ -90,6 +91,7 @@ impl Body {
             angular_damping: 0.0,
             may_sleep: true,
             user_data: 0,
+            role: Role::default(),
         }
     }
 
@@ -215,6 +217,64 @@ impl Body {
         self
     }
 
+    /// Which bodies it collides with. Default: all.
+    #[must_use]
+    pub fn filter(mut self, filter: Filter) -> Self {
+        self.role.filter = filter;
+        self
+    }
+
+    /// Whether the body is a sensor: it touches nothing and nothing touches it, and the world takes note of what overlaps it, as
+    /// [`Events::sensor_began`](crate::Events::sensor_began), [`sensor_ended`](crate::Events::sensor_ended) and
+    /// [`World::sensor_overlaps`](crate::World::sensor_overlaps) tell. Default false.
+    ///
+    /// It may be of any type and moves as another of that type; it sees bodies of every type, asleep or awake, and other
+    /// sensors, as far as [filters](Self::filter) let the two meet. What it overlaps is found at the end of each step, touching
+    /// included. A body that goes through it within a step, or through which it goes, has begun and ended in that step, if it
+    /// was straight on its way and not both are so fast.
+    #[must_use]
+    pub fn sensor(mut self, is_sensor: bool) -> Self {
+        self.role.is_sensor = is_sensor;
+        self
+    }
+
+    /// Makes the body a one-way floor: bodies pass that move along this `direction`, and those that come against it are borne.
+    /// It is of any length, and turns with the body.
+    ///
+    /// What comes near decides for itself: from the free side it is borne until it leaves the surface or slips off the end; from
+    /// below or from the side, or if it began within the floor, it passes until it has left. To let one body drop through, part
+    /// the two for a moment by [`World::set_collision`](crate::World::set_collision).
+    ///
+    /// ```
+    /// # use rustycs::prelude::*;
+    /// # let mut world = World::new(Settings::default());
+    /// world.add(Body::fixed(Shape::aabb(4.0, 0.2)).one_way([0.0, 1.0]))?; // can be jumped through from below
+    /// # Ok::<(), BodyError>(())
+    /// ```
+    #[must_use]
+    pub fn one_way(mut self, direction: impl Into<Vec2>) -> Self {
+        let direction = direction.into();
+        // What has no direction is refused when it is added.
+        self.role.one_way = Some(direction.normalized().unwrap_or(direction));
+        self
+    }
+
+    /// Speed of the surface against the body, m/s, as that of a conveyor belt, which goes round while the body stays: friction
+    /// draws what touches it along. Positive goes clockwise, so that it takes what lies on top to the right. Default 0.
+    ///
+    /// ```
+    /// # use rustycs::prelude::*;
+    /// # let mut world = World::new(Settings::default());
+    /// let belt = world.add(Body::fixed(Shape::aabb(20.0, 1.0)).surface_speed(2.0))?;
+    /// world.body_mut(belt).unwrap().set_surface_speed(-2.0);
+    /// # Ok::<(), BodyError>(())
+    /// ```
+    #[must_use]
+    pub fn surface_speed(mut self, speed: f32) -> Self {
+        self.role.surface_speed = speed;
+        self
+    }
+
     /// A number of the caller's own, which the engine keeps and never reads.
     #[must_use]
     pub fn user_data(mut self, user_data: u64) -> Self {
@@ -288,6 +348,26 @@ impl Body {
         self.may_sleep
     }
 
+    /// Which bodies it collides with.
+    pub fn get_filter(&self) -> Filter {
+        self.role.filter
+    }
+
+    /// Whether it is a sensor.
+    pub fn get_sensor(&self) -> bool {
+        self.role.is_sensor
+    }
+
+    /// The direction, of length 1, in which bodies pass it, if it is a one-way floor.
+    pub fn get_one_way(&self) -> Option<Vec2> {
+        self.role.one_way
+    }
+
+    /// Speed of its surface, m/s.
+    pub fn get_surface_speed(&self) -> f32 {
+        self.role.surface_speed
+    }
+
     /// The caller's own number.
     pub fn get_user_data(&self) -> u64 {
         self.user_data
@@ -334,6 +414,8 @@ impl Body {
         check_gravity_scale(self.gravity_scale)?;
         check_damping("the linear damping", self.linear_damping)?;
         check_damping("the angular damping", self.angular_damping)?;
+        check_surface_speed(self.role.surface_speed)?;
+        check_one_way(self.role.one_way)?;
         if is_dynamic {
             let MassProperties { mass, inertia } = self.mass_properties();
             check_range("the mass", f64::from(mass), MASSES, "kg")?;
@@ -373,6 +455,16 @@ pub(crate) fn check_friction(friction: f32) -> Result<(), BodyError> {
 
 pub(crate) fn check_restitution(restitution: f32) -> Result<(), BodyError> {
     check_range("the restitution", f64::from(restitution), [0.0, 1.0], "")
+}
+
+pub(crate) fn check_surface_speed(speed: f32) -> Result<(), BodyError> {
+    check_range("the surface speed", f64::from(speed), [-LARGEST_FACTOR, LARGEST_FACTOR], "m/s")
+}
+
+/// Checks that a direction, if there is one, has a length: 1, or what is none.
+pub(crate) fn check_one_way(direction: Option<Vec2>) -> Result<(), BodyError> {
+    let length = direction.map_or(1.0, |direction| f64::from(direction.length()));
+    check_range("the length of the one-way direction", length, [1e-6, 1e6], "")
 }
 
 pub(crate) fn check_gravity_scale(scale: f32) -> Result<(), BodyError> {

@@ -7,16 +7,20 @@
 mod bodies;
 pub(crate) mod description;
 mod error;
+mod filter;
 mod material;
 mod rest;
+mod role;
 
 pub(crate) use bodies::{Bodies, Forcing, Motion, NONE, Record};
 pub use description::{Body, BodyType};
 pub use error::BodyError;
 pub(crate) use error::Number;
+pub use filter::Filter;
 pub(crate) use material::Mixes;
 pub use material::{Material, Mix};
 pub(crate) use rest::{HORIZON, RestRule, RestWatch};
+pub(crate) use role::{Role, Roles};
 
 crate::store::id_type! {
     /// Names a body of a world.

@@ -8,7 +8,7 @@ use core::mem::offset_of;
 use core::ops::Range;
 
 use crate::body::{Bodies, NONE};
-use crate::collision::{Manifold, ManifoldPoint, Offset, is_flat};
+use crate::collision::{Manifold, ManifoldPoint, Offset, OneWay, is_flat};
 use crate::compute::{DistinctIndices, FIRST_LINE, LINE, prefetch, prefetch_lines};
 use crate::math::Rot;
 use crate::store::{ChosenSlots, Slots};
@@ -62,6 +62,8 @@ pub(crate) struct Contact {
     pub(crate) has_circle: bool,
     /// For how many steps it has been followed since its manifold was found.
     pub(crate) followed_steps: u8,
+    /// Of a contact with a one-way floor, what it does.
+    pub(crate) one_way: Option<OneWay>,
     /// How fast the bodies approached each other along the normal before the last step, or when they
     /// bounced in it, m/s.
     pub(crate) approach_speed: f32,
@@ -245,6 +247,7 @@ impl Contacts {
             follows: false,
             has_circle,
             followed_steps: 0,
+            one_way: bodies.roles.are_one_way(slots).then_some(OneWay::Apart),
             awake_place: NONE,
             links: first.map(|next| Link { previous: NONE, next }),
         });
@@ -388,6 +391,18 @@ impl Contacts {
         while index != NONE {
             let contact = &mut self[index];
             contact.frozen = None;
+            // Nor is it known where it came from.
+            contact.one_way = contact.one_way.map(|_| OneWay::Apart);
+            index = contact.links[contact.side(slot)].next;
+        }
+    }
+
+    /// Takes note that the body in `slot` is a one-way floor now, is none any more, or of another direction.
+    pub(crate) fn decide_anew(&mut self, bodies: &Bodies, slot: u32) {
+        let mut index = bodies.records[slot].first_contact;
+        while index != NONE {
+            let contact = &mut self[index];
+            contact.one_way = bodies.roles.are_one_way(contact.slots).then_some(OneWay::Apart);
             index = contact.links[contact.side(slot)].next;
         }
     }
@@ -401,6 +416,8 @@ impl Contacts {
             contact.manifold = Manifold::default();
         }
         (contact.thickness, contact.has_circle) = (thickness, has_circle);
+        let are_one_way = bodies.roles.are_one_way(contact.slots);
+        contact.one_way = are_one_way.then(|| contact.one_way.unwrap_or(OneWay::Apart));
         (contact.frozen, contact.follows, contact.holds_still, contact.followed_steps) =
             (None, false, false, 0);
         for point in contact.manifold.points_mut() {

@@ -6,6 +6,7 @@ mod candidates;
 mod contacts;
 mod detection;
 mod manifold;
+mod one_way;
 mod refresh;
 
 pub(crate) use candidates::CandidatePairs;
@@ -16,4 +17,5 @@ pub(crate) use detection::{
 };
 pub(crate) use manifold::Corner;
 pub use manifold::{FeatureId, Manifold, ManifoldPoint};
+pub(crate) use one_way::{OneWay, is_on_free_side};
 pub(crate) use refresh::{Refresh, are_out_of_reach, refresh};

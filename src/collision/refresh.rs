@@ -24,6 +24,7 @@
 mod circle;
 
 use crate::body::{Bodies, Motion};
+use crate::collision::one_way::decide;
 use crate::collision::refresh::circle::move_to;
 use crate::collision::{
     Contact, Frozen, Manifold, ManifoldPoint, Offset, Swept, Touch, detect_flat, detect_from, is_flat, sweep,
@@ -63,6 +64,14 @@ pub(crate) struct Refresh {
 
 /// Brings the manifold of `contact` up to date. Impulses stay with their feature.
 pub(crate) fn refresh(contact: &mut Contact, bodies: &Bodies, settings: Refresh) {
+    bring_up_to_date(contact, bodies, settings);
+    if let Some(before) = contact.one_way {
+        decide(contact, before, bodies);
+    }
+}
+
+#[inline(always)]
+fn bring_up_to_date(contact: &mut Contact, bodies: &Bodies, settings: Refresh) {
     let pair = Pair::new(contact.slots, bodies, settings.dt);
     if pair.is_out_of_reach() {
         return contact.clear();

@@ -393,13 +393,19 @@ impl ContactConstraint<f32> {
     }
 
     /// Applies the impulses of a collision along the normal, N s per point, and then the friction of each, at most µ times
-    /// as strong.
-    pub(crate) fn apply_collision_impulses(&self, impulses: [f32; 2], pair: &mut [BodyState; 2]) {
+    /// as strong. Beside how the bodies move, their surfaces go past each other with `surface_speed`, m/s.
+    pub(crate) fn apply_collision_impulses(
+        &self,
+        impulses: [f32; 2],
+        surface_speed: Option<f32>,
+        pair: &mut [BodyState; 2],
+    ) {
         self.apply_normal_impulses(impulses, pair);
         let [a, b] = pair;
         let tangent = self.normal.perp();
         for ((point, normal_impulse), friction) in self.points.iter().zip(impulses).zip(&self.frictions) {
             let slip = tangent.dot(point.relative_velocity(a, b));
+            let slip = surface_speed.map_or(slip, |speed| slip + speed);
             let limit = self.friction * normal_impulse;
             let impulse = (-friction.mass * slip).clamp(-limit, limit);
             self.apply(Action::at(point, tangent * impulse), a, b);

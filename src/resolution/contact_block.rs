@@ -24,6 +24,10 @@ pub(crate) struct ContactBlock {
     has_circles: bool,
     fit: Fit,
     pub(crate) marks: BlockMarks,
+    /// Whether any of the surfaces moves.
+    moves_surfaces: bool,
+    /// Speeds of surfaces past each other, m/s, if any of them moves. Made for the first of them, and kept.
+    surface_speeds: Option<Box<Column>>,
     /// The geometry of those that move. Made for the first of them, and kept.
     geometry: Option<Box<MovingGeometry<Column>>>,
     columns: ContactConstraint<Column>,
@@ -222,6 +226,29 @@ impl ContactBlock {
         self.columns.frictions[0].impulse.set(place, tangent);
         self.columns.frictions[0].warm_start.set(place, warm_start);
         self.fit.is_smooth &= tangent == 0.0;
+    }
+
+    /// Whether any of the surfaces moves.
+    #[inline(always)]
+    pub(crate) fn moves_surfaces(&self) -> bool {
+        self.moves_surfaces
+    }
+
+    /// Speeds of the surfaces of the contacts from `place` on past each other, beside that of their bodies, m/s; `None` if none
+    /// of the block moves.
+    #[inline(always)]
+    pub(crate) fn surface_speed<L: Lane>(&self, place: usize) -> Option<L> {
+        let speeds = self.surface_speeds.as_ref().filter(|_| self.moves_surfaces)?;
+        Some(speeds.load::<L>(place))
+    }
+
+    /// Any surface of the block may move, as one does.
+    fn set_surface_speed(&mut self, place: usize, speed: f32) {
+        let speeds = self.surface_speeds.get_or_insert_default();
+        if !std::mem::replace(&mut self.moves_surfaces, true) {
+            **speeds = Column::default();
+        }
+        speeds.set(place, speed);
     }
 
     /// Whether any point is pending.

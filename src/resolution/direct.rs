@@ -93,7 +93,9 @@ impl DirectSolver {
                 if movers.contains(&None) || slot == contact.slots[0] {
                     let rows = &mut self.newton.rows;
                     let points = 0..contact.manifold.points().len();
-                    self.points.extend(points.map(|point| ContactPoint::new(home, point, movers, rows)));
+                    let speed = bodies.roles.surface_speed(contact.slots).unwrap_or(0.0);
+                    self.points
+                        .extend(points.map(|point| ContactPoint::new(home, point, movers, speed, rows)));
                 }
             }
         }

@@ -14,8 +14,8 @@ mod seams;
 mod strikes;
 
 use crate::body::{Bodies, Mixes};
-use crate::collision::Contacts;
 use crate::collision::broad_phase::BroadPhase;
+use crate::collision::{Contacts, OneWay, is_on_free_side};
 use crate::compute::BodyState;
 use crate::math::Vec2;
 use crate::resolution::constraint_graph::{ConstraintGraph, GraphIndex};
@@ -27,6 +27,7 @@ use crate::resolution::events::meeting::Meeting;
 pub(crate) use crate::resolution::events::seams::Seams;
 pub(crate) use crate::resolution::events::strikes::Strikes;
 use crate::resolution::integrate::{Kicks, drift, drift_until};
+use crate::resolution::moving::manifold_in;
 use crate::resolution::scheme::Scheme;
 
 /// Bodies come much nearer if it is by more than this share of the width of the thinner in a step, no unit: less, and heaps
@@ -108,6 +109,21 @@ impl EventScene<'_> {
         self.home(slots).is_some_and(|home| self.graph.is_loaded(home))
     }
 
+    /// Whether two bodies that touch in these states pass through each other, as one is a one-way floor.
+    fn is_passing(&self, slots: [u32; 2], [a, b]: &[BodyState; 2]) -> bool {
+        if !self.bodies.roles.are_one_way(slots) {
+            return false;
+        }
+        match self.contact_of(slots).and_then(|index| self.contacts[index].one_way) {
+            Some(OneWay::Bears) => false,
+            Some(OneWay::Passes) => true,
+            _ => {
+                let manifold = manifold_in(slots, self.bodies, [a, b]);
+                !is_on_free_side(self.bodies, slots, &manifold, (b.velocity - a.velocity).into())
+            }
+        }
+    }
+
     /// Whether the contact between the bodies in two slots is left to the sweeps of [`Continuous`]: one of them is off course
     /// and may meet others before, and they may come much nearer.
     fn is_swept(&self, slots: [u32; 2]) -> bool {
@@ -129,11 +145,12 @@ impl EventScene<'_> {
             > MUCH_NEARER * motions[0].thickness.min(motions[1].thickness)
     }
 
-    /// Lets two bodies collide that meet at a time within the substep, s, and moves those of them that contacts move by what
+    /// Lets the bodies in two slots collide that meet at a time within the substep, s, and moves those of them that contacts move by what
     /// their drift will miss.
-    fn collide(&mut self, rows: [u32; 2], moved: [bool; 2], meeting: &Meeting, restitution: f32, time: f32) {
+    fn collide(&mut self, slots: [u32; 2], moved: [bool; 2], meeting: &Meeting, restitution: f32, time: f32) {
+        let rows = slots.map(|slot| self.bodies.motions[slot as usize].row);
         let mut after = self.states(rows);
-        meeting.collide(restitution, &mut after);
+        meeting.collide(restitution, self.bodies.roles.surface_speed(slots), &mut after);
         let moved = rows.into_iter().zip(after).zip(moved);
         for ((row, mut after), _) in moved.filter(|&(_, is_moved)| is_moved) {
             let state = &mut self.bodies.states[row as usize];

@@ -115,7 +115,8 @@ impl Kernel for SweepOver {
     #[inline(always)]
     fn run<L: Lane>(&self, block: &mut ContactBlock, states: &mut PairStates<'_>, place: usize) {
         let Fit { is_single, is_smooth, is_still } = fit::<L>(block, self.is_fitted);
-        match (block.has_pending() || !self.sweep.is_usual(), is_single, is_still) {
+        let is_special = block.has_pending() || block.moves_surfaces() || !self.sweep.is_usual();
+        match (is_special, is_single, is_still) {
             (true, ..) => self.run_sweep::<L, 2, false, true>(block, states, place, self.sweep),
             (_, true, _) => self.run_usual::<L, 1, false>(block, states, place, is_smooth),
             (_, _, true) => self.run_usual::<L, 2, true>(block, states, place, is_smooth),
@@ -145,14 +146,15 @@ impl SweepOver {
     }
 
     #[inline(always)]
-    fn run_sweep<L: Lane, const POINTS: usize, const STILL: bool, const MAY_BE_PENDING: bool>(
+    fn run_sweep<L: Lane, const POINTS: usize, const STILL: bool, const IS_SPECIAL: bool>(
         &self,
         block: &mut ContactBlock,
         states: &mut PairStates<'_>,
         place: usize,
         sweep: Sweep,
     ) {
-        let mut contact = if MAY_BE_PENDING { block.load_active::<L>(place) } else { block.load(place) };
+        let mut contact = if IS_SPECIAL { block.load_active::<L>(place) } else { block.load(place) };
+        let surface_speed = if IS_SPECIAL { block.surface_speed::<L>(place) } else { None };
         let mut pair = if self.have_moved {
             let pair = states.gather(place);
             contact.find_separations::<POINTS>(&pair);
@@ -161,7 +163,7 @@ impl SweepOver {
         } else {
             states.gather_velocities(place)
         };
-        contact.solve::<POINTS, STILL>(sweep, self.per_substep, &mut pair);
+        contact.solve::<POINTS, STILL>(sweep, self.per_substep, surface_speed, &mut pair);
         block.store_normal_impulses::<L, POINTS>(place, &contact);
         if sweep.friction {
             block.store_friction_impulses::<L, POINTS>(place, &contact);
@@ -184,9 +186,10 @@ impl SweepOver {
         for friction in &mut after.frictions {
             friction.impulse = friction.impulse * L::splat(acted);
         }
+        let surface_speed = block.surface_speed::<L>(place);
         for _ in 0..COLD_SWEEPS {
             let sweep = Sweep { friction: true, ..self.sweep };
-            after.solve::<2, false>(sweep, self.per_substep, &mut pair);
+            after.solve::<2, false>(sweep, self.per_substep, surface_speed, &mut pair);
         }
         for index in 0..2 {
             let (point, friction) = (&mut after.points[index], &mut after.frictions[index]);

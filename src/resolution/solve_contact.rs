@@ -47,18 +47,20 @@ impl<L: Lane> ContactConstraint<L> {
         }
     }
 
-    /// Solves the first `POINTS` points once: normals, then friction.
+    /// Solves the first `POINTS` points once: normals, then friction. The surfaces go past each other with `surface_speed`, m/s,
+    /// beside how the bodies move.
     #[inline(always)]
     pub(crate) fn solve<const POINTS: usize, const STILL: bool>(
         &mut self,
         sweep: Sweep,
         per_substep: f32,
+        surface_speed: Option<L>,
         pair: &mut [BodyState<L>; 2],
     ) {
         let mut impulse = self.solve_normals::<POINTS, STILL>(sweep, per_substep, pair);
         if sweep.friction {
             // The push along the normal, which is still to come, is across to the tangent.
-            impulse = impulse + self.solve_frictions::<POINTS, STILL>(pair);
+            impulse = impulse + self.solve_frictions::<POINTS, STILL>(surface_speed, pair);
         }
         let [a, b] = pair;
         self.push(impulse, a, b);
@@ -91,6 +93,7 @@ impl<L: Lane> ContactConstraint<L> {
     #[inline(always)]
     fn solve_frictions<const POINTS: usize, const STILL: bool>(
         &mut self,
+        surface_speed: Option<L>,
         [a, b]: &mut [BodyState<L>; 2],
     ) -> LaneVec2<L> {
         let axis = Axis::<L, POINTS, STILL>::new(self, self.normal.perp());
@@ -98,6 +101,7 @@ impl<L: Lane> ContactConstraint<L> {
         let mut changes = [L::splat(0.0); POINTS];
         for index in 0..POINTS {
             let slip = axis.speed_after(index, speeds, self, changes);
+            let slip = surface_speed.map_or(slip, |speed| slip + speed);
             changes[index] = self.solve_friction(index, slip);
         }
         axis.turn(self, changes, a, b);

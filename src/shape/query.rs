@@ -48,6 +48,25 @@ impl Shape {
         (hit.fraction <= max_fraction).then(|| OutlineHit { normal: rotation.rotate(hit.normal), ..hit })
     }
 
+    /// The point of the shape at `pose` that is nearest to `place`, m: `place` itself where the shape holds it.
+    pub fn closest_point(&self, pose: Pose, place: impl Into<Point>) -> Point {
+        let place = place.into();
+        let (x, y) = self.place_in_body(pose, place);
+        if self.contains_local((x, y)) {
+            return place;
+        }
+        let (x, y) = match self {
+            Self::Circle(circle) => {
+                let scale = f64::from(circle.radius()) / (x * x + y * y).sqrt();
+                (x * scale, y * scale)
+            }
+            Self::Aabb(rectangle) | Self::Obb(rectangle) => closest_on_hull(&rectangle.hull, (x, y)),
+            Self::Polygon(polygon) => closest_on_hull(&polygon.hull, (x, y)),
+        };
+        let (x, y) = unrotate(self.rotation_at(pose.rotation).inverse(), (x, y));
+        [pose.center.x + x, pose.center.y + y].into()
+    }
+
     /// The rotation that the shape takes on in a body turned by `rotation`: none for `Shape::Aabb`.
     #[inline(always)]
     pub(crate) fn rotation_at(&self, rotation: Rot) -> Rot {
@@ -91,6 +110,20 @@ fn unrotate(rotation: Rot, (x, y): (f64, f64)) -> (f64, f64) {
     let (c, s) = (f64::from(rotation.c), f64::from(rotation.s));
     let scale = 1.0 / (c * c + s * s);
     ((c * x + s * y) * scale, (c * y - s * x) * scale)
+}
+
+/// The nearest point of a hull's outline.
+fn closest_on_hull(hull: &Hull, (x, y): (f64, f64)) -> (f64, f64) {
+    let on_edge = |index: usize| {
+        let (start, end) = (widen(hull.vertices[index]), widen(hull.vertices[hull.next(index)]));
+        let edge = (end.0 - start.0, end.1 - start.1);
+        let along = (x - start.0) * edge.0 + (y - start.1) * edge.1;
+        let part = (along / (edge.0 * edge.0 + edge.1 * edge.1)).clamp(0.0, 1.0);
+        (start.0 + part * edge.0, start.1 + part * edge.1)
+    };
+    let distance = |point: (f64, f64)| (point.0 - x).powi(2) + (point.1 - y).powi(2);
+    let nearer = |one, other| if distance(other) < distance(one) { other } else { one };
+    (1..hull.count as usize).map(on_edge).fold(on_edge(0), nearer)
 }
 
 /// |start + f·along|² = r²: the smaller root, where the ray comes in.

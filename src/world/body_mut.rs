@@ -4,7 +4,7 @@ use crate::body::description::{
     check_damping, check_friction, check_gravity_scale, check_place, check_restitution, check_rotation,
     check_strength, check_vector,
 };
-use crate::body::{Body, BodyError, BodyId, BodyType, Forcing, Material, Motion, Record};
+use crate::body::{Body, BodyError, BodyId, BodyType, Filter, Forcing, Material, Motion, Record};
 use crate::compute::BodyState;
 use crate::math::{Aabb, Point, Pose, Rot, Vec2};
 use crate::shape::Shape;
@@ -80,6 +80,10 @@ read_like_body_ref! {
     linear_damping() -> f32;
     angular_damping() -> f32;
     user_data() -> u64;
+    filter() -> Filter;
+    is_sensor() -> bool;
+    surface_speed() -> f32;
+    one_way() -> Option<Vec2>;
     may_sleep() -> bool;
     is_sleeping() -> bool;
     contains(place: impl Into<Point>) -> bool;
@@ -131,7 +135,7 @@ impl<'a> BodyMut<'a> {
     /// Refuses what a game does every frame, and says so.
     #[track_caller]
     #[expect(clippy::manual_assert, reason = "the build decides, not a condition")]
-    fn refuse(&mut self, error: BodyError) -> &mut Self {
+    pub(in crate::world) fn refuse(&mut self, error: BodyError) -> &mut Self {
         if cfg!(debug_assertions) {
             panic!("{error}");
         }

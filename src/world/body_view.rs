@@ -2,7 +2,7 @@
 
 use core::fmt;
 
-use crate::body::{Body, BodyId, BodyType, Forcing, Material, Motion, NONE, Record};
+use crate::body::{Body, BodyId, BodyType, Filter, Forcing, Material, Motion, NONE, Record, Role};
 use crate::compute::BodyState;
 use crate::math::{Aabb, Point, Pose, Rot, Vec2};
 use crate::shape::Shape;
@@ -36,6 +36,10 @@ impl<'a> BodyRef<'a> {
 
     fn forcing(&self) -> &'a Forcing {
         &self.world.bodies.forcings[self.slot() as usize]
+    }
+
+    fn role(&self) -> Role {
+        self.world.bodies.roles.of(self.slot())
     }
 
     fn state(&self) -> &'a BodyState {
@@ -179,6 +183,26 @@ impl<'a> BodyRef<'a> {
     /// Angular damping, 1/s.
     pub fn angular_damping(&self) -> f32 {
         self.forcing().angular_damping
+    }
+
+    /// Which bodies it collides with.
+    pub fn filter(&self) -> Filter {
+        self.role().filter
+    }
+
+    /// Whether it is a sensor, which only takes note of what overlaps it.
+    pub fn is_sensor(&self) -> bool {
+        self.role().is_sensor
+    }
+
+    /// The direction, in its frame and of length 1, in which bodies pass it, if it is a one-way floor.
+    pub fn one_way(&self) -> Option<Vec2> {
+        self.role().one_way
+    }
+
+    /// Speed of its surface against the body, m/s.
+    pub fn surface_speed(&self) -> f32 {
+        self.role().surface_speed
     }
 
     /// The caller's own number.

@@ -28,6 +28,7 @@ impl World {
     pub(in crate::world) fn update_box(&mut self, slot: u32) {
         let motion = Vec2::from(self.bodies.state(slot).velocity) * self.settings.tick_seconds() as f32;
         self.bodies.motions[slot as usize].room = 0.0;
+        self.sensors.note_edit();
         self.broad_phase.update(slot, self.bodies.aabb(slot), motion);
     }
 
@@ -54,6 +55,7 @@ impl World {
         self.tiers.forget(slot);
         let removed = self.bodies.remove(id.0);
         self.note_removal();
+        self.sensors.note_edit();
         // A step that removes what left the bounds does so at its end.
         if !self.is_within_step {
             self.give_back_memory();

@@ -38,6 +38,16 @@ impl HitEvent {
     }
 }
 
+/// A body began or ceased to overlap a sensor.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub struct SensorEvent {
+    /// The sensor.
+    pub sensor: BodyId,
+    /// The body, which may be a sensor too. The id of one that was removed meanwhile is stale.
+    pub body: BodyId,
+}
+
 /// The other of two bodies, if `body` is one of them.
 pub(in crate::world) fn other_of([a, b]: [BodyId; 2], body: BodyId) -> Option<BodyId> {
     if body == a { Some(b) } else { (body == b).then_some(a) }
@@ -61,20 +71,24 @@ pub struct Events {
     pub(crate) began: Vec<ContactEvent>,
     pub(crate) ended: Vec<ContactEvent>,
     pub(crate) hits: Vec<HitEvent>,
+    pub(crate) sensor_began: Vec<SensorEvent>,
+    pub(crate) sensor_ended: Vec<SensorEvent>,
     pub(crate) left: Vec<BodyId>,
     /// Contacts that ended because of an edit and are still to be reported, by this step or the next.
     pub(crate) ended_by_edit: Vec<ContactEvent>,
     refused: Vec<Refusal>,
     /// What was refused since the last tick.
     refused_by_edit: Vec<Refusal>,
-    /// Where those of the current tick begin in `began`, `ended` and `hits`.
-    tick_begins: [usize; 3],
+    /// Where those of the current tick begin in `began`, `ended`, `hits`, `sensor_began` and `sensor_ended`.
+    tick_begins: [usize; 5],
 }
 
 clone_into_buffers!(Events {
     began,
     ended,
     hits,
+    sensor_began,
+    sensor_ended,
     left,
     ended_by_edit,
     refused,
@@ -96,6 +110,17 @@ impl Events {
     /// Bodies that began to touch with at least the speed of `Settings::hit_threshold`.
     pub fn hits(&self) -> &[HitEvent] {
         &self.hits
+    }
+
+    /// Bodies that began to overlap a [sensor](crate::Body::sensor). One that went through within the step has also ended.
+    pub fn sensor_began(&self) -> &[SensorEvent] {
+        &self.sensor_began
+    }
+
+    /// Bodies that ceased to overlap a sensor, for whatever reason: they parted, one was put elsewhere, removed, or made
+    /// something else.
+    pub fn sensor_ended(&self) -> &[SensorEvent] {
+        &self.sensor_ended
     }
 
     /// Bodies that left [`Settings::bounds`](crate::Settings::bounds) and were removed: their ids are stale.
@@ -126,22 +151,27 @@ impl Events {
         self.began.clear();
         self.ended.clear();
         self.hits.clear();
+        self.sensor_began.clear();
+        self.sensor_ended.clear();
         self.left.clear();
         self.refused.clear();
     }
 
     /// Begins a tick: takes over what edits have ended since the last.
     pub(crate) fn begin_tick(&mut self) {
-        self.tick_begins = [self.began.len(), self.ended.len(), self.hits.len()];
+        let sensors = [self.sensor_began.len(), self.sensor_ended.len()];
+        self.tick_begins = [self.began.len(), self.ended.len(), self.hits.len(), sensors[0], sensors[1]];
         self.ended.append(&mut self.ended_by_edit);
         self.refused.append(&mut self.refused_by_edit);
     }
 
     /// Brings the events of the current tick into an order that does not depend on how it was computed.
     pub(crate) fn sort(&mut self) {
-        let [began, ended, hits] = self.tick_begins;
+        let [began, ended, hits, sensor_began, sensor_ended] = self.tick_begins;
         self.began[began..].sort_unstable_by_key(|event| (event.a, event.b));
         self.ended[ended..].sort_unstable_by_key(|event| (event.a, event.b));
         self.hits[hits..].sort_unstable_by_key(|event| (event.a, event.b));
+        self.sensor_began[sensor_began..].sort_unstable_by_key(|event| (event.sensor, event.body));
+        self.sensor_ended[sensor_ended..].sort_unstable_by_key(|event| (event.sensor, event.body));
     }
 }

@@ -1,10 +1,13 @@
 //! The state of a world as one number.
 
+use crate::body::{Filter, Role};
+use crate::math::Vec2;
 use crate::world::World;
 
 impl World {
-    /// A hash over the id, pose and velocity of every body. Two worlds with the same past have the same
-    /// hash, on every machine and build; it changes when any bit of a pose or velocity does.
+    /// A hash over the id, pose and velocity of every body, and over filters, surface speeds, one-way
+    /// floors, sensors, what these overlap, and pairs that do not collide, where there are some. Two worlds with the same past have the same hash, on every machine and build; it changes when any bit of these
+    /// does.
     pub fn state_hash(&self) -> u64 {
         let mut hash = Fnv::new();
         for (key, _) in self.bodies.records.iter() {
@@ -19,6 +22,17 @@ impl World {
             {
                 hash.write(u64::from(value.to_bits()));
             }
+            let role = self.bodies.roles.of(key.index());
+            if role != Role::default() {
+                hash.write_role(role);
+            }
+        }
+        for (a, b) in self.bodies.roles.parted() {
+            hash.write(u64::from(a) << 32 | u64::from(b));
+        }
+        for (sensor, body) in self.sensors.overlaps() {
+            hash.write(sensor.0.to_bits());
+            hash.write(body.0.to_bits());
         }
         hash.0
     }
@@ -30,6 +44,16 @@ struct Fnv(u64);
 impl Fnv {
     fn new() -> Self {
         Self(0xCBF2_9CE4_8422_2325)
+    }
+
+    fn write_role(&mut self, Role { filter, is_sensor, surface_speed, one_way }: Role) {
+        let Filter { category, mask, group } = filter;
+        for word in [category, mask, group as u64, u64::from(is_sensor), u64::from(surface_speed.to_bits())] {
+            self.write(word);
+        }
+        if let Some(Vec2 { x, y }) = one_way {
+            self.write(u64::from(x.to_bits()) << 32 | u64::from(y.to_bits()));
+        }
     }
 
     fn write(&mut self, word: u64) {

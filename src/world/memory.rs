@@ -71,6 +71,7 @@ impl World {
         self.contacts.trim();
         self.graph.trim();
         self.sleepers.trim();
+        self.sensors.trim();
         let (slots, contacts) = (self.bodies.slot_count(), self.contacts.place_count());
         self.broad_phase.trim(slots);
         self.loads.trim(contacts, slots);

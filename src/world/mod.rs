@@ -5,6 +5,7 @@ mod attractor;
 mod body_change;
 mod body_mut;
 mod body_view;
+mod collisions;
 mod conserved;
 mod contact_view;
 mod edit;
@@ -15,6 +16,7 @@ mod held_forces;
 mod memory;
 mod profile;
 mod query;
+mod sensors;
 mod settings;
 mod sleep;
 mod step;
@@ -26,10 +28,10 @@ pub use attractor::{Attractor, AttractorError, AttractorId};
 pub use body_mut::BodyMut;
 pub use body_view::BodyRef;
 pub use contact_view::ContactRef;
-pub use events::{ContactEvent, Events, HitEvent, Refusal};
+pub use events::{ContactEvent, Events, HitEvent, Refusal, SensorEvent};
 pub use force::{Force, ForceError, ForceId};
 pub use profile::{Clock, Counters, Profile, Stage, StageReport};
-pub use query::RayHit;
+pub use query::{ClosestHit, QueryFilter, RayHit, ShapeHit};
 pub use settings::{PositionCorrection, Settings, SettingsError};
 
 use crate::body::{Bodies, BodyId};
@@ -42,6 +44,7 @@ use crate::store::{BitSet, Slots};
 use crate::world::attractor::Field;
 use crate::world::held_forces::{Forced, HeldForces};
 use crate::world::memory::MemoryUse;
+use crate::world::sensors::Sensors;
 use crate::world::sleep::{SleepTables, Sleepers};
 
 /// Bodies, forces and attractors that are simulated together.
@@ -80,6 +83,7 @@ pub struct World {
     tiers: Tiers,
     loads: Loads,
     events: Events,
+    sensors: Sensors,
     profile: Profile,
     residual: StepResidual,
     /// Length of the substeps that the impulses of contacts are of, s; none before the first step.
@@ -117,7 +121,7 @@ pub struct World {
 
 clone_into_buffers!(World {
     settings, bodies, broad_phase, candidates, contacts, graph, sleepers, forces, acceleration,
-    attractors, tiers, loads, events, profile, residual, impulses_of, resting, ticks, rate_since,
+    attractors, tiers, loads, events, sensors, profile, residual, impulses_of, resting, ticks, rate_since,
     is_within_step, unused_time, dropped_time, forced, held_forces, arriving, memory_use
 } scratch {
     solver, pool, new_pairs, is_close_now, leaves_box, leaving, changed_contacts
@@ -175,6 +179,7 @@ impl World {
             tiers: Tiers::default(),
             loads: Loads::default(),
             events: Events::default(),
+            sensors: Sensors::default(),
             profile: Profile::default(),
             residual: StepResidual::default(),
             impulses_of: None,

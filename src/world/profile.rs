@@ -14,6 +14,8 @@ pub enum Stage {
     Finalize,
     /// Contacts that began or ended.
     Events,
+    /// What began and ceased to overlap sensors.
+    Sensors,
     /// Islands at rest go to sleep.
     Sleep,
 }
@@ -21,7 +23,7 @@ pub enum Stage {
 impl Stage {
     /// All stages, in the order in which a step runs them.
     pub const ALL: &[Self] =
-        &[Self::Pairs, Self::Contacts, Self::Solve, Self::Finalize, Self::Events, Self::Sleep];
+        &[Self::Pairs, Self::Contacts, Self::Solve, Self::Finalize, Self::Events, Self::Sensors, Self::Sleep];
 
     /// The name of the stage.
     pub fn name(self) -> &'static str {
@@ -31,6 +33,7 @@ impl Stage {
             Self::Solve => "solve",
             Self::Finalize => "finalize",
             Self::Events => "events",
+            Self::Sensors => "sensors",
             Self::Sleep => "sleep",
         }
     }

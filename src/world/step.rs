@@ -34,6 +34,7 @@ impl World {
     /// solve     awake bodies          the substep loop: forces, impacts, contacts, motion
     /// finalize  awake bodies          adds the motion to the poses; boxes follow
     /// events    changing contacts     what began, ended, hit; what left the bounds is removed
+    /// sensors   sensors               what began and ceased to overlap them
     /// sleep     bodies long at rest   islands in equilibrium leave the step
     /// ```
     ///
@@ -67,6 +68,7 @@ impl World {
         profile.run_stage(Stage::Events, self.changing_count(), || self.report_events());
         self.remove_those_that_left();
         self.stop_those_that_arrived();
+        profile.run_stage(Stage::Sensors, self.sensor_work(), || self.find_sensor_overlaps());
         self.events.sort();
         let resting = if sleep::is_due(self.ticks, self.settings.tick_rate) { self.resting } else { 0 };
         profile.run_stage(Stage::Sleep, resting, || self.put_to_sleep());
@@ -88,8 +90,7 @@ impl World {
         let accept = |slots: [u32; 2], is_fast: [bool; 2]| {
             // Pairs of a fast body that is awake are looked for again in the next step.
             let comes_again = (0..2).any(|index| is_fast[index] && bodies.is_awake(slots[index]));
-            slots.into_iter().any(|slot| bodies.is_dynamic(slot))
-                && !(comes_again && are_out_of_reach(bodies, slots, dt))
+            bodies.may_collide(slots[0], slots[1]) && !(comes_again && are_out_of_reach(bodies, slots, dt))
         };
         self.broad_phase.find_pairs(&self.pool, accept, &mut pairs);
         for &(a, b) in &pairs {

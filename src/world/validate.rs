@@ -94,12 +94,18 @@ impl World {
             if !self.bodies.is_awake(a) && !self.bodies.is_awake(b) {
                 return Err(format!("neither {a} nor {b} is awake, but they are watched"));
             }
+            if !self.bodies.may_collide(a, b) {
+                return Err(format!("{a} and {b} do not collide, but are watched"));
+            }
             if self.contacts.of_body(&self.bodies, a).any(|index| self.contacts[index].other(a) == b) {
                 return Err(format!("{a} and {b} are out of reach and have a contact"));
             }
         }
         for (index, contact) in self.contacts.iter() {
             let [a, b] = contact.slots;
+            if !self.bodies.may_collide(a, b) {
+                return Err(format!("{a} and {b} do not collide, but have a contact"));
+            }
             let is_awake = self.bodies.is_awake(a) || self.bodies.is_awake(b);
             if is_awake != self.contacts.awake().contains(&index) {
                 return Err(format!(

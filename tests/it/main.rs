@@ -5,6 +5,7 @@ mod bad_input;
 mod closed_worlds;
 mod continuous;
 mod determinism;
+mod filtered_queries;
 mod golden;
 mod house;
 mod interface;
@@ -16,6 +17,7 @@ mod queries;
 mod random_use;
 #[cfg(feature = "report")]
 mod report;
+mod roles;
 mod sleep;
 mod slow_motion;
 mod stability;

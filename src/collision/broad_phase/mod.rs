@@ -379,16 +379,35 @@ impl BroadPhase {
 
     /// Calls `visit` with each body whose fat box meets a segment and with the fraction the segment ends at by
     /// now; `visit` returns the same fraction to go on, a smaller one to clip, 0 to stop. Returns the last
-    /// fraction. `max_fraction` is above 0. See [`Tree::ray_cast`].
+    /// fraction. `max_fraction` is above 0. See [`Tree::cast`].
     pub(crate) fn ray_cast(
         &self,
         origin: Point,
         translation: Vec2,
         max_fraction: f32,
+        visit: impl FnMut(u32, f32) -> f32,
+    ) -> f32 {
+        self.cast(origin, 0.0, translation, max_fraction, visit)
+    }
+
+    /// The same with each body whose fat box comes within `reach`, m, of the segment, along both axes.
+    pub(crate) fn cast(
+        &self,
+        origin: Point,
+        reach: f32,
+        translation: Vec2,
+        max_fraction: f32,
         mut visit: impl FnMut(u32, f32) -> f32,
     ) -> f32 {
-        let end = self.fixed.ray_cast(origin, translation, max_fraction, &mut visit);
-        if end > 0.0 { self.movable.ray_cast(origin, translation, end, &mut visit) } else { end }
+        let end = self.fixed.cast(origin, reach, translation, max_fraction, &mut visit);
+        if end > 0.0 { self.movable.cast(origin, reach, translation, end, &mut visit) } else { end }
+    }
+
+    /// Calls `visit` with each body whose fat box is not farther from a place than the `limit` of then, m, which `visit`
+    /// returns: the same, or a smaller one.
+    pub(crate) fn nearest(&self, place: Point, limit: f64, mut visit: impl FnMut(u32, f64) -> f64) {
+        let limit = self.fixed.nearest(place, limit, &mut visit);
+        self.movable.nearest(place, limit, &mut visit);
     }
 
     /// Calls `visit(box, depth, is_leaf)` for every node of both trees, for an overlay.

@@ -75,7 +75,7 @@ fn a_collision_impulse_changes_the_speed_of_its_point_by_k_times_itself() {
     let constraint = box_on_ground();
     let velocity = LaneVec2 { x: 3.0, y: -1.0 };
     let mut pair = [BodyState::REST, BodyState { velocity, ..BodyState::REST }];
-    constraint.apply_collision_impulses([0.8, 0.0], &mut pair);
+    constraint.apply_collision_impulses([0.8, 0.0], None, &mut pair);
     let [a, b] = pair;
     // 0.8 N s upwards, and 0.4 N s against the slip, both at the corner (-1/2, -1/2).
     let (velocity, spin) = (Vec2::from(b.velocity), b.angular_velocity);

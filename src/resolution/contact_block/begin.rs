@@ -63,7 +63,7 @@ impl ContactBlock {
     pub(crate) fn fill(&mut self, rows: &mut RowPairs, list: &[u32], from: Beginning<'_>) {
         let indices = &list[..list.len().min(COLUMN)];
         let mut rows_of_bodies = [[GROUND_ROW; COLUMN]; 2];
-        self.has_circles = false;
+        (self.has_circles, self.moves_surfaces) = (false, false);
         (self.fit, self.marks) = (Fit::ALL, BlockMarks::default());
         // Those of one point come first.
         let last = indices.last().map(|&index| &from.contacts[index]);
@@ -108,6 +108,9 @@ impl ContactBlock {
         self.marks.cold.set(place, second.normal_k > 0.0 && has_friction && is_unloaded);
         self.marks.bouncy.set(place, contact.restitution > 0.0);
         self.marks.on_ground.set(place, is_circle_on_ground(motions));
+        if let Some(speed) = bodies.roles.surface_speed(contact.slots) {
+            self.set_surface_speed(place, speed);
+        }
         if contact.follows {
             self.put_moving(place, contact, from);
         }

@@ -27,17 +27,25 @@ pub(super) struct ContactPoint {
     home: GraphIndex,
     /// Which of the points of its contact it is.
     index: usize,
+    /// Speed of the surfaces past each other, beside how the bodies move, m/s.
+    surface_speed: f32,
     /// The first of its two rows.
     first_row: usize,
 }
 
 impl ContactPoint {
-    /// Adds the rows of a point between two movers.
-    pub(super) fn new(home: GraphIndex, index: usize, movers: [Option<u32>; 2], rows: &mut Vec<Row>) -> Self {
+    /// Adds the rows of a point between two movers, whose surfaces go past each other with a speed, m/s.
+    pub(super) fn new(
+        home: GraphIndex,
+        index: usize,
+        movers: [Option<u32>; 2],
+        surface_speed: f32,
+        rows: &mut Vec<Row>,
+    ) -> Self {
         let first_row = rows.len();
         let friction = Bound::FrictionOf { row: first_row, friction: 0.0 };
         rows.extend([Bound::AT_LEAST_ZERO, friction].map(|bound| Row::new(movers, bound)));
-        Self { home, index, first_row }
+        Self { home, index, surface_speed, first_row }
     }
 
     /// Fills its rows, from the constraint of the contact and the states of the bodies. `per_substep` is one over the
@@ -69,7 +77,7 @@ impl ContactPoint {
         tangent_row.bound =
             Bound::FrictionOf { row: self.first_row, friction: f64::from(constraint.friction) };
         [normal_row.k, tangent_row.k] = [f64::from(point.normal_k), f64::from(friction.mass).recip()];
-        [normal_row.bias, tangent_row.bias] = [f64::from(bias), 0.0];
+        [normal_row.bias, tangent_row.bias] = [bias, self.surface_speed].map(f64::from);
         let inverse_inertias = [constraint.inverse_inertia_a, constraint.inverse_inertia_b];
         let normal = Vec2::from(constraint.normal);
         let impulses = [point.normal_impulse, friction.impulse];

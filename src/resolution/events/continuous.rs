@@ -229,8 +229,7 @@ impl Continuous {
         });
         let is_moved = scene.bodies.states[row as usize].is_moving();
         for other in near.drain(..) {
-            let is_any_dynamic = scene.bodies.is_dynamic(slot) || scene.bodies.is_dynamic(other);
-            if is_any_dynamic && (is_moved || scene.bodies.is_awake(other)) {
+            if scene.bodies.may_collide(slot, other) && (is_moved || scene.bodies.is_awake(other)) {
                 self.expect([slot.min(other), slot.max(other)], 0.0, scene);
             }
         }
@@ -274,6 +273,9 @@ impl Continuous {
         }
         self.sweeps_left = self.sweeps_left.saturating_sub(1);
         let Some(mut time) = sweep(a, b, offset, velocity, h - from, 0.0) else { return };
+        if scene.is_passing(slots, &slots.map(|slot| self.state_at(slot, from + time, scene))) {
+            return;
+        }
         if time == 0.0 && !self.bounces_now(slots, from, scene) {
             let thickness = motions[0].thickness.min(motions[1].thickness);
             let deeper = MUCH_NEARER * thickness;
@@ -347,7 +349,7 @@ impl Continuous {
         self.note(slots, meeting.speed(), scene, impacts);
         let rows = slots.map(|slot| scene.bodies.motions[slot as usize].row);
         let moved = slots.map(|slot| scene.bodies.is_dynamic(slot) && !self.is_halted(slot, scene));
-        scene.collide(rows, moved, &meeting, restitution, time);
+        scene.collide(slots, moved, &meeting, restitution, time);
         if let Some(home) = scene.home(slots) {
             scene.graph.set_pending(home, [false; 2]);
         }

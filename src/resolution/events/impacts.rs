@@ -210,7 +210,7 @@ impl Impacts {
         }
         self.impacts.push(Impact { contact: index, speed: meeting.speed() });
         let are_moved = scene.graph.moved_rows(home).map(|row| row != GROUND_ROW);
-        scene.collide(rows, are_moved, &meeting, contact.restitution, time);
+        scene.collide(contact.slots, are_moved, &meeting, contact.restitution, time);
         if manifold.has_features_of(&contact.manifold) {
             scene.graph.set_geometry(home, &constraint);
         } else if let Some(manifold) = manifold.restricted_to(&contact.manifold) {

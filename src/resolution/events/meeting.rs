@@ -66,8 +66,9 @@ impl Meeting {
         -self.speeds.into_iter().flatten().fold(0.0, f32::min)
     }
 
-    /// Turns the approach speed u of each point that takes part into -e u, with the restitution e.
-    pub(super) fn collide(&self, restitution: f32, pair: &mut [BodyState; 2]) {
+    /// Turns the approach speed u of each point that takes part into -e u, with the restitution e; beside how the bodies move,
+    /// their surfaces go past each other with `surface_speed`, m/s.
+    pub(super) fn collide(&self, restitution: f32, surface_speed: Option<f32>, pair: &mut [BodyState; 2]) {
         let constraint = &self.constraint;
         // The change asked for, u - (-e u), is q of the complementarity problem K x + q ≥ 0.
         let change = self.speeds.map(|speed| speed.map(|u| (1.0 + restitution) * u));
@@ -79,7 +80,7 @@ impl Meeting {
             let left = [0, 1].map(|i| change[i].unwrap_or(0.0) + (now[i] - before[i]));
             take_back(constraint, &mut impulses, left);
         }
-        constraint.apply_collision_impulses(impulses, pair);
+        constraint.apply_collision_impulses(impulses, surface_speed, pair);
     }
 }
 

@@ -192,7 +192,8 @@ impl Piece {
         let Some(meeting) = meeting.filter(Meeting::is_now) else { return false };
         self.be_ahead(false, scene.graph);
         let are_moved = scene.graph.moved_rows(home).map(|row| row != GROUND_ROW);
-        scene.collide(self.rows, are_moved, &meeting, 0.0, time);
+        let slots = contact.slots;
+        scene.collide(slots, are_moved, &meeting, 0.0, time);
         true
     }
 }

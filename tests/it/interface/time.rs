@@ -96,6 +96,7 @@ fn a_stage_without_input_does_not_run() {
         (Stage::Solve, true),
         (Stage::Finalize, true),
         (Stage::Events, false),
+        (Stage::Sensors, false),
         (Stage::Sleep, false),
     ] {
         let report = world.profile().stage(stage);

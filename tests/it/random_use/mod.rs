@@ -4,6 +4,7 @@
 //! `PROPTEST_CASES=20000 cargo test --release --test it random_use` looks longer than the default does.
 
 mod operations;
+mod roles;
 mod values;
 
 use proptest::prelude::*;
@@ -11,7 +12,10 @@ use proptest::test_runner::{Config, RngSeed};
 use rustycs::prelude::*;
 
 use crate::support::{add, earth_with, run, unit_box};
-use operations::{Operation, Player, extreme_operation, operation, usual_operation};
+use operations::{
+    Operation, Player, extreme_operation, operation, operation_with_roles, usual_operation,
+    usual_operation_with_roles,
+};
 use values::base;
 
 /// The same cases in every run, unless another number of them is asked for.
@@ -95,6 +99,35 @@ proptest! {
         operations in prop::collection::vec(usual_operation(), 1..60)
     ) {
         try_threads(Player::in_a_pool, &operations)?;
+    }
+}
+
+proptest! {
+    #![proptest_config(config(300))]
+
+    #[test]
+    fn no_role_that_the_api_accepts_breaks_a_world(
+        operations in prop::collection::vec(operation_with_roles(), 1..40)
+    ) {
+        try_all(Player::new(), &operations)?;
+    }
+
+    #[test]
+    fn roles_come_to_the_same_at_every_width_of_lanes(
+        operations in prop::collection::vec(operation_with_roles(), 1..40)
+    ) {
+        try_widths(Player::new, &operations)?;
+    }
+}
+
+proptest! {
+    #![proptest_config(config(20))]
+
+    #[test]
+    fn no_role_that_a_game_gives_breaks_a_world(
+        operations in prop::collection::vec(usual_operation_with_roles(), 1..60)
+    ) {
+        try_all(Player::in_a_pool(), &operations)?;
     }
 }
 

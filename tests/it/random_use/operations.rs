@@ -3,6 +3,7 @@
 use proptest::prelude::*;
 use rustycs::prelude::*;
 
+use super::roles::{RoleChange, change_role, role_change};
 use super::values::{
     attractor, body, coordinate, coordinate_near, extreme_body, extreme_settings, factor, great_strength,
     magnitude, narrow, place, settings, strength, usual_body, vector,
@@ -16,6 +17,7 @@ pub(crate) enum Operation {
     AddPile(Body, u8),
     Remove(usize),
     Change(usize, Change),
+    Role(usize, RoleChange),
     AddForce([f32; 2]),
     RemoveForce(usize),
     AddAttractor(Attractor),
@@ -115,6 +117,22 @@ pub(crate) fn operation() -> impl Strategy<Value = Operation> {
         1 => Just(Operation::CloneFrom),
         1 => Just(Operation::WakeAll),
         2 => ([coordinate(), coordinate()], vector()).prop_map(|(at, along)| Operation::Ask(at, along)),
+    ]
+}
+
+/// The same with filters, sensors, one-way floors and surfaces that move.
+pub(crate) fn operation_with_roles() -> impl Strategy<Value = Operation> {
+    prop_oneof![
+        3 => operation(),
+        1 => (any::<usize>(), role_change()).prop_map(|(body, change)| Operation::Role(body, change)),
+    ]
+}
+
+/// What a game does, with these.
+pub(crate) fn usual_operation_with_roles() -> impl Strategy<Value = Operation> {
+    prop_oneof![
+        2 => usual_operation(),
+        1 => (any::<usize>(), role_change()).prop_map(|(body, change)| Operation::Role(body, change)),
     ]
 }
 
@@ -284,6 +302,11 @@ impl Player {
             Operation::Change(which, change) => {
                 if let Some(body) = pick(&self.bodies, *which).and_then(|id| world.body_mut(id)) {
                     apply(body, change).expect("the numbers are within the limits");
+                }
+            }
+            Operation::Role(which, change) => {
+                if let Some(id) = pick(&self.bodies, *which) {
+                    change_role(world, id, change, &self.bodies);
                 }
             }
             Operation::AddForce(acceleration) => {

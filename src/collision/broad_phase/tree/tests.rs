@@ -34,7 +34,7 @@ fn found_around(tree: &Tree, leaf: u32) -> Vec<u32> {
 
 fn found_by_ray(tree: &Tree, origin: Point, translation: Vec2, max_fraction: f32) -> Vec<u32> {
     let mut values = vec![];
-    let end = tree.ray_cast(origin, translation, max_fraction, |value, end| {
+    let end = tree.cast(origin, 0.0, translation, max_fraction, |value, end| {
         values.push(value);
         end
     });
@@ -220,16 +220,17 @@ fn a_ray_that_is_clipped_at_each_hit_ends_at_the_nearest_box() {
         let enter = |aabb: Aabb| (aabb.min.x + 64.0) / 128.0;
         let nearest = boxes.iter().filter(|aabb| aabb.min.y <= y && y <= aabb.max.y).map(|&aabb| enter(aabb));
         let nearest = nearest.fold(1.0, f32::min);
-        let end = tree.ray_cast(Point::new(-64.0, f64::from(y)), Vec2::new(128.0, 0.0), 1.0, |value, end| {
-            visits += 1;
-            end.min(enter(boxes[value as usize]))
-        });
+        let end =
+            tree.cast(Point::new(-64.0, f64::from(y)), 0.0, Vec2::new(128.0, 0.0), 1.0, |value, end| {
+                visits += 1;
+                end.min(enter(boxes[value as usize]))
+            });
         assert_eq!(end, nearest);
     }
     // About 5 boxes lie on each such line; near to far, hardly more than one of them is looked at.
     assert!(visits < 200 * 3, "{visits}");
     let mut visits = 0;
-    let end = tree.ray_cast(Point::new(-50.0, -50.0), Vec2::splat(100.0), 1.0, |_, _| {
+    let end = tree.cast(Point::new(-50.0, -50.0), 0.0, Vec2::splat(100.0), 1.0, |_, _| {
         visits += 1;
         0.0
     });
@@ -330,7 +331,7 @@ fn no_number_makes_the_tree_panic_or_lose_a_leaf() {
         }
         tree.query(aabb, |_| true);
         let origin = Point::new(f64::from(pick(&mut random)), f64::from(pick(&mut random)));
-        tree.ray_cast(origin, aabb.max, pick(&mut random), |_, end| end);
+        tree.cast(origin, 0.0, aabb.max, pick(&mut random), |_, end| end);
         assert_eq!(tree.len(), leaves.len());
         assert!(tree.len() < 2 || tree.height() as f32 <= height_bound(tree.len()));
     }

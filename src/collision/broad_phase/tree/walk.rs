@@ -71,14 +71,17 @@ impl Tree {
     ///
     /// No leaf that the segment touches is missed, wherever in the world it is; a leaf past it by less than
     /// the rounding of `f64` may be visited.
-    pub(crate) fn ray_cast(
+    ///
+    /// With a `reach` above 0, m, all leaves whose box is within that of the segment along both axes.
+    pub(crate) fn cast(
         &self,
         origin: Point,
+        reach: f32,
         translation: Vec2,
         max_fraction: f32,
         mut visit: impl FnMut(u32, f32) -> f32,
     ) -> f32 {
-        let ray = Ray::new(origin, translation);
+        let ray = Ray::new(origin, reach, translation);
         let mut end = max_fraction;
         let mut pending = Pending::new();
         pending.push(ROOT);
@@ -107,6 +110,30 @@ impl Tree {
         end
     }
 
+    /// Calls `visit` with the value of each leaf whose box is not farther from a place than the `limit` of then, m, about from
+    /// near to far. `visit` returns that, or a smaller one. Returns the last.
+    pub(crate) fn nearest(&self, place: Point, limit: f64, mut visit: impl FnMut(u32, f64) -> f64) -> f64 {
+        let mut limit = limit.min(f64::MAX);
+        let mut pending = Pending::new();
+        pending.push(ROOT);
+        while let Some(pair) = pending.pop() {
+            let nodes = self.pair(pair);
+            let distances = [0, 1].map(|index| distance_to(nodes[index].reach.aabb(), place));
+            let near = usize::from(distances[1] < distances[0]);
+            for index in [near, 1 - near] {
+                if nodes[index].is_leaf() && distances[index] <= limit {
+                    limit = limit.min(visit(nodes[index].value, limit));
+                }
+            }
+            for index in [1 - near, near] {
+                if !nodes[index].is_leaf() && distances[index] <= limit {
+                    pending.push(nodes[index].link);
+                }
+            }
+        }
+        limit
+    }
+
     /// Calls `visit(box, depth, is_leaf)` for every node, the root at depth 0.
     pub(crate) fn for_each_node(&self, mut visit: impl FnMut(Aabb, u32, bool)) {
         if self.len() == 0 {
@@ -123,17 +150,34 @@ impl Tree {
     }
 }
 
+/// How far a place is from a box, m, or a little less; 0 within it. A box that is nowhere is infinitely far.
+fn distance_to(aabb: Aabb, place: Point) -> f64 {
+    if aabb.min.x.is_nan() {
+        return f64::INFINITY;
+    }
+    let beyond = |min: f32, at: f64, max: f32| (f64::from(min) - at).max(at - f64::from(max)).max(0.0);
+    let (x, y) = (beyond(aabb.min.x, place.x, aabb.max.x), beyond(aabb.min.y, place.y, aabb.max.y));
+    // Less what rounds: one digit of each term and of the root.
+    (x * x + y * y).sqrt() * (1.0 - 4.0 * f64::EPSILON)
+}
+
 /// A ray in `f64`, ready for boxes in `f32`.
 struct Ray {
     origin: [f64; 2],
+    /// By how much boxes are grown on each side, m.
+    reach: f64,
     /// 1 / translation, infinite along an axis the ray does not move on.
     inverse: [f64; 2],
 }
 
 impl Ray {
-    fn new(origin: Point, translation: Vec2) -> Self {
+    fn new(origin: Point, reach: f32, translation: Vec2) -> Self {
+        // What grows rounds by a digit of where the box is, which is met from where the ray is.
+        let far = origin.x.abs() + origin.y.abs() + f64::from(translation.norm_1());
+        let noise = if reach == 0.0 { 0.0 } else { 4.0 * f64::EPSILON * (far + f64::from(reach)) };
         Self {
             origin: [origin.x, origin.y],
+            reach: f64::from(reach) + noise,
             inverse: [1.0 / f64::from(translation.x), 1.0 / f64::from(translation.y)],
         }
     }
@@ -150,13 +194,14 @@ impl Ray {
     /// Between which fractions the ray is between two coordinates of an axis.
     #[inline(always)]
     fn span(&self, axis: usize, min: f32, max: f32) -> (f64, f64) {
+        let (min, max) = (f64::from(min) - self.reach, f64::from(max) + self.reach);
         if self.inverse[axis].is_infinite() {
-            let is_between = f64::from(min) <= self.origin[axis] && self.origin[axis] <= f64::from(max);
+            let is_between = min <= self.origin[axis] && self.origin[axis] <= max;
             let inside = if is_between { f64::INFINITY } else { f64::NEG_INFINITY };
             return (-inside, inside);
         }
-        let to_min = (f64::from(min) - self.origin[axis]) * self.inverse[axis];
-        let to_max = (f64::from(max) - self.origin[axis]) * self.inverse[axis];
+        let to_min = (min - self.origin[axis]) * self.inverse[axis];
+        let to_max = (max - self.origin[axis]) * self.inverse[axis];
         if self.inverse[axis] < 0.0 { (to_max, to_min) } else { (to_min, to_max) }
     }
 }

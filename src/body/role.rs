@@ -1,0 +1,194 @@
+//! What bodies are to what they meet, beside their material: most are nothing special.
+//!
+//! Kept in tables of their own, which end with the last body that has a role of its own: a world in which none has keeps
+//! nothing, and asks nothing but whether there is one.
+
+use crate::body::Filter;
+use crate::math::Vec2;
+
+/// What a body is to what it meets.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(crate) struct Role {
+    pub(crate) filter: Filter,
+    /// Whether it only takes note of what overlaps it.
+    pub(crate) is_sensor: bool,
+    /// Speed of its surface against itself, m/s; positive takes what lies on top to the right.
+    pub(crate) surface_speed: f32,
+    /// Of a one-way floor, the direction in which bodies pass it, in its frame; length 1.
+    pub(crate) one_way: Option<Vec2>,
+}
+
+/// The roles of all bodies, and the pairs that were parted.
+#[derive(Debug, Default)]
+pub(crate) struct Roles {
+    /// By slot; what is beyond the end has the default.
+    by_slot: Vec<Role>,
+    /// Slots of bodies that do not collide with each other, whatever their filters: each pair both ways round, sorted, so that
+    /// those of one body are found together.
+    parted: Vec<(u32, u32)>,
+    /// The slots of sensors, ascending.
+    sensors: Vec<u32>,
+    /// Whether any surface moves, or has.
+    has_surface_speeds: bool,
+    /// Whether there are one-way floors, or were.
+    has_one_ways: bool,
+}
+
+clone_into_buffers!(Roles { by_slot, parted, sensors, has_surface_speeds, has_one_ways });
+
+impl Roles {
+    /// The role of the body in `slot`.
+    #[inline(always)]
+    pub(crate) fn of(&self, slot: u32) -> Role {
+        self.by_slot.get(slot as usize).copied().unwrap_or_default()
+    }
+
+    /// Gives the body in `slot` a role.
+    pub(crate) fn set(&mut self, slot: u32, role: Role) {
+        let place = slot as usize;
+        if place >= self.by_slot.len() {
+            if role == Role::default() {
+                return;
+            }
+            self.by_slot.resize(place + 1, Role::default());
+        }
+        self.by_slot[place] = role;
+        self.has_surface_speeds |= role.surface_speed != 0.0;
+        self.has_one_ways |= role.one_way.is_some();
+        match (self.sensors.binary_search(&slot), role.is_sensor) {
+            (Err(place), true) => self.sensors.insert(place, slot),
+            (Ok(place), false) => _ = self.sensors.remove(place),
+            _ => {}
+        }
+    }
+
+    /// The slots of sensors, ascending.
+    pub(crate) fn sensors(&self) -> &[u32] {
+        &self.sensors
+    }
+
+    /// Forgets the body in `slot`, which is removed.
+    pub(crate) fn forget(&mut self, slot: u32) {
+        self.set(slot, Role::default());
+        while let Some(&(_, other)) = self.parted_from(slot).first() {
+            self.join(slot, other);
+        }
+    }
+
+    /// Gives up what is not needed for slots below `end`: there are no others.
+    pub(crate) fn trim(&mut self, end: usize) {
+        self.by_slot.truncate(end);
+    }
+
+    /// The pairs of the body in `slot` with those that it is parted from.
+    fn parted_from(&self, slot: u32) -> &[(u32, u32)] {
+        let first = self.parted.partition_point(|&(a, _)| a < slot);
+        let of_slot = &self.parted[first..];
+        &of_slot[..of_slot.partition_point(|&(a, _)| a == slot)]
+    }
+
+    /// The pairs that were parted, each once.
+    pub(crate) fn parted(&self) -> impl Iterator<Item = (u32, u32)> {
+        self.parted.iter().copied().filter(|(a, b)| a < b)
+    }
+
+    /// Whether two bodies were parted.
+    pub(crate) fn are_parted(&self, a: u32, b: u32) -> bool {
+        self.parted.binary_search(&(a, b)).is_ok()
+    }
+
+    /// Has two bodies not collide with each other.
+    pub(crate) fn part(&mut self, a: u32, b: u32) {
+        for pair in [(a, b), (b, a)] {
+            if let Err(place) = self.parted.binary_search(&pair) {
+                self.parted.insert(place, pair);
+            }
+        }
+    }
+
+    /// Leaves it to their filters again whether two bodies collide.
+    pub(crate) fn join(&mut self, a: u32, b: u32) {
+        for pair in [(a, b), (b, a)] {
+            if let Ok(place) = self.parted.binary_search(&pair) {
+                self.parted.remove(place);
+            }
+        }
+    }
+
+    /// Whether the roles of two bodies let them collide.
+    #[inline(always)]
+    pub(crate) fn may_collide(&self, a: u32, b: u32) -> bool {
+        let is_sensor = |slot: u32| self.of(slot).is_sensor;
+        let are_usual = self.by_slot.is_empty() && self.parted.is_empty();
+        are_usual || self.may_meet(a, b) && !is_sensor(a) && !is_sensor(b)
+    }
+
+    /// Whether one of two bodies is a one-way floor.
+    #[inline(always)]
+    pub(crate) fn are_one_way(&self, slots: [u32; 2]) -> bool {
+        self.has_one_ways && slots.into_iter().any(|slot| self.of(slot).one_way.is_some())
+    }
+
+    /// Speed of the surface of the second of two bodies against that of the first, beside how these move, along the tangent of
+    /// their contact, m/s; `None` where neither surface moves. Both surfaces go round their bodies clockwise, and past each other
+    /// in opposite directions: their speeds add up.
+    #[inline(always)]
+    pub(crate) fn surface_speed(&self, [a, b]: [u32; 2]) -> Option<f32> {
+        if !self.has_surface_speeds {
+            return None;
+        }
+        let speed = self.of(a).surface_speed + self.of(b).surface_speed;
+        (speed != 0.0).then_some(speed)
+    }
+
+    /// Whether two bodies are anything to each other: by their filters, and as they were not parted.
+    pub(crate) fn may_meet(&self, a: u32, b: u32) -> bool {
+        self.of(a).filter.collides_with(self.of(b).filter) && !self.are_parted(a, b)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::collections::BTreeSet;
+
+    use super::{Role, Roles};
+    use crate::body::Filter;
+
+    #[test]
+    fn parted_pairs_agree_with_an_ordered_set_under_random_edits() {
+        let (mut roles, mut reference) = (Roles::default(), BTreeSet::new());
+        let mut state = 3_u64;
+        for _ in 0..5_000 {
+            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            let (a, b) = ((state >> 40) as u32 % 12, (state >> 50) as u32 % 12);
+            if a == b {
+                roles.forget(a);
+                reference.retain(|&(one, other)| one != a && other != a);
+            } else if state >> 33 & 1 == 0 {
+                roles.part(a, b);
+                reference.insert((a.min(b), a.max(b)));
+            } else {
+                roles.join(a, b);
+                reference.remove(&(a.min(b), a.max(b)));
+            }
+            assert!(roles.parted().eq(reference.iter().copied()));
+            assert_eq!(roles.are_parted(b, a), reference.contains(&(a.min(b), a.max(b))));
+        }
+    }
+
+    #[test]
+    fn a_role_lasts_until_its_body_is_removed() {
+        let mut roles = Roles::default();
+        roles.set(7, Role::default());
+        assert!(roles.by_slot.is_empty(), "the default needs no room");
+        let filter = Filter { category: 4, ..Filter::DEFAULT };
+        roles.set(7, Role { filter, is_sensor: true, ..Role::default() });
+        assert_eq!(roles.sensors(), [7]);
+        assert_eq!(
+            (roles.of(7).filter, roles.of(6), roles.of(8)),
+            (filter, Role::default(), Role::default())
+        );
+        roles.forget(7);
+        assert_eq!((roles.of(7), roles.sensors().len()), (Role::default(), 0));
+    }
+}

@@ -1,0 +1,89 @@
+//! One-way floors: a body that comes from the free side is borne, any other passes.
+//!
+//! It is decided as the two come near, from where the body is and how it moves, and holds until they part: a body that
+//! passes is not touched before it has left, and one that is borne stays so, until it slips off the end. Each contact
+//! decides for itself, so that one body stands on a floor which another jumps through. A contact that passes has no points, and
+//! so is none to whatever comes after: the solver, islands, sleep, events.
+//!
+//! It runs on contacts with a one-way floor, where manifolds are brought up to date; others cost a comparison.
+
+use crate::body::Bodies;
+use crate::collision::{Contact, Manifold};
+use crate::math::Vec2;
+
+/// A body is on the free side if the normal is within 60° of the direction, this being the cosine: beyond, it is at the end of
+/// the floor, and would be stopped by it as by a wall.
+const FREE_SIDE: f32 = 0.5;
+
+/// Along a normal this near to the direction, by its cosine, a body above the floor is there however it moves: it stands or
+/// leaves. Farther off, about 8°, one that rises has not been above yet, and meets a corner.
+const FACE: f32 = 0.99;
+
+/// A body that overlaps by up to this share of the width of the thinner of the two is still on the surface, no unit: as deep
+/// as a load sags before it is solved directly. Deeper, it is within the floor.
+const ON_SURFACE: f32 = 0.0125;
+
+/// Slower along the direction, m/s, is how what stands and slides trembles: as slow as a manifold without load is kept. What is
+/// about to come out of a floor is faster until it is all but at its highest point, where it is borne as well.
+const STANDS_BELOW: f32 = 0.02;
+
+/// What a contact with a one-way floor does.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum OneWay {
+    /// They are not near each other: it is still to be decided.
+    Apart,
+    /// The body came from the free side.
+    Bears,
+    /// The body passes, or is beside or below.
+    Passes,
+}
+
+/// Decides what the contact does, and takes its points away where the body passes.
+pub(super) fn decide(contact: &mut Contact, before: OneWay, bodies: &Bodies) {
+    let gap = contact.manifold.points().iter().map(|point| point.separation).fold(f32::INFINITY, f32::min);
+    let [a, b] = contact.slots.map(|slot| Vec2::from(bodies.state(slot).velocity));
+    let bears = match before {
+        _ if contact.manifold.points().is_empty() => return contact.one_way = Some(OneWay::Apart),
+        // What has slid off another floor of this height came by its end, and is on the surface now.
+        OneWay::Passes if gap <= 0.0 => {
+            is_on_free_side(bodies, contact.slots, &contact.manifold, b - a)
+                && leans(bodies, contact.slots, &contact.manifold).all(|(_, up)| !rises(up, b - a))
+        }
+        OneWay::Bears => leans(bodies, contact.slots, &contact.manifold).all(|(lean, _)| lean > 0.0),
+        _ => is_on_free_side(bodies, contact.slots, &contact.manifold, b - a),
+    };
+    if !bears {
+        contact.clear();
+    }
+    contact.one_way = Some(if bears { OneWay::Bears } else { OneWay::Passes });
+}
+
+/// Whether two bodies with this manifold, of which b moves with `velocity` against a, m/s, are on the free sides of those of
+/// them that are one-way floors, or come from there.
+pub(crate) fn is_on_free_side(bodies: &Bodies, slots: [u32; 2], manifold: &Manifold, velocity: Vec2) -> bool {
+    let gap = manifold.points().iter().map(|point| point.separation).fold(f32::INFINITY, f32::min);
+    let [a, b] = slots.map(|slot| bodies.motions[slot as usize].thickness);
+    let is_outside = gap >= -ON_SURFACE * a.min(b);
+    is_outside
+        && leans(bodies, slots, manifold)
+            .all(|(lean, up)| lean >= FACE || lean >= FREE_SIDE && !rises(up, velocity))
+}
+
+/// Whether a body with this velocity, m/s, moves along the direction.
+fn rises(up: Vec2, velocity: Vec2) -> bool {
+    up.dot(velocity) > STANDS_BELOW
+}
+
+/// Of each of two bodies that is a one-way floor: the cosine between its direction and the normal towards the other body, and
+/// the direction in which b moves against a when the other body moves along it.
+fn leans<'a>(
+    bodies: &'a Bodies,
+    slots: [u32; 2],
+    manifold: &'a Manifold,
+) -> impl Iterator<Item = (f32, Vec2)> + 'a {
+    slots.into_iter().zip([1.0, -1.0]).filter_map(move |(slot, sign)| {
+        let direction = bodies.roles.of(slot).one_way?;
+        let up = bodies.motions[slot as usize].pose.rotation.rotate(direction) * sign;
+        Some((up.dot(manifold.normal), up))
+    })
+}

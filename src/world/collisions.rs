@@ -1,0 +1,137 @@
+//! Which bodies collide: by their filters, and pair by pair; from which side they pass; and how fast their surfaces go.
+
+use crate::body::description::{check_one_way, check_surface_speed};
+use crate::body::{BodyError, BodyId, Filter};
+use crate::math::Vec2;
+use crate::world::{BodyMut, World};
+
+impl BodyMut<'_> {
+    /// Makes the body a one-way floor in this direction, see [`Body::one_way`](crate::Body::one_way), or, by `None`, one that is
+    /// passed by none. What touches it wakes, and decides anew whether it passes.
+    ///
+    /// # Errors
+    /// [`BodyError`], if the direction is not finite or has no length.
+    pub fn set_one_way(&mut self, direction: impl Into<Option<Vec2>>) -> Result<(), BodyError> {
+        let direction = direction.into().map(|direction| direction.normalized().unwrap_or(direction));
+        check_one_way(direction)?;
+        let slot = self.slot();
+        let mut role = self.world.bodies.roles.of(slot);
+        if role.one_way != direction {
+            role.one_way = direction;
+            self.world.bodies.roles.set(slot, role);
+            self.world.wake_slot(slot);
+            self.world.wake_neighbours(slot);
+            self.world.contacts.decide_anew(&self.world.bodies, slot);
+        }
+        Ok(())
+    }
+
+    /// Sets the speed of the surface against the body, m/s, see [`Body::surface_speed`](crate::Body::surface_speed). What touches
+    /// it wakes, unless it is the speed it has. Refused beyond ±10⁶ m/s.
+    #[track_caller]
+    pub fn set_surface_speed(&mut self, speed: f32) -> &mut Self {
+        if let Err(error) = check_surface_speed(speed) {
+            return self.refuse(error);
+        }
+        let slot = self.slot();
+        let mut role = self.world.bodies.roles.of(slot);
+        if role.surface_speed != speed {
+            role.surface_speed = speed;
+            self.world.bodies.roles.set(slot, role);
+            self.world.wake_slot(slot);
+            self.world.wake_neighbours(slot);
+        }
+        self
+    }
+
+    /// Sets which bodies it collides with. Contacts with others end, and new ones begin in the next step; what it touched
+    /// wakes.
+    pub fn set_filter(&mut self, filter: Filter) {
+        let slot = self.slot();
+        let mut role = self.world.bodies.roles.of(slot);
+        if role.filter != filter {
+            role.filter = filter;
+            self.world.bodies.roles.set(slot, role);
+            self.world.collisions_changed(slot);
+        }
+    }
+}
+
+impl World {
+    /// Says whether two bodies may collide with each other: with `false` they pass through each other, whatever their filters;
+    /// with `true`, as from the beginning, it is up to these. It holds until one of them is removed, and wakes both. Returns
+    /// what held before; `None`, and does nothing, if one was removed or they are the same.
+    ///
+    /// ```
+    /// # use rustycs::prelude::*;
+    /// # let mut world = World::new(Settings::default());
+    /// # let floor = world.add(Body::fixed(Shape::aabb(20.0, 1.0)))?;
+    /// # let player = world.add(Body::dynamic(Shape::circle(0.5)).at([0.0, 1.0]))?;
+    /// // The player drops through this floor only.
+    /// world.set_collision(player, floor, false);
+    /// assert_eq!(world.may_collide(floor, player), Some(false));
+    /// # Ok::<(), BodyError>(())
+    /// ```
+    pub fn set_collision(&mut self, a: BodyId, b: BodyId, collide: bool) -> Option<bool> {
+        let [a, b] = self.slots_of_pair([a, b])?;
+        let collided = !self.bodies.roles.are_parted(a, b);
+        if collide == collided {
+            return Some(collided);
+        }
+        self.sensors.note_edit();
+        self.wake_slot(a);
+        self.wake_slot(b);
+        if collide {
+            self.bodies.roles.join(a, b);
+            self.broad_phase.mark_moved(a);
+        } else {
+            self.bodies.roles.part(a, b);
+            self.end_pair([a.min(b), a.max(b)]);
+        }
+        Some(collided)
+    }
+
+    /// Whether two bodies collide where they meet: by their types, of which one is to be dynamic, their filters, and
+    /// [`set_collision`](Self::set_collision). `None` if one was removed, or they are the same.
+    pub fn may_collide(&self, a: BodyId, b: BodyId) -> Option<bool> {
+        let [a, b] = self.slots_of_pair([a, b])?;
+        Some(self.bodies.may_collide(a, b))
+    }
+
+    /// The slots of two bodies that are there, and not the same.
+    fn slots_of_pair(&self, ids: [BodyId; 2]) -> Option<[u32; 2]> {
+        self.bodies.records.get(ids[0].0).and(self.bodies.records.get(ids[1].0))?;
+        let [a, b] = ids.map(|id| id.0.index());
+        (a != b).then_some([a, b])
+    }
+
+    /// Ends whatever there is between two bodies (a < b) that do not collide any more.
+    fn end_pair(&mut self, [a, b]: [u32; 2]) {
+        let contact =
+            self.contacts.of_body(&self.bodies, a).find(|&index| self.contacts[index].other(a) == b);
+        if let Some(index) = contact {
+            self.end_contact(index);
+        } else {
+            self.candidates.remove([(a, b)].into_iter());
+            self.broad_phase.forget_pair(a, b);
+        }
+    }
+
+    /// Has contacts and pairs of a body looked at anew: others may collide with it than before.
+    pub(in crate::world) fn collisions_changed(&mut self, slot: u32) {
+        self.wake_slot(slot);
+        self.wake_neighbours(slot);
+        let bodies = &self.bodies;
+        let ends = |&index: &u32| {
+            let [a, b] = self.contacts[index].slots;
+            !bodies.may_collide(a, b)
+        };
+        let ending: Vec<u32> = self.contacts.of_body(bodies, slot).filter(ends).collect();
+        for index in ending {
+            self.end_contact(index);
+        }
+        self.sensors.note_edit();
+        self.candidates.note_removed(slot);
+        self.broad_phase.mark_moved(slot);
+    }
+}

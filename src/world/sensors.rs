@@ -1,0 +1,187 @@
+//! Sensors: what overlaps them, told as it begins and ends.
+//!
+//! What a sensor overlaps is a matter of where bodies are, at the end of each step, and of nothing else: it is asked anew
+//! of the trees, and compared with what it was. So nothing is lost, whether something moved, was put somewhere, removed, made
+//! into something else, or sleeps. Beside that, a body that moved by half its width or more is swept along the straight line
+//! from where it was, and has begun and ended where it went through a sensor.
+//!
+//! Cost: nothing where there are no sensors, or neither an awake body nor an edit; else a question to the trees per sensor, a
+//! narrow phase per body whose box meets it, and a comparison per awake body.
+
+use crate::body::BodyId;
+use crate::collision::{Swept, sweep};
+use crate::compute::GROUND_ROW;
+use crate::math::Pose;
+use crate::world::events::{Events, SensorEvent};
+use crate::world::{BodyMut, World};
+
+/// A body is swept that moves by more than this share of its width in a step, no unit: by less, and it has not gone past
+/// anything in its way that is not thinner than the rest of it.
+const SWEPT_FROM: f32 = 0.5;
+
+/// A sensor, and a body that it overlaps.
+type Overlap = (BodyId, BodyId);
+
+/// What sensors overlap.
+#[derive(Debug, Default)]
+pub(in crate::world) struct Sensors {
+    /// As of the end of the last step, sorted.
+    overlaps: Vec<Overlap>,
+    /// Whether an edit since then may have changed them.
+    are_stale: bool,
+    /// Scratch: as of now.
+    found: Vec<Overlap>,
+    /// Scratch: what went through within the step.
+    passed: Vec<Overlap>,
+}
+
+clone_into_buffers!(Sensors { overlaps, are_stale } scratch { found, passed });
+
+impl Sensors {
+    /// Takes note of an edit that may change what overlaps.
+    pub(in crate::world) fn note_edit(&mut self) {
+        self.are_stale = true;
+    }
+
+    /// What overlaps as of the end of the last step.
+    pub(in crate::world) fn overlaps(&self) -> &[Overlap] {
+        &self.overlaps
+    }
+
+    /// Gives up scratch.
+    pub(in crate::world) fn trim(&mut self) {
+        (self.found, self.passed) = (Vec::new(), Vec::new());
+    }
+
+    /// Reports what of the overlaps found now is new, and what is gone; goes on with those of now.
+    fn report(&mut self, events: &mut Events) {
+        let (before, now) = (&self.overlaps, &self.found);
+        let event = |&(sensor, body): &Overlap| SensorEvent { sensor, body };
+        let is_new = |overlap: &&Overlap| before.binary_search(overlap).is_err();
+        let is_gone = |overlap: &&Overlap| now.binary_search(overlap).is_err();
+        events.sensor_began.extend(now.iter().filter(is_new).map(event));
+        events.sensor_ended.extend(before.iter().filter(is_gone).map(event));
+        self.passed.sort_unstable();
+        self.passed.dedup();
+        let passed = || self.passed.iter().filter(is_new).filter(is_gone).map(event);
+        events.sensor_began.extend(passed());
+        events.sensor_ended.extend(passed());
+        std::mem::swap(&mut self.overlaps, &mut self.found);
+        self.are_stale = false;
+    }
+}
+
+impl BodyMut<'_> {
+    /// Makes the body a sensor, see [`Body::sensor`](crate::Body::sensor), or no longer one. Its contacts end; what it touched
+    /// wakes.
+    pub fn set_sensor(&mut self, is_sensor: bool) {
+        let slot = self.slot();
+        let mut role = self.world.bodies.roles.of(slot);
+        if role.is_sensor != is_sensor {
+            role.is_sensor = is_sensor;
+            self.world.bodies.roles.set(slot, role);
+            self.world.collisions_changed(slot);
+        }
+    }
+}
+
+impl World {
+    /// What a sensor overlapped at the end of the last step, by ascending id; nothing for a body that is no sensor, or was
+    /// removed. Bodies that were removed since are left out.
+    ///
+    /// ```
+    /// # use rustycs::prelude::*;
+    /// # let mut world = World::new(Settings::default());
+    /// let zone = world.add(Body::fixed(Shape::aabb(4.0, 4.0)).sensor(true))?;
+    /// let player = world.add(Body::dynamic(Shape::circle(0.5)).at([1.0, 1.0]))?;
+    /// world.step();
+    /// assert_eq!(world.events().sensor_began()[0].body, player);
+    /// assert!(world.sensor_overlaps(zone).eq([player]));
+    /// # Ok::<(), BodyError>(())
+    /// ```
+    pub fn sensor_overlaps(&self, sensor: BodyId) -> impl Iterator<Item = BodyId> {
+        let overlaps = self.sensors.overlaps();
+        let first = overlaps.partition_point(|&(of, _)| of < sensor);
+        let of_sensor = overlaps[first..].iter().take_while(move |&&(of, _)| of == sensor);
+        of_sensor.map(|&(_, body)| body).filter(|body| self.bodies.records.get(body.0).is_some())
+    }
+
+    /// How much there is to do about sensors: nothing if nothing has moved.
+    pub(in crate::world) fn sensor_work(&self) -> usize {
+        let may_have_changed = self.sensors.are_stale || self.bodies.awake_count() > 0;
+        let sensors = self.bodies.roles.sensors().len().max(usize::from(!self.sensors.overlaps.is_empty()));
+        if may_have_changed { sensors } else { 0 }
+    }
+
+    /// Finds what sensors overlap now, and reports what has changed.
+    pub(in crate::world) fn find_sensor_overlaps(&mut self) {
+        let mut sensors = std::mem::take(&mut self.sensors);
+        let mut found = std::mem::take(&mut sensors.found);
+        let mut passed = std::mem::take(&mut sensors.passed);
+        found.clear();
+        passed.clear();
+        for &slot in self.bodies.roles.sensors() {
+            self.find_overlaps_of(slot, &mut found);
+        }
+        found.sort_unstable();
+        if !self.bodies.roles.sensors().is_empty() {
+            self.find_passed(&mut passed);
+        }
+        (sensors.found, sensors.passed) = (found, passed);
+        sensors.report(&mut self.events);
+        self.sensors = sensors;
+    }
+
+    /// Appends what the sensor in `slot` overlaps.
+    fn find_overlaps_of(&self, slot: u32, found: &mut Vec<Overlap>) {
+        let (shape, pose) = (&self.bodies.shapes[slot as usize], self.bodies.motions[slot as usize].pose);
+        self.broad_phase.query(self.bodies.aabb(slot), |other| {
+            let meets = other != slot && self.bodies.roles.may_meet(slot, other);
+            if meets && self.overlaps_body(shape, pose, other) {
+                found.push((self.id_of(slot), self.id_of(other)));
+            }
+            true
+        });
+    }
+
+    /// Appends sensors and bodies of which one has gone through the other in this step, and some that overlap now or did.
+    fn find_passed(&self, passed: &mut Vec<Overlap>) {
+        let (bodies, roles) = (&self.bodies, &self.bodies.roles);
+        for row in GROUND_ROW as usize + 1..bodies.row_count() {
+            let slot = bodies.slot_of_row(row);
+            let (motion, previous) = (&bodies.motions[slot as usize], bodies.previous_pose(slot));
+            let moved = motion.pose.center - previous.center;
+            if moved.length() <= SWEPT_FROM * motion.thickness {
+                continue;
+            }
+            let shape = &bodies.shapes[slot as usize];
+            let way = shape.bounding_box(previous).union(shape.bounding_box(motion.pose));
+            self.broad_phase.query(way, |other| {
+                let is_seen = [slot, other].map(|slot| roles.of(slot).is_sensor);
+                let meets = other != slot && is_seen.contains(&true) && roles.may_meet(slot, other);
+                if meets && self.have_met([slot, other]) {
+                    let ids = [slot, other].map(|slot| self.id_of(slot));
+                    for (index, _) in is_seen.into_iter().enumerate().filter(|&(_, is_sensor)| is_sensor) {
+                        passed.push((ids[index], ids[1 - index]));
+                    }
+                }
+                true
+            });
+        }
+    }
+
+    /// Whether two bodies met within the step, if each went straight from where it was to where it is.
+    fn have_met(&self, slots: [u32; 2]) -> bool {
+        let poses =
+            slots.map(|slot| (self.bodies.previous_pose(slot), self.bodies.motions[slot as usize].pose));
+        let swept = |index: usize| {
+            let (before, now): (Pose, Pose) = poses[index];
+            let spin = (now.rotation * before.rotation.inverse()).angle();
+            Swept { shape: &self.bodies.shapes[slots[index] as usize], rotation: before.rotation, spin }
+        };
+        let [moved_a, moved_b] = poses.map(|(before, now)| now.center - before.center);
+        let offset = poses[1].0.center - poses[0].0.center;
+        // In units of the step.
+        sweep(swept(0), swept(1), offset, moved_b - moved_a, 1.0, 0.0).is_some()
+    }
+}
