@@ -128,13 +128,14 @@ impl EventScene<'_> {
     /// and may meet others before, and they may come much nearer.
     fn is_swept(&self, slots: [u32; 2]) -> bool {
         let is_off = |slot: u32| self.courses.is_off(self.bodies, self.bodies.motions[slot as usize].row);
-        slots.into_iter().any(is_off) && self.may_come_much_nearer(slots, self.h())
+        let states = self.states(slots.map(|slot| self.bodies.motions[slot as usize].row));
+        slots.into_iter().any(is_off) && self.may_come_much_nearer(slots, &states, self.h())
     }
 
-    /// Whether the bodies in two slots may come much nearer within a step, if so in each of its substeps within a time, s.
-    fn may_come_much_nearer(&self, slots: [u32; 2], time: f32) -> bool {
+    /// Whether the bodies in two slots, in these states, may come much nearer within a step, if so in each of its substeps
+    /// within a time, s.
+    fn may_come_much_nearer(&self, slots: [u32; 2], states: &[BodyState; 2], time: f32) -> bool {
         let motions = slots.map(|slot| &self.bodies.motions[slot as usize]);
-        let states = self.states(motions.map(|motion| motion.row));
         let rim_speeds = [0, 1].map(|index| {
             let extent = if motions[index].is_round { 0.0 } else { motions[index].extent };
             states[index].angular_velocity.abs() * extent

@@ -7,7 +7,7 @@ use clap::{Args, Parser, Subcommand};
 
 use crate::engine::Engine;
 use crate::speed::{self, scenes};
-use crate::{check, engines, error, footprint, problems, stability};
+use crate::{check, continuous, engines, error, footprint, problems, stability};
 
 /// rustycs beside Box2D and Rapier.
 #[derive(Debug, Parser)]
@@ -31,6 +31,9 @@ enum Command {
     /// Plays stiff and extreme cases in the engines and judges each by statics or a law of conservation. Writes
     /// stability.csv, STABILITY.md and pictures of how the cases end.
     Stability(StabilityOptions),
+    /// Throws bodies at walls, at all speeds, and counts what passes. Writes continuous.csv, CONTINUOUS.md and a map for each
+    /// engine.
+    Continuous(ContinuousOptions),
     /// Counts instructions, memory, allocations, and what it takes to build a small program. Writes FOOTPRINT.md.
     Footprint(FootprintOptions),
 }
@@ -125,6 +128,21 @@ pub(crate) struct StabilityOptions {
     pub(crate) shared: SharedOptions,
 }
 
+/// Options of the command `continuous`.
+#[derive(Args, Clone, Debug, Default)]
+pub(crate) struct ContinuousOptions {
+    /// Runs a tenth of the trials.
+    #[arg(long)]
+    pub(crate) quick: bool,
+
+    /// What to throw: names, or how they begin (`spinning` for all that spins).
+    #[arg(long, value_name = "NAME,...", value_delimiter = ',')]
+    pub(crate) only: Vec<String>,
+
+    #[command(flatten)]
+    pub(crate) shared: SharedOptions,
+}
+
 /// Whether something by this name is asked for, by one of these beginnings of names or, where there are none, as one of
 /// all.
 pub(crate) fn is_asked_for(only: &[String], name: &str) -> bool {
@@ -192,6 +210,7 @@ pub(crate) fn run() -> ExitCode {
         Command::Error(options) => error::run(&options),
         Command::Speed(options) => speed::run(&options),
         Command::Stability(options) => stability::run(&options),
+        Command::Continuous(options) => continuous::run(&options),
         Command::Footprint(options) => footprint::run(&options),
     }
 }

@@ -11,11 +11,13 @@ pub(crate) struct Contestant {
 }
 
 impl Contestant {
+    pub(crate) fn new(engine: Box<dyn Engine>) -> Self {
+        Self { behaviour: fingerprint::of(engine.as_ref()), engine }
+    }
+
     /// All engines, in the order of tables.
     pub(crate) fn all() -> Vec<Self> {
-        let contestant =
-            |engine: Box<dyn Engine>| Self { behaviour: fingerprint::of(engine.as_ref()), engine };
-        engines::all().into_iter().map(contestant).collect()
+        engines::all().into_iter().map(Self::new).collect()
     }
 
     /// Whether a row of an engine with this name, version and behaviour is its own.

@@ -4,6 +4,7 @@ mod check;
 mod cli;
 mod command;
 mod contestant;
+mod continuous;
 mod engines;
 mod error;
 mod fingerprint;

@@ -268,7 +268,7 @@ impl Continuous {
         if !circles_meet(offset, velocity * (h - from), motions[0].extent + motions[1].extent) {
             return;
         }
-        if !scene.may_come_much_nearer(slots, h - from) && scene.contact_of(slots).is_some() {
+        if !scene.may_come_much_nearer(slots, &pair, h - from) && scene.contact_of(slots).is_some() {
             return;
         }
         self.sweeps_left = self.sweeps_left.saturating_sub(1);

@@ -13,6 +13,8 @@ use crate::scene::{BodySpec, Kind, Outline, Pull, SOFTENING, Scene};
 pub struct Rustycs {
     /// Whether it reads a clock between the stages of a step, which takes time too.
     pub times_stages: bool,
+    /// Whether continuous collision is switched off.
+    pub is_discrete: bool,
 }
 
 /// Seconds since the first call.
@@ -23,7 +25,7 @@ fn clock() -> f64 {
 
 impl Engine for Rustycs {
     fn name(&self) -> &'static str {
-        "rustycs"
+        if self.is_discrete { "rustycs, off" } else { "rustycs" }
     }
 
     fn version(&self) -> String {
@@ -35,6 +37,7 @@ impl Engine for Rustycs {
             tick_rate: fineness.tick_rate as f32,
             substeps: fineness.substeps,
             sleep: scene.sleeps,
+            continuous: !self.is_discrete,
             ..Settings::default()
         };
         let (mut world, bodies) = build(scene, &settings);

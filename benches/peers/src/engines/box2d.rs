@@ -11,12 +11,15 @@ use crate::engine::{Engine, Fineness, Simulation, State};
 use crate::scene::{BodySpec, Kind, Outline, Pull, Scene};
 
 /// Box2D at its defaults, but that everything bounces, however slow.
-#[derive(Debug)]
-pub(crate) struct Box2d;
+#[derive(Debug, Default)]
+pub(crate) struct Box2d {
+    /// Whether all that moves is a bullet.
+    pub(crate) are_bullets: bool,
+}
 
 impl Engine for Box2d {
     fn name(&self) -> &'static str {
-        "Box2D"
+        if self.are_bullets { "Box2D, bullets" } else { "Box2D" }
     }
 
     fn version(&self) -> String {
@@ -28,7 +31,7 @@ impl Engine for Box2d {
     }
 
     fn simulate(&self, scene: &Scene, fineness: Fineness) -> Box<dyn Simulation> {
-        let mut world = Box2dWorld::new(scene, fineness);
+        let mut world = Box2dWorld::new(scene, fineness, self.are_bullets);
         for spec in &scene.bodies {
             world.add(spec);
         }
@@ -152,10 +155,11 @@ struct Box2dWorld {
     dt: f32,
     substeps: c_int,
     pull: Option<Pull>,
+    are_bullets: bool,
 }
 
 impl Box2dWorld {
-    fn new(scene: &Scene, fineness: Fineness) -> Self {
+    fn new(scene: &Scene, fineness: Fineness, are_bullets: bool) -> Self {
         let _only_one = worlds();
         // SAFETY: the definition is Box2D's own with plain numbers changed, and lives through the call.
         let world = unsafe {
@@ -172,6 +176,7 @@ impl Box2dWorld {
             dt: (1.0 / fineness.tick_rate) as f32,
             substeps: fineness.substeps as c_int,
             pull: scene.pull,
+            are_bullets,
         }
     }
 
@@ -191,6 +196,8 @@ impl Box2dWorld {
             definition.linearVelocity = vector(spec.velocity);
             definition.angularVelocity = spec.spin as f32;
             definition.angularDamping = spec.angular_damping as f32;
+            // Bullets do not see each other, and a wall may be one.
+            definition.isBullet = self.are_bullets && spec.kind == Kind::Dynamic;
             let body = ffi::b2CreateBody(self.world, &raw const definition);
 
             let mut surface = ffi::b2DefaultShapeDef();

@@ -25,6 +25,8 @@ mod rapier;
 use rustycs_cases::Rustycs;
 
 use crate::engine::Engine;
+use box2d::Box2d;
+use rapier::Rapier;
 
 pub(crate) use box2d::{LANES as BOX2D_LANES, use_rust_allocator as use_rust_allocator_for_box2d};
 #[cfg(test)]
@@ -32,12 +34,31 @@ pub(crate) use misled::Misled;
 
 /// The engines, in the order of tables.
 pub(crate) fn all() -> Vec<Box<dyn Engine>> {
-    vec![Box::new(Rustycs::default()), Box::new(box2d::Box2d), Box::new(rapier::Rapier)]
+    vec![Box::new(Rustycs::default()), Box::new(Box2d::default()), Box::new(Rapier::default())]
+}
+
+/// The engines, each with and without what it has to sweep bodies: rustycs a setting, the others a flag of bodies.
+pub(crate) fn continuous() -> Vec<Box<dyn Engine>> {
+    let [rustycs, box2d, rapier] =
+        <[Box<dyn Engine>; 3]>::try_from(all()).unwrap_or_else(|_| unreachable!("there are three engines"));
+    vec![
+        rustycs,
+        without_continuous(),
+        box2d,
+        Box::new(Box2d { are_bullets: true }),
+        rapier,
+        Box::new(Rapier { has_ccd: true }),
+    ]
+}
+
+/// rustycs with continuous collision switched off.
+pub(crate) fn without_continuous() -> Box<dyn Engine> {
+    Box::new(Rustycs { is_discrete: true, ..Rustycs::default() })
 }
 
 /// rustycs with a clock between the stages of a step.
 pub(crate) fn with_clock() -> Box<dyn Engine> {
-    Box::new(Rustycs { times_stages: true })
+    Box::new(Rustycs { times_stages: true, ..Rustycs::default() })
 }
 
 /// Whether the engines are built for a fair race.

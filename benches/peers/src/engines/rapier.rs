@@ -6,12 +6,15 @@ use crate::engine::{Engine, Fineness, Simulation, State};
 use crate::scene::{BodySpec, Kind, Outline, Pull, Scene};
 
 /// Rapier at its defaults, with the mixing rules of Box2D.
-#[derive(Debug)]
-pub(crate) struct Rapier;
+#[derive(Debug, Default)]
+pub(crate) struct Rapier {
+    /// Whether all that moves is swept.
+    pub(crate) has_ccd: bool,
+}
 
 impl Engine for Rapier {
     fn name(&self) -> &'static str {
-        "Rapier"
+        if self.has_ccd { "Rapier, CCD" } else { "Rapier" }
     }
 
     fn version(&self) -> String {
@@ -23,7 +26,9 @@ impl Engine for Rapier {
         world.gravity = vector(scene.gravity);
         world.integration_parameters.dt = (1.0 / fineness.tick_rate) as f32;
         world.integration_parameters.num_solver_iterations = fineness.substeps as usize;
-        let insert = |spec| world.insert(body(spec).can_sleep(scene.sleeps), collider(spec)).0;
+        let insert = |spec| {
+            world.insert(body(spec).can_sleep(scene.sleeps).ccd_enabled(self.has_ccd), collider(spec)).0
+        };
         let bodies: Vec<_> = scene.bodies.iter().map(insert).collect();
         // Otherwise they have no mass before the first step.
         for &handle in &bodies {
