@@ -1,0 +1,3 @@
+//! Joints: what they hold, drive and bear, by closed forms.
+
+mod pendulums;
