@@ -180,9 +180,7 @@ impl<'a> JointMut<'a> {
     #[track_caller]
     fn steer(&mut self, change: impl FnOnce(&mut Joint)) {
         if let Err(error) = self.change(change) {
-            if cfg!(debug_assertions) {
-                panic!("{error}");
-            }
+            assert!(!cfg!(debug_assertions), "{error}");
             let refusal = JointRefusal { joint: self.id, error };
             self.world.events.joints_refused_by_edit.push(refusal);
         }
