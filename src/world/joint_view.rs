@@ -180,10 +180,17 @@ impl<'a> JointMut<'a> {
     #[track_caller]
     fn steer(&mut self, change: impl FnOnce(&mut Joint)) {
         if let Err(error) = self.change(change) {
-            assert!(!cfg!(debug_assertions), "{error}");
-            let refusal = JointRefusal { joint: self.id, error };
-            self.world.events.joints_refused_by_edit.push(refusal);
+            self.refuse(error);
         }
+    }
+
+    #[track_caller]
+    #[expect(clippy::manual_assert, reason = "the build decides, not a condition")]
+    fn refuse(&mut self, error: JointError) {
+        if cfg!(debug_assertions) {
+            panic!("{error}");
+        }
+        self.world.events.joints_refused_by_edit.push(JointRefusal { joint: self.id, error });
     }
 
     /// Drives it at a speed, rad/s or m/s, with `max` torque, N m, or force, N, at most.
