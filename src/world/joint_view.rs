@@ -171,8 +171,9 @@ impl<'a> JointMut<'a> {
         if options(&record.description) != options(&joint) {
             record.state.loads = Default::default();
         }
+        let touching_changes = record.description.collide_connected != joint.collide_connected;
         record.description = joint;
-        self.world.joint_changed(self.id);
+        self.world.joint_changed(self.id, touching_changes);
         Ok(())
     }
 

@@ -13,7 +13,7 @@ impl World {
     pub fn add_joint(&mut self, joint: Joint) -> Result<JointId, JointError> {
         self.validate_joint(&joint)?;
         let id = self.joints.insert(joint, &self.bodies);
-        self.joint_changed(id);
+        self.joint_changed(id, true);
         Ok(id)
     }
 
@@ -92,11 +92,13 @@ impl World {
         }
     }
 
-    /// Takes note that a joint is new or another one.
-    pub(in crate::world) fn joint_changed(&mut self, id: JointId) {
+    /// Takes note that a joint is new or another one, and whether its bodies may touch where they did not, or the reverse.
+    pub(in crate::world) fn joint_changed(&mut self, id: JointId, touching_changes: bool) {
         let slots = self.joints.all[id.0.index()].slots();
         self.wake_ends(slots);
-        self.sort_pair_of(slots);
+        if touching_changes {
+            self.sort_pair_of(slots);
+        }
     }
 
     fn wake_ends(&mut self, slots: [u32; 2]) {
