@@ -56,6 +56,10 @@ const REACHED: f64 = 1e-6;
 /// A bounded row is at its bound from this share of it on.
 const AT_BOUND: f64 = 1.0 - 1e-9;
 
+/// A motor yields by this share of what its impulse would do: a limit that it drives against holds, and the motor, of which so
+/// much would be asked, is found to be at its bound. Under a load it is slow by a millionth of what that does in a substep.
+const MOTOR_SOFTNESS: f64 = 1e-6;
+
 /// A spring that turns through more than this angle in a substep, rad, is not followed but damped as the midpoint rule does.
 const FASTEST_FOLLOWED: f64 = 2.0;
 
@@ -123,6 +127,9 @@ impl Row {
         self.j = self.coordinate.jacobian(at);
         self.x = self.coordinate.value(at) - self.zero;
         self.k = a.coupling(self.j[0], self.j[0]) + b.coupling(self.j[1], self.j[1]);
+        if let Role::Speed { .. } = self.role {
+            self.softness = MOTOR_SOFTNESS * self.k;
+        }
         if phase == Phase::Push {
             self.pushed = 0.0;
             self.impulse = self.load * times.kick;
@@ -188,7 +195,10 @@ impl Row {
                 let w = if is_push { u + self.bias + self.softness * self.impulse } else { 0.0 };
                 (w, is_push && self.is_inside(max * times.kick, w))
             }
-            Role::Speed { speed, max } => (u - speed, self.is_inside(max * times.kick, u - speed)),
+            Role::Speed { speed, max } => {
+                let w = u - speed + self.softness * self.impulse;
+                (w, self.is_inside(max * times.kick, w))
+            }
         };
         self.is_free &= self.k > 0.0;
     }
