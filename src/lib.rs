@@ -53,6 +53,7 @@
 //! | 0 | `store` | generational ids, slots, bit set, pair set |
 //! | 0 | `compute` | numbers in lanes (scalar, SSE2, NEON, AVX2, AVX-512), the width chosen at run time, the hot rows of bodies, threads |
 //! | 1 | [`shape`] | circle, boxes, convex polygon; mass, rays, points |
+//! | 2 | [`joint`] | description of joints, and how they are kept |
 //! | 2 | [`body`] | description, material, role, and how many bodies are kept |
 //! | 3 | [`collision`] | broad phase, detection, manifolds, contacts |
 //! | 4 | `resolution` | the solver: substeps, constraint graph, contact kernel, direct solve, impacts, islands |
@@ -106,6 +107,7 @@ pub mod body;
 pub mod collision;
 #[allow(unsafe_code)]
 pub(crate) mod compute;
+pub mod joint;
 pub mod math;
 #[cfg(feature = "report")]
 pub mod report;
@@ -118,13 +120,14 @@ pub mod world;
 
 pub use body::{Body, BodyError, BodyId, BodyType, Filter, Material, Mix};
 pub use collision::{FeatureId, Manifold, ManifoldPoint};
+pub use joint::{Joint, JointError, JointId, JointKind};
 pub use math::{Aabb, Point, Pose, Rot, Vec2};
 pub use shape::{Shape, ShapeError};
 pub use world::{
     Attractor, AttractorError, AttractorId, BodyMut, BodyRef, Clock, ClosestHit, ContactEvent, ContactRef,
-    Counters, Events, Force, ForceError, ForceId, HitEvent, Lanes, PositionCorrection, Profile, QueryFilter,
-    RayHit, Refusal, SensorEvent, Settings, SettingsError, ShapeHit, Stage, StageReport, StepError, Tier,
-    World,
+    Counters, Events, Force, ForceError, ForceId, HitEvent, JointGap, JointMut, JointRef, JointRefusal,
+    Lanes, PositionCorrection, Profile, QueryFilter, RayHit, Refusal, SensorEvent, Settings, SettingsError,
+    ShapeHit, Stage, StageReport, StepError, Tier, World,
 };
 
 /// Everything a program needs by name.
@@ -132,9 +135,10 @@ pub mod prelude {
     pub use crate::{
         Aabb, Attractor, AttractorError, AttractorId, Body, BodyError, BodyId, BodyMut, BodyRef, BodyType,
         Clock, ClosestHit, ContactEvent, ContactRef, Counters, Events, FeatureId, Filter, Force, ForceError,
-        ForceId, HitEvent, Lanes, Manifold, ManifoldPoint, Material, Mix, Point, Pose, PositionCorrection,
-        Profile, QueryFilter, RayHit, Refusal, Rot, SensorEvent, Settings, SettingsError, Shape, ShapeError,
-        ShapeHit, Stage, StageReport, StepError, Tier, Vec2, World, collision,
+        ForceId, HitEvent, Joint, JointError, JointGap, JointId, JointKind, JointMut, JointRef, Lanes,
+        Manifold, ManifoldPoint, Material, Mix, Point, Pose, PositionCorrection, Profile, QueryFilter,
+        RayHit, Refusal, Rot, SensorEvent, Settings, SettingsError, Shape, ShapeError, ShapeHit, Stage,
+        StageReport, StepError, Tier, Vec2, World, collision,
     };
 }
 

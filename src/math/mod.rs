@@ -18,4 +18,5 @@ pub use point::Point;
 pub use pose::Pose;
 pub(crate) use reach::{Opposite, Reach};
 pub use rot::Rot;
+pub(crate) use trig::{atan2_f64, sin_cos_of_small};
 pub use vec2::Vec2;

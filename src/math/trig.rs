@@ -52,7 +52,11 @@ where
 
 /// Angle of the vector (x, y), rad, in (-π, π]; 0 for the zero vector.
 pub fn atan2(y: f32, x: f32) -> f32 {
-    let (y, x) = (f64::from(y), f64::from(x));
+    atan2_f64(f64::from(y), f64::from(x)) as f32
+}
+
+/// The same, to 10⁻¹⁰ rad.
+pub(crate) fn atan2_f64(y: f64, x: f64) -> f64 {
     let (small, large) = if y.abs() < x.abs() { (y.abs(), x.abs()) } else { (x.abs(), y.abs()) };
     if large == 0.0 || !large.is_finite() {
         return 0.0;
@@ -64,7 +68,7 @@ pub fn atan2(y: f32, x: f32) -> f32 {
     if x < 0.0 {
         angle = PI - angle;
     }
-    (if y < 0.0 { -angle } else { angle }) as f32
+    if y < 0.0 { -angle } else { angle }
 }
 
 /// Arc tangent for t in [0, 1].

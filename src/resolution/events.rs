@@ -17,6 +17,7 @@ use crate::body::{Bodies, Mixes};
 use crate::collision::broad_phase::BroadPhase;
 use crate::collision::{Contacts, OneWay, is_on_free_side};
 use crate::compute::BodyState;
+use crate::joint::Joints;
 use crate::math::Vec2;
 use crate::resolution::constraint_graph::{ConstraintGraph, GraphIndex};
 use crate::resolution::events::approach::bounce_threshold;
@@ -39,6 +40,7 @@ const MUCH_NEARER: f32 = 0.25;
 pub(crate) struct EventScene<'a> {
     pub(crate) bodies: &'a mut Bodies,
     pub(crate) contacts: &'a Contacts,
+    pub(crate) joints: &'a Joints,
     pub(crate) broad_phase: &'a BroadPhase,
     pub(crate) mixes: Mixes,
     pub(crate) courses: &'a Courses,

@@ -1,12 +1,13 @@
-//! Islands: dynamic bodies that are connected by contacts with points.
+//! Islands: dynamic bodies that are connected by contacts with points, and by joints.
 //!
 //! Bodies that nothing moves (fixed, kinematic) do not connect: two stacks on one floor are two islands. Tiers, sleep and
 //! [`World::islands`](crate::World::islands) find them by one function, [`find_island`], when they ask about a body: one
 //! under load, one that has come to rest. That takes a look at each contact of the island, twice; nothing is kept from step
 //! to step, and islands that nobody asks about cost nothing.
 
-use crate::body::Bodies;
+use crate::body::{Bodies, NONE};
 use crate::collision::{Contact, Contacts};
+use crate::joint::Joints;
 use crate::store::BitSet;
 
 /// Some islands, each the slots of its bodies.
@@ -46,6 +47,14 @@ impl Islands {
     }
 }
 
+/// What connects bodies.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Connections<'a> {
+    pub(crate) contacts: &'a Contacts,
+    /// None where only contacts are to count.
+    pub(crate) joints: Option<&'a Joints>,
+}
+
 /// Appends the body in `slot` to `island`, and all that contacts connect with it, nearest first; none that was `seen`
 /// before. Calls `look_at` with index and contact of all of theirs, with those between two of them twice.
 pub(crate) fn find_island(
@@ -54,8 +63,21 @@ pub(crate) fn find_island(
     contacts: &Contacts,
     seen: &mut BitSet,
     island: &mut Vec<u32>,
+    look_at: impl FnMut(u32, &Contact),
+) {
+    find_connected(slot, bodies, Connections { contacts, joints: None }, seen, island, look_at);
+}
+
+/// The same with all that joints connect with it, too.
+pub(crate) fn find_connected(
+    slot: u32,
+    bodies: &Bodies,
+    connections: Connections<'_>,
+    seen: &mut BitSet,
+    island: &mut Vec<u32>,
     mut look_at: impl FnMut(u32, &Contact),
 ) {
+    let Connections { contacts, joints } = connections;
     let mut next = island.len();
     if seen.insert(slot) {
         island.push(slot);
@@ -70,6 +92,12 @@ pub(crate) fn find_island(
             look_at(index, contact);
             let other = contact.other(slot);
             if bodies.is_dynamic(other) && seen.insert(other) {
+                island.push(other);
+            }
+        }
+        for index in joints.into_iter().flat_map(|joints| joints.of_body(slot)) {
+            let other = joints.map_or(NONE, |joints| joints.all[index].other(slot));
+            if other != NONE && bodies.is_dynamic(other) && seen.insert(other) {
                 island.push(other);
             }
         }

@@ -13,6 +13,7 @@ mod direct;
 mod events;
 mod integrate;
 mod islands;
+mod joint;
 mod kernel;
 mod load;
 mod moving;
@@ -30,7 +31,7 @@ pub(crate) use constraint::StepResidual;
 pub(crate) use constraint_graph::ConstraintGraph;
 pub(crate) use events::{Encounter, Impact};
 pub(crate) use integrate::SpeedLimits;
-pub(crate) use islands::{Islands, find_island};
+pub(crate) use islands::{Connections, Islands, find_connected};
 #[cfg(feature = "report")]
 pub(crate) use kernel::work_of_a_substep;
 pub(crate) use load::{Loads, begins_at_rest};

@@ -6,6 +6,7 @@ use crate::body::{Bodies, Mixes};
 use crate::collision::Contacts;
 use crate::collision::broad_phase::BroadPhase;
 use crate::compute::{Chosen, Executor};
+use crate::joint::Joints;
 use crate::math::Vec2;
 use crate::resolution::constraint::StepResidual;
 use crate::resolution::constraint_graph::ConstraintGraph;
@@ -15,6 +16,7 @@ use crate::resolution::direct::{Aim, DirectSolver};
 use crate::resolution::events::{Continuous, Courses, EventScene, Impacts, Seams, Strikes};
 use crate::resolution::integrate::{Advance, Kick, Kicks, integrate};
 use crate::resolution::islands::Islands;
+use crate::resolution::joint::JointSolver;
 use crate::resolution::kernel::{WarmStart, WarmStartTime};
 use crate::resolution::load::{LoadMeasure, Loads};
 use crate::resolution::moving::MovingContacts;
@@ -47,6 +49,7 @@ pub(crate) struct Solver {
     moving: MovingContacts,
     seams: Seams,
     direct: DirectSolver,
+    pub(crate) joints: JointSolver,
 }
 
 /// The tables that a step changes.
@@ -56,6 +59,7 @@ pub(crate) struct SolveTables<'a> {
     pub(crate) contacts: &'a mut Contacts,
     pub(crate) graph: &'a mut ConstraintGraph,
     pub(crate) loads: &'a mut Loads,
+    pub(crate) joints: &'a mut Joints,
     pub(crate) broad_phase: &'a BroadPhase,
     pub(crate) mixes: Mixes,
     /// Who does the work.
@@ -68,12 +72,14 @@ pub(crate) struct SolveTables<'a> {
 /// repeat substeps:
 ///     kick h/2     v += h/2 a(x), and damping
 ///     impacts      what approaches fast enough bounces, each at its time
+///     joints       what they hold is exact after the move
 ///     push         half of the last impulses, and a sweep that pushes overlaps apart; stiff islands are solved directly
 ///     seams        circles that roll onto another piece of ground meet it, each at its time
 ///     continuous   what is off course is swept and meets what is on its way
 ///     drift h      x += h v
 ///     kick h/2     v += h/2 a(x), and damping
 ///     refresh      contacts of circles and loaded corners follow the surface
+///     joints       and does not part there
 ///     relax        the other half of the last impulses, and a sweep without bias, with friction; or directly
 /// project          in the classic scheme: overlaps are parted by moving bodies
 /// ```
@@ -144,6 +150,9 @@ impl Solver {
         let h = scheme.substep_time();
         self.seams.hold_back(tables.graph, &tables.bodies.states, h);
         warm_start(WarmStartTime::BeforeMove, scheme, tables);
+        if !self.joints.is_empty() {
+            self.joints.push(scheme, &mut tables.bodies.states);
+        }
         let (graph, states) = (&mut *tables.graph, &mut tables.bodies.states);
         let sweep = scheme.sweep_over(scheme.main_sweep(), has_moved);
         for _ in 0..scheme.iterations {
@@ -168,6 +177,9 @@ impl Solver {
     fn relax(&mut self, scheme: &Scheme, tables: &mut SolveTables<'_>) {
         if scheme.split_kick && scheme.warm_starting {
             warm_start(WarmStartTime::AfterMove, scheme, tables);
+        }
+        if !self.joints.is_empty() {
+            self.joints.relax(scheme, &mut tables.bodies.states);
         }
         let (graph, states) = (&mut *tables.graph, &mut tables.bodies.states);
         for iteration in 0..scheme.relax_iterations {
@@ -194,6 +206,7 @@ impl Solver {
         self.prepare_kicks(scheme, tables, acceleration);
         self.courses.begin(tables.bodies, scheme.dt, scheme.continuous);
         self.continuous.clear();
+        self.joints.prepare(tables.joints, tables.bodies);
         let SolveTables { bodies, contacts, graph, executor, .. } = &mut *tables;
         let from = Beginning { contacts, bodies, dt: scheme.dt };
         graph.prepare(*executor, from);
@@ -279,8 +292,9 @@ impl Solver {
     }
 
     /// Writes impulses back into the contacts and compensations back into the bodies.
-    fn finish(&self, scheme: &Scheme, tables: &mut SolveTables<'_>) -> StepResidual {
+    fn finish(&mut self, scheme: &Scheme, tables: &mut SolveTables<'_>) -> StepResidual {
         let rows = 1..tables.bodies.row_count();
+        self.joints.finish(scheme, tables.joints, &tables.bodies.states);
         let SolveTables { bodies, contacts, graph, loads, executor, .. } = tables;
         let measure = LoadMeasure::new(scheme.adapts, 1.0 / scheme.substep_time());
         loads.unsolved.extend(self.direct.unsolved_rows().map(|row| bodies.slot_of_row(row as usize)));
@@ -309,8 +323,19 @@ fn event_scene<'a>(
     courses: &'a Courses,
     strikes: &'a mut Strikes,
 ) -> EventScene<'a> {
-    let SolveTables { bodies, contacts, graph, broad_phase, mixes, .. } = tables;
-    EventScene { bodies, contacts, broad_phase, mixes: *mixes, courses, strikes, kicks, graph, scheme }
+    let SolveTables { bodies, contacts, graph, joints, broad_phase, mixes, .. } = tables;
+    EventScene {
+        bodies,
+        contacts,
+        joints,
+        broad_phase,
+        mixes: *mixes,
+        courses,
+        strikes,
+        kicks,
+        graph,
+        scheme,
+    }
 }
 
 /// One of the warm starts of a substep.

@@ -3,7 +3,7 @@
 //! Each is made by way of the body's description, which is checked as a whole, and so refused as a whole.
 
 use crate::body::{Body, BodyError, BodyId, BodyType, Material};
-use crate::resolution::find_island;
+use crate::resolution::{Connections, find_connected};
 use crate::shape::Shape;
 use crate::store::BitSet;
 use crate::world::{BodyMut, Tier, World};
@@ -143,12 +143,16 @@ impl World {
         }
         let (mut island, bodies) = (Vec::new(), &self.bodies);
         let mut is_moved = false;
-        find_island(slot, bodies, &self.contacts, &mut BitSet::default(), &mut island, |_, contact| {
+        let all = Connections { contacts: &self.contacts, joints: Some(&self.joints) };
+        find_connected(slot, bodies, all, &mut BitSet::default(), &mut island, |_, contact| {
             let moves = |slot: u32| !bodies.is_dynamic(slot) && bodies.state(slot).is_moving();
             is_moved |= contact.slots.into_iter().any(moves);
         });
         // A contact with points wakes what sleeps.
         debug_assert!(island.iter().all(|&slot| bodies.is_awake(slot)), "half an island sleeps");
+        for &slot in &island {
+            is_moved |= self.joints.is_led(slot, bodies);
+        }
         let may_sleep = island.iter().all(|&slot| bodies.motions[slot as usize].may_sleep);
         if is_moved || !may_sleep {
             return false;

@@ -45,6 +45,7 @@ impl World {
         let slot = id.0.index();
         self.wake_slot(slot);
         self.wake_neighbours(slot);
+        self.remove_joints_of(id);
         let contacts: Vec<u32> = self.contacts.of_body(&self.bodies, slot).collect();
         for index in contacts {
             self.end_contact(index);

@@ -1,6 +1,7 @@
 //! What happened in the last step.
 
 use crate::body::{BodyError, BodyId};
+use crate::joint::{JointError, JointId};
 
 /// Two bodies began or ceased to touch.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -63,6 +64,16 @@ pub struct Refusal {
     pub error: BodyError,
 }
 
+/// A change to a joint that was refused, as a game makes them every frame.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct JointRefusal {
+    /// The joint, which is as it was.
+    pub joint: JointId,
+    /// Why.
+    pub error: JointError,
+}
+
 /// What happened in the last [`step`](crate::World::step), or in all ticks of the last
 /// [`advance`](crate::World::advance): slices, valid until the next. Each is sorted by tick, and within a tick by the ids of
 /// the bodies, and so the same in every run.
@@ -74,6 +85,11 @@ pub struct Events {
     pub(crate) sensor_began: Vec<SensorEvent>,
     pub(crate) sensor_ended: Vec<SensorEvent>,
     pub(crate) left: Vec<BodyId>,
+    pub(crate) broken: Vec<JointId>,
+    removed_joints: Vec<JointId>,
+    pub(crate) joints_removed_by_edit: Vec<JointId>,
+    refused_joints: Vec<JointRefusal>,
+    pub(crate) joints_refused_by_edit: Vec<JointRefusal>,
     /// Contacts that ended because of an edit and are still to be reported, by this step or the next.
     pub(crate) ended_by_edit: Vec<ContactEvent>,
     refused: Vec<Refusal>,
@@ -90,6 +106,11 @@ clone_into_buffers!(Events {
     sensor_began,
     sensor_ended,
     left,
+    broken,
+    removed_joints,
+    joints_removed_by_edit,
+    refused_joints,
+    joints_refused_by_edit,
     ended_by_edit,
     refused,
     refused_by_edit,
@@ -134,11 +155,32 @@ impl Events {
         &self.refused
     }
 
+    /// Joints that bore more than they [can](crate::Joint::break_at) and were removed: their ids are stale.
+    pub fn broken(&self) -> &[JointId] {
+        &self.broken
+    }
+
+    /// Joints that were removed with one of their bodies since the step before: their ids are stale.
+    pub fn removed_joints(&self) -> &[JointId] {
+        &self.removed_joints
+    }
+
+    /// What was refused of [`JointMut`](crate::JointMut) since the step before: speeds, forces and targets that are not
+    /// finite or out of range. In a debug build the call panics instead.
+    pub fn refused_joints(&self) -> &[JointRefusal] {
+        &self.refused_joints
+    }
+
     /// Takes out what was reported; what is still to be stays.
     pub(crate) fn take_reported(&mut self) -> Self {
-        let (ended_by_edit, refused_by_edit) =
-            (std::mem::take(&mut self.ended_by_edit), std::mem::take(&mut self.refused_by_edit));
-        std::mem::replace(self, Self { ended_by_edit, refused_by_edit, ..Self::default() })
+        let kept = Self {
+            ended_by_edit: std::mem::take(&mut self.ended_by_edit),
+            refused_by_edit: std::mem::take(&mut self.refused_by_edit),
+            joints_removed_by_edit: std::mem::take(&mut self.joints_removed_by_edit),
+            joints_refused_by_edit: std::mem::take(&mut self.joints_refused_by_edit),
+            ..Self::default()
+        };
+        std::mem::replace(self, kept)
     }
 
     /// Takes note of a change that was refused.
@@ -154,6 +196,9 @@ impl Events {
         self.sensor_began.clear();
         self.sensor_ended.clear();
         self.left.clear();
+        self.broken.clear();
+        self.removed_joints.clear();
+        self.refused_joints.clear();
         self.refused.clear();
     }
 
@@ -163,6 +208,8 @@ impl Events {
         self.tick_begins = [self.began.len(), self.ended.len(), self.hits.len(), sensors[0], sensors[1]];
         self.ended.append(&mut self.ended_by_edit);
         self.refused.append(&mut self.refused_by_edit);
+        self.refused_joints.append(&mut self.joints_refused_by_edit);
+        self.removed_joints.append(&mut self.joints_removed_by_edit);
     }
 
     /// Brings the events of the current tick into an order that does not depend on how it was computed.

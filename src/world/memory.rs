@@ -76,6 +76,7 @@ impl World {
         self.broad_phase.trim(slots);
         self.loads.trim(contacts, slots);
         self.tiers.trim(slots);
+        self.joints.trim(slots);
         self.solver = Solver::default();
         self.new_pairs.clear();
         self.is_close_now.clear();

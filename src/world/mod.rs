@@ -13,6 +13,8 @@ mod events;
 mod force;
 mod hash;
 mod held_forces;
+mod joint_view;
+mod joints;
 mod memory;
 mod profile;
 mod query;
@@ -28,8 +30,9 @@ pub use attractor::{Attractor, AttractorError, AttractorId};
 pub use body_mut::BodyMut;
 pub use body_view::BodyRef;
 pub use contact_view::ContactRef;
-pub use events::{ContactEvent, Events, HitEvent, Refusal, SensorEvent};
+pub use events::{ContactEvent, Events, HitEvent, JointRefusal, Refusal, SensorEvent};
 pub use force::{Force, ForceError, ForceId};
+pub use joint_view::{JointGap, JointMut, JointRef};
 pub use profile::{Clock, Counters, Profile, Stage, StageReport};
 pub use query::{ClosestHit, QueryFilter, RayHit, ShapeHit};
 pub use settings::{PositionCorrection, Settings, SettingsError};
@@ -38,8 +41,9 @@ use crate::body::{Bodies, BodyId};
 use crate::collision::broad_phase::BroadPhase;
 use crate::collision::{CandidatePairs, Contacts};
 use crate::compute::ThreadPool;
+use crate::joint::Joints;
 use crate::math::{Aabb, Vec2};
-use crate::resolution::{ConstraintGraph, Loads, Solver, StepResidual, Tiers, find_island};
+use crate::resolution::{Connections, ConstraintGraph, Loads, Solver, StepResidual, Tiers, find_connected};
 use crate::store::{BitSet, Slots};
 use crate::world::attractor::Field;
 use crate::world::held_forces::{Forced, HeldForces};
@@ -73,6 +77,7 @@ pub struct World {
     broad_phase: BroadPhase,
     candidates: CandidatePairs,
     contacts: Contacts,
+    joints: Joints,
     graph: ConstraintGraph,
     sleepers: Sleepers,
     forces: Slots<Force>,
@@ -120,7 +125,7 @@ pub struct World {
 }
 
 clone_into_buffers!(World {
-    settings, bodies, broad_phase, candidates, contacts, graph, sleepers, forces, acceleration,
+    settings, bodies, broad_phase, candidates, contacts, joints, graph, sleepers, forces, acceleration,
     attractors, tiers, loads, events, sensors, profile, residual, impulses_of, resting, ticks, rate_since,
     is_within_step, unused_time, dropped_time, forced, held_forces, arriving, memory_use
 } scratch {
@@ -170,6 +175,7 @@ impl World {
             broad_phase: BroadPhase::default(),
             candidates: CandidatePairs::default(),
             contacts: Contacts::default(),
+            joints: Joints::default(),
             graph: ConstraintGraph::default(),
             sleepers: Sleepers::default(),
             forces: Slots::default(),
@@ -312,16 +318,17 @@ impl World {
         self.bodies.awake_count()
     }
 
-    /// The islands: groups of dynamic bodies that are connected by contacts with points. Bodies are ordered by their slot,
+    /// The islands: groups of dynamic bodies that are connected by contacts with points, or by joints. Bodies are ordered by their slot,
     /// islands by their lowest slot. Recomputed on each call.
     pub fn islands(&self) -> Vec<Vec<BodyId>> {
         let mut seen = BitSet::default();
         let mut islands = Vec::new();
+        let all = Connections { contacts: &self.contacts, joints: Some(&self.joints) };
         for (key, _) in self.bodies.records.iter() {
             let slot = key.index();
             if self.bodies.is_dynamic(slot) && !seen.contains(slot) {
                 let mut slots = Vec::new();
-                find_island(slot, &self.bodies, &self.contacts, &mut seen, &mut slots, |_, _| ());
+                find_connected(slot, &self.bodies, all, &mut seen, &mut slots, |_, _| ());
                 slots.sort_unstable();
                 islands
                     .push(slots.into_iter().map(|slot| BodyId(self.bodies.records.key_at(slot))).collect());
@@ -352,8 +359,8 @@ impl World {
     }
 
     fn sleep_tables(&mut self) -> (&mut Sleepers, SleepTables<'_>) {
-        let Self { bodies, contacts, graph, tiers, sleepers, .. } = self;
-        (sleepers, SleepTables { bodies, contacts, graph, tiers })
+        let Self { bodies, contacts, joints, graph, tiers, sleepers, .. } = self;
+        (sleepers, SleepTables { bodies, contacts, joints, graph, tiers })
     }
 
     fn wake_slot(&mut self, slot: u32) {

@@ -10,7 +10,8 @@
 
 use crate::body::{Bodies, NONE, RestRule};
 use crate::collision::Contacts;
-use crate::resolution::{ConstraintGraph, Islands, Tiers, find_island};
+use crate::joint::Joints;
+use crate::resolution::{Connections, ConstraintGraph, Islands, Tiers, find_connected};
 use crate::store::{BitSet, Slots};
 
 /// Islands at rest are looked for so many times a second: to look for them in each step takes a tenth of the time of a
@@ -50,6 +51,7 @@ clone_into_buffers!(Sleepers { groups } scratch { seen, island, resting });
 pub(crate) struct SleepTables<'a> {
     pub(crate) bodies: &'a mut Bodies,
     pub(crate) contacts: &'a mut Contacts,
+    pub(crate) joints: &'a Joints,
     pub(crate) graph: &'a mut ConstraintGraph,
     pub(crate) tiers: &'a Tiers,
 }
@@ -125,14 +127,23 @@ impl Sleepers {
         let bodies = &*tables.bodies;
         let (mut rests, mut stands) = (true, false);
         self.island.clear();
-        find_island(slot, bodies, tables.contacts, &mut self.seen, &mut self.island, |_, contact| {
+        let all = Connections { contacts: &*tables.contacts, joints: Some(tables.joints) };
+        find_connected(slot, bodies, all, &mut self.seen, &mut self.island, |_, contact| {
             // What a moving kinematic body touches stays awake.
             let moves = |&slot: &u32| bodies.is_awake(slot) && !tables.is_at_rest(slot, rule);
             rests &= !contact.slots.iter().any(moves);
             stands |= contact.is_loaded() && !contact.slots.iter().all(|&slot| bodies.is_dynamic(slot));
         });
+        // Joints carry as contacts do: what hangs on something that does not move stands.
+        let joints = tables.joints;
+        if joints.len() > 0 {
+            rests &=
+                self.island.iter().all(|&slot| tables.is_at_rest(slot, rule) && !joints.is_led(slot, bodies));
+            stands |= self.island.iter().any(|&slot| joints.holds_to_ground(slot, bodies));
+        }
         let stays = |&slot: &u32| {
-            let is_held = tables.stops_by_itself(slot) || stands && tables.bears_load(slot);
+            let is_held =
+                tables.stops_by_itself(slot) || stands && (tables.bears_load(slot) || joints.hold(slot));
             is_held && !tables.tiers.is_to_change(slot, rule.tick, tables.graph.tier(slot))
         };
         if rests && self.island.iter().all(stays) {
@@ -213,6 +224,8 @@ impl Sleepers {
             .contacts
             .of_body(tables.bodies, slot)
             .map(|index| tables.contacts[index].other(slot))
+            .chain(tables.joints.of_body(slot).map(|index| tables.joints.all[index].other(slot)))
+            .filter(|&other| other != NONE)
             .collect();
         for neighbour in neighbours {
             self.wake(tables, neighbour);

@@ -59,6 +59,7 @@ impl World {
             self.residual = StepResidual::default();
             self.tiers.clear();
             self.solver.impacts.clear();
+            self.solver.joints.forget_broken();
         }
         profile.run_stage(Stage::Pairs, self.broad_phase.moved_count(), || self.find_pairs());
         let pairs = self.candidates.len() + self.contacts.awake().len();
@@ -67,6 +68,7 @@ impl World {
         profile.run_stage(Stage::Finalize, self.bodies.awake_count(), || self.finalize());
         profile.run_stage(Stage::Events, self.changing_count(), || self.report_events());
         self.remove_those_that_left();
+        self.break_joints();
         self.stop_those_that_arrived();
         profile.run_stage(Stage::Sensors, self.sensor_work(), || self.find_sensor_overlaps());
         self.events.sort();
@@ -85,12 +87,13 @@ impl World {
     pub(in crate::world) fn find_pairs(&mut self) {
         // A new body may have the place of one that was removed.
         self.candidates.forget_removed(&mut self.broad_phase);
-        let (bodies, mut pairs) = (&self.bodies, std::mem::take(&mut self.new_pairs));
+        let (bodies, joints, mut pairs) = (&self.bodies, &self.joints, std::mem::take(&mut self.new_pairs));
         let dt = self.settings.tick_seconds() as f32;
         let accept = |slots: [u32; 2], is_fast: [bool; 2]| {
             // Pairs of a fast body that is awake are looked for again in the next step.
             let comes_again = (0..2).any(|index| is_fast[index] && bodies.is_awake(slots[index]));
-            bodies.may_collide(slots[0], slots[1]) && !(comes_again && are_out_of_reach(bodies, slots, dt))
+            let may_meet = bodies.may_collide(slots[0], slots[1]) && !joints.part(slots[0], slots[1]);
+            may_meet && !(comes_again && are_out_of_reach(bodies, slots, dt))
         };
         self.broad_phase.find_pairs(&self.pool, accept, &mut pairs);
         for &(a, b) in &pairs {
@@ -225,7 +228,7 @@ impl World {
         let settings = &self.settings;
         let rule = settings.tier_rule(self.acceleration.length());
         let mixes = settings.mixes();
-        let Self { bodies, contacts, graph, loads, pool, broad_phase, .. } = self;
+        let Self { bodies, contacts, joints, graph, loads, pool, broad_phase, .. } = self;
         self.tiers.decide(self.ticks, rule, loads, TierTables { bodies, contacts, graph });
         loads.clear();
         let field = Field {
@@ -239,7 +242,7 @@ impl World {
             rescale(contacts, bodies, &field, [last, now]);
         }
         let executor = Executor { pool, width: scheme.width };
-        let mut tables = SolveTables { bodies, contacts, graph, loads, broad_phase, mixes, executor };
+        let mut tables = SolveTables { bodies, contacts, graph, loads, joints, broad_phase, mixes, executor };
         self.residual = solve(&mut self.solver, &scheme, &self.tiers.direct, &mut tables, &field);
     }
 

@@ -5,12 +5,13 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// The floors, lowest first; a module imports from its own floor and from those below.
-const FLOORS: [(&str, u32); 10] = [
+const FLOORS: [(&str, u32); 11] = [
     ("math", 0),
     ("store", 0),
     ("compute", 0),
     ("shape", 1),
     ("body", 2),
+    ("joint", 2),
     ("collision", 3),
     ("resolution", 4),
     ("world", 5),

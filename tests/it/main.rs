@@ -10,6 +10,7 @@ mod golden;
 mod house;
 mod interface;
 mod issues;
+mod joints;
 mod lanes;
 mod laws;
 mod motion;

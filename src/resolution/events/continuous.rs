@@ -229,7 +229,8 @@ impl Continuous {
         });
         let is_moved = scene.bodies.states[row as usize].is_moving();
         for other in near.drain(..) {
-            if scene.bodies.may_collide(slot, other) && (is_moved || scene.bodies.is_awake(other)) {
+            let may_meet = scene.bodies.may_collide(slot, other) && !scene.joints.part(slot, other);
+            if may_meet && (is_moved || scene.bodies.is_awake(other)) {
                 self.expect([slot.min(other), slot.max(other)], 0.0, scene);
             }
         }

@@ -1,0 +1,317 @@
+//! The description of a joint.
+
+use core::fmt;
+use core::ops::RangeInclusive;
+
+use crate::body::BodyId;
+use crate::math::{Point, Vec2};
+
+/// What a joint leaves free.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum JointKind {
+    /// Turning about a common point.
+    Revolute,
+    /// Sliding along an axis.
+    Prismatic,
+    /// Everything but the distance of two points.
+    Distance,
+    /// Nothing.
+    Weld,
+    /// Sliding along an axis, and turning.
+    Wheel,
+    /// Everything; a force and a torque of limited strength drive one body to a pose beside the other.
+    Motor,
+    /// Everything; a spring pulls a point of the body to a target.
+    Drag,
+    /// Everything; a force and a torque of limited strength resist motion.
+    Friction,
+    /// Everything but the sum of the two angles, one of them times a ratio.
+    Gear,
+    /// Turning about a common point, but not back over a tooth.
+    Ratchet,
+}
+
+impl fmt::Display for JointKind {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Revolute => "revolute",
+            Self::Prismatic => "prismatic",
+            Self::Distance => "distance",
+            Self::Weld => "weld",
+            Self::Wheel => "wheel",
+            Self::Motor => "motor",
+            Self::Drag => "drag",
+            Self::Friction => "friction",
+            Self::Gear => "gear",
+            Self::Ratchet => "ratchet",
+        })
+    }
+}
+
+/// Drives a coordinate at a speed.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Motor {
+    /// m/s or rad/s.
+    pub(crate) speed: f32,
+    /// Greatest force, N, or torque, N m.
+    pub(crate) max: f32,
+}
+
+/// Pulls a coordinate to its rest.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Spring {
+    /// Frequency without damping, Hz.
+    pub(crate) hertz: f32,
+    /// 0 keeps swinging, 1 comes to rest soonest.
+    pub(crate) damping_ratio: f32,
+}
+
+/// Where the anchors are.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Anchors {
+    /// At the centres of the bodies; of a body and the world, at the centre of the body.
+    Centers,
+    /// Both at one place of the world as it is when the joint is added.
+    At(Point),
+    /// On each body, from its centre, in its own frame; for the world, a place in it.
+    Local(Vec2, Point),
+    /// Body `a` by a place of the world as it is when the joint is added; `b` by another.
+    Between(Point, Point),
+}
+
+/// The description of a joint between two bodies, or a body and the world.
+///
+/// Where `b` is `None`, the body `a` is joined to the world. Angle and translation are those of `b` (or the world) as seen
+/// from `a`, and both are 0 where the bodies are when the joint is added. The bodies do not touch each other unless
+/// [`collide_connected`](Self::collide_connected) says so.
+///
+/// ```
+/// use rustycs::prelude::*;
+///
+/// let mut world = World::new(Settings::default());
+/// world.add_force(Force::EARTH_GRAVITY);
+/// let rod = world.add(Body::dynamic(Shape::obb(1.0, 0.1)).at([0.5, 0.0]))?;
+/// let hinge = world.add_joint(Joint::revolute(rod, None).at([0.0, 0.0]))?;
+/// world.step();
+/// assert!(world.joint(hinge).unwrap().error().distance < 1e-6);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Debug, PartialEq)]
+#[must_use = "a description does nothing until it is added to a world"]
+pub struct Joint {
+    pub(crate) kind: JointKind,
+    pub(crate) a: BodyId,
+    pub(crate) b: Option<BodyId>,
+    pub(crate) anchors: Anchors,
+    pub(crate) axis: Option<Vec2>,
+    pub(crate) limits: Option<[f64; 2]>,
+    pub(crate) motor: Option<Motor>,
+    pub(crate) spring: Option<Spring>,
+    /// Of a distance joint: the length, or the rest of its spring, m; `None` for the distance of the anchors.
+    pub(crate) length: Option<f32>,
+    /// Where the spring is at rest: an angle, rad, or a translation, m.
+    pub(crate) rest: f64,
+    /// Of a drag joint, where its spring is at rest; of a motor joint, the offset of the anchors in the frame of the world, m.
+    pub(crate) target: Option<Point>,
+    pub(crate) max_force: Option<f32>,
+    pub(crate) max_torque: Option<f32>,
+    /// Gear: how far `a` turns back for a turn of `b`. Ratchet: the angle of a tooth, rad.
+    pub(crate) ratio: f64,
+    pub(crate) breaks_at: Option<[f32; 2]>,
+    pub(crate) collide_connected: bool,
+    pub(crate) enabled: bool,
+    pub(crate) user_data: u64,
+}
+
+/// Stiffness of the spring of a motor or drag joint that is not given one: 5 Hz follows a hand within a tenth of a second, and is
+/// critically damped.
+const USUAL_SPRING: Spring = Spring { hertz: 5.0, damping_ratio: 1.0 };
+
+impl Joint {
+    fn new(kind: JointKind, a: BodyId, b: Option<BodyId>) -> Self {
+        Self {
+            kind,
+            a,
+            b,
+            anchors: Anchors::Centers,
+            axis: None,
+            limits: None,
+            motor: None,
+            spring: None,
+            length: None,
+            rest: 0.0,
+            target: None,
+            max_force: None,
+            max_torque: None,
+            ratio: 1.0,
+            breaks_at: None,
+            collide_connected: false,
+            enabled: true,
+            user_data: 0,
+        }
+    }
+
+    /// A hinge. It takes limits, a motor and a spring, of the angle.
+    pub fn revolute(a: BodyId, b: impl Into<Option<BodyId>>) -> Self {
+        Self::new(JointKind::Revolute, a, b.into())
+    }
+
+    /// A slide along an [axis](Self::axis) of `a`. It takes limits, a motor and a spring, of the translation.
+    pub fn prismatic(a: BodyId, b: impl Into<Option<BodyId>>) -> Self {
+        Self::new(JointKind::Prismatic, a, b.into())
+    }
+
+    /// A rod between two anchors; with a spring or limits, a spring, or a rope between a shortest and a longest
+    /// length. It takes a motor, of the distance.
+    pub fn distance(a: BodyId, b: impl Into<Option<BodyId>>) -> Self {
+        Self::new(JointKind::Distance, a, b.into())
+    }
+
+    /// A rope between two anchors, as long as they are apart unless [`max_length`](Self::max_length) says otherwise.
+    pub fn rope(a: BodyId, b: impl Into<Option<BodyId>>) -> Self {
+        Self { limits: Some([0.0, f64::INFINITY]), ..Self::distance(a, b) }
+    }
+
+    /// Two bodies as one; with a spring, a soft one.
+    pub fn weld(a: BodyId, b: impl Into<Option<BodyId>>) -> Self {
+        Self::new(JointKind::Weld, a, b.into())
+    }
+
+    /// A wheel `b` on a car `a`: it slides along an [axis](Self::axis) of `a`, and turns. It takes a
+    /// [`suspension`](Self::suspension) and a [`travel`](Self::travel), along the axis, and a motor, of the angle.
+    pub fn wheel(a: BodyId, b: impl Into<Option<BodyId>>) -> Self {
+        Self::new(JointKind::Wheel, a, b.into())
+    }
+
+    /// Drives `b` to a pose beside `a`: that which it has when the joint is added, until it gets another target.
+    pub fn motor_to(a: BodyId, b: impl Into<Option<BodyId>>) -> Self {
+        Self { spring: Some(USUAL_SPRING), ..Self::new(JointKind::Motor, a, b.into()) }
+    }
+
+    /// Pulls the point of a body that is at `at` to a [target](Self::target), which is `at` until another is given.
+    pub fn drag(body: BodyId, at: impl Into<Point>) -> Self {
+        let joint = Self::new(JointKind::Drag, body, None);
+        Self { anchors: Anchors::At(at.into()), spring: Some(USUAL_SPRING), ..joint }
+    }
+
+    /// Resists motion of two bodies against each other with [`max_force`](Self::max_force) and
+    /// [`max_torque`](Self::max_torque) at most: as on a table that is seen from above.
+    pub fn friction(a: BodyId, b: impl Into<Option<BodyId>>) -> Self {
+        Self::new(JointKind::Friction, a, b.into())
+    }
+
+    /// Couples the angles of two bodies, each held by a joint of its own: `a` turns by `-ratio` times what `b` turns.
+    pub fn gear(a: BodyId, b: BodyId, ratio: f64) -> Self {
+        Self { ratio, ..Self::new(JointKind::Gear, a, Some(b)) }
+    }
+
+    /// A hinge that turns to greater angles only, and back no farther than to the last multiple of `tooth`, rad.
+    pub fn ratchet(a: BodyId, b: impl Into<Option<BodyId>>, tooth: f64) -> Self {
+        Self { ratio: tooth, ..Self::new(JointKind::Ratchet, a, b.into()) }
+    }
+
+    /// Both anchors at one place of the world, m, as it is when the joint is added.
+    pub fn at(self, place: impl Into<Point>) -> Self {
+        Self { anchors: Anchors::At(place.into()), ..self }
+    }
+
+    /// The anchors on each body, m, from its centre and in its own frame; where there is no `b`, a place of the world.
+    pub fn local_anchors(self, a: impl Into<Vec2>, b: impl Into<Point>) -> Self {
+        Self { anchors: Anchors::Local(a.into(), b.into()), ..self }
+    }
+
+    /// The same as [`local_anchors`](Self::local_anchors).
+    pub fn anchors(self, a: impl Into<Vec2>, b: impl Into<Point>) -> Self {
+        self.local_anchors(a, b)
+    }
+
+    /// The anchor of each body at a place of the world, m, as it is when the joint is added.
+    pub fn between(self, a: impl Into<Point>, b: impl Into<Point>) -> Self {
+        Self { anchors: Anchors::Between(a.into(), b.into()), ..self }
+    }
+
+    /// The axis along which a prismatic or wheel joint slides, in the frame of the world when the joint is added; it turns with
+    /// `a`. Its length does not matter. Along x unless said; of wheels, along y.
+    pub fn axis(self, axis: impl Into<Vec2>) -> Self {
+        Self { axis: Some(axis.into()), ..self }
+    }
+
+    /// From where to where the angle (rad, of any number of turns), the translation or the distance (m) may go.
+    pub fn limits(self, range: RangeInclusive<impl Into<f64> + Copy>) -> Self {
+        Self { limits: Some([(*range.start()).into(), (*range.end()).into()]), ..self }
+    }
+
+    /// How far a wheel may move along the axis, m.
+    pub fn travel(self, range: RangeInclusive<impl Into<f64> + Copy>) -> Self {
+        self.limits(range)
+    }
+
+    /// The longest distance of the anchors, m.
+    pub fn max_length(self, length: f32) -> Self {
+        Self { limits: Some([0.0, f64::from(length)]), ..self }
+    }
+
+    /// Drives the angle (rad/s, N m) or the translation (m/s, N) at a speed, with `max` torque or force at most, which may be
+    /// infinite.
+    pub fn motor(self, speed: f32, max: f32) -> Self {
+        Self { motor: Some(Motor { speed, max }), ..self }
+    }
+
+    /// A spring by its frequency, Hz, and damping ratio: 0 swings for ever, 1 comes to rest soonest. The frequency is that of
+    /// the two masses on it, or their moments of inertia, about their centres; other joints slow it.
+    pub fn spring(self, hertz: f32, damping_ratio: f32) -> Self {
+        Self { spring: Some(Spring { hertz, damping_ratio }), ..self }
+    }
+
+    /// The spring of a wheel along its axis: frequency, Hz, and damping ratio.
+    pub fn suspension(self, hertz: f32, damping_ratio: f32) -> Self {
+        self.spring(hertz, damping_ratio)
+    }
+
+    /// Where the spring of the angle (rad) or the translation (m) is at rest. 0 unless said.
+    pub fn rest(self, rest: f64) -> Self {
+        Self { rest, ..self }
+    }
+
+    /// The length of a distance joint, or that at which its spring is at rest, m.
+    pub fn length(self, length: f32) -> Self {
+        Self { length: Some(length), ..self }
+    }
+
+    /// Where a drag joint pulls to, m.
+    pub fn target(self, target: impl Into<Point>) -> Self {
+        Self { target: Some(target.into()), ..self }
+    }
+
+    /// The greatest force of a drag, motor or friction joint, N.
+    pub fn max_force(self, force: f32) -> Self {
+        Self { max_force: Some(force), ..self }
+    }
+
+    /// The greatest torque of a motor or friction joint, N m.
+    pub fn max_torque(self, torque: f32) -> Self {
+        Self { max_torque: Some(torque), ..self }
+    }
+
+    /// Breaks where its force (N) or torque (N m) is greater in a step: the joint is removed and
+    /// [reported](crate::Events::broken). Either may be infinite.
+    pub fn break_at(self, force: f32, torque: f32) -> Self {
+        Self { breaks_at: Some([force, torque]), ..self }
+    }
+
+    /// Whether the two bodies touch each other. They do not unless said.
+    pub fn collide_connected(self, collide: bool) -> Self {
+        Self { collide_connected: collide, ..self }
+    }
+
+    /// Whether it acts. It does unless said.
+    pub fn enabled(self, enabled: bool) -> Self {
+        Self { enabled, ..self }
+    }
+
+    /// A number of the caller's, which the world keeps with the joint.
+    pub fn user_data(self, user_data: u64) -> Self {
+        Self { user_data, ..self }
+    }
+}

@@ -1,0 +1,83 @@
+//! Why a joint was refused.
+
+use core::fmt;
+
+use crate::body::Number;
+use crate::joint::JointKind;
+
+/// Why a joint, or a change to one, was refused. The world is as it was before.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum JointError {
+    /// A body of the joint has been removed.
+    NoBody {
+        /// Which of its bodies: "first" or "second".
+        which: &'static str,
+    },
+    /// Both bodies are one and the same.
+    SameBody,
+    /// The lower limit is above the upper one.
+    LimitsCrossed {
+        /// The lower limit, m or rad.
+        lower: f64,
+        /// The upper limit, m or rad.
+        upper: f64,
+    },
+    /// The kind has no such option.
+    NoSuchOption {
+        /// What kind of joint it is.
+        kind: JointKind,
+        /// What was given.
+        option: &'static str,
+    },
+    /// The axis has no direction.
+    NoAxis,
+    /// A quantity is NaN, infinite, or outside the range that the engine can compute with.
+    OutOfRange {
+        /// What was given.
+        quantity: &'static str,
+        /// The number given.
+        value: f64,
+        /// Smallest number allowed.
+        min: f64,
+        /// Largest number allowed.
+        max: f64,
+        /// Unit of the three numbers; empty for a number without one.
+        unit: &'static str,
+    },
+}
+
+impl fmt::Display for JointError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::NoBody { which } => {
+                write!(f, "the {which} body of the joint has been removed; give the id of one that is there")
+            }
+            Self::SameBody => {
+                f.write_str("a joint cannot join a body to itself; give two bodies, or None for the world")
+            }
+            Self::LimitsCrossed { lower, upper } => write!(
+                f,
+                "the lower limit {} is above the upper limit {}; exchange them",
+                Number(*lower),
+                Number(*upper)
+            ),
+            Self::NoSuchOption { kind, option } => {
+                write!(f, "a {kind} joint has no {option}; leave it out, or take another kind of joint")
+            }
+            Self::NoAxis => {
+                f.write_str("the axis has no direction; give a vector that is finite and not zero")
+            }
+            Self::OutOfRange { quantity, value, min, max, unit } => {
+                let [value, min, max] = [*value, *min, *max].map(Number);
+                let space = if unit.is_empty() { "" } else { " " };
+                write!(
+                    f,
+                    "{quantity} is {value}{space}{unit}; give a finite number from {min} to {max}{space}{unit}"
+                )
+            }
+        }
+    }
+}
+
+impl std::error::Error for JointError {}

@@ -1,0 +1,206 @@
+//! Where a joint is, and its coordinates: what a row measures, and by which forces it acts.
+//!
+//! All in `f64`: a joint is solved by itself, not in lanes, and long chains with heavy ends need the digits.
+
+use crate::math::{atan2_f64, sin_cos_of_small};
+
+/// A vector, m.
+pub(super) type V2 = [f64; 2];
+/// Along x, along y, and turning: a velocity (m/s, rad/s), or the impulse of a row per unit.
+pub(super) type V3 = [f64; 3];
+
+pub(super) const TURN: f64 = core::f64::consts::TAU;
+
+#[inline(always)]
+pub(super) fn add(a: V2, b: V2) -> V2 {
+    [a[0] + b[0], a[1] + b[1]]
+}
+
+#[inline(always)]
+pub(super) fn sub(a: V2, b: V2) -> V2 {
+    [a[0] - b[0], a[1] - b[1]]
+}
+
+#[inline(always)]
+pub(super) fn dot(a: V2, b: V2) -> f64 {
+    a[0] * b[0] + a[1] * b[1]
+}
+
+#[inline(always)]
+pub(super) fn cross(a: V2, b: V2) -> f64 {
+    a[0] * b[1] - a[1] * b[0]
+}
+
+#[inline(always)]
+pub(super) fn perp(a: V2) -> V2 {
+    [-a[1], a[0]]
+}
+
+/// `v` turned by the rotation (cos, sin).
+#[inline(always)]
+pub(super) fn rotate(q: V2, v: V2) -> V2 {
+    [q[0] * v[0] - q[1] * v[1], q[1] * v[0] + q[0] * v[1]]
+}
+
+/// (cos, sin) of an angle, rad: of a small one by its series, of a greater one by doubling that of a part.
+pub(super) fn rotation(angle: f64) -> V2 {
+    let (mut part, mut doublings) = (angle, 0);
+    while part.abs() > core::f64::consts::FRAC_PI_4 && doublings < 40 {
+        part *= 0.5;
+        doublings += 1;
+    }
+    let (sin, cos) = sin_cos_of_small(part);
+    let mut q = [cos, sin];
+    for _ in 0..doublings {
+        q = rotate(q, q);
+    }
+    q
+}
+
+/// A body of a joint: its velocity, and how far it has moved since the step began.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct JointBody {
+    /// Its row among the states.
+    pub(super) row: u32,
+    pub(super) inverse_mass: f64,
+    pub(super) inverse_inertia: f64,
+    pub(super) velocity: V3,
+    pub(super) shift: V2,
+    /// (cos, sin).
+    pub(super) turn: V2,
+    /// The same as an angle of any number of turns, rad.
+    pub(super) angle: f64,
+}
+
+impl JointBody {
+    /// Velocity from an impulse of `amount` along `j`.
+    #[inline(always)]
+    pub(super) fn push(&mut self, j: V3, amount: f64) {
+        self.velocity[0] += self.inverse_mass * j[0] * amount;
+        self.velocity[1] += self.inverse_mass * j[1] * amount;
+        self.velocity[2] += self.inverse_inertia * j[2] * amount;
+    }
+
+    /// What an impulse along `k` does to the speed along `j`.
+    #[inline(always)]
+    pub(super) fn coupling(&self, j: V3, k: V3) -> f64 {
+        self.inverse_mass * (j[0] * k[0] + j[1] * k[1]) + self.inverse_inertia * j[2] * k[2]
+    }
+
+    /// Where it will be after a drift of `h`, s.
+    pub(super) fn after(&self, h: f64) -> Self {
+        let [x, y, w] = self.velocity;
+        Self {
+            shift: add(self.shift, [h * x, h * y]),
+            turn: rotate(rotation(h * w), self.turn),
+            angle: self.angle + h * w,
+            ..*self
+        }
+    }
+
+    /// The angle by which it has turned, found anew from its rotation: of all that this may be, the one nearest to `angle`.
+    pub(super) fn unwrap_angle(&mut self, near: f64) {
+        self.angle = nearest(atan2_f64(self.turn[1], self.turn[0]), near);
+    }
+}
+
+/// Of the angles that are `angle` but for whole turns, the one nearest to `near`, rad.
+pub(super) fn nearest(angle: f64, near: f64) -> f64 {
+    angle + TURN * ((near - angle) / TURN).round()
+}
+
+/// What a joint is like when the step begins.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Base {
+    /// From the anchor on a to the one on b, m.
+    pub(super) gap: V2,
+    /// From the centres to the anchors, m.
+    pub(super) r_a: V2,
+    pub(super) r_b: V2,
+    pub(super) axis: V2,
+    /// Angles of a and b since the joint was added, rad, each of any number of turns.
+    pub(super) angles: V2,
+}
+
+/// What it is like now, or will be.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Geometry {
+    gap: V2,
+    r_a: V2,
+    r_b: V2,
+    axis: V2,
+    angles: V2,
+}
+
+impl Base {
+    /// The geometry where its bodies are.
+    pub(super) fn at(&self, a: &JointBody, b: &JointBody) -> Geometry {
+        let (r_a, r_b) = (rotate(a.turn, self.r_a), rotate(b.turn, self.r_b));
+        let (moved_a, moved_b) = (add(a.shift, sub(r_a, self.r_a)), add(b.shift, sub(r_b, self.r_b)));
+        Geometry {
+            gap: add(self.gap, sub(moved_b, moved_a)),
+            r_a,
+            r_b,
+            axis: rotate(a.turn, self.axis),
+            angles: [self.angles[0] + a.angle, self.angles[1] + b.angle],
+        }
+    }
+}
+
+/// What a row measures.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Coordinate {
+    /// The gap of the anchors along x, or y, of the world.
+    X,
+    Y,
+    /// The gap along the axis, or across it.
+    Along,
+    Across,
+    /// The distance of the anchors.
+    Distance,
+    /// The angle of b from a.
+    Angle,
+    /// The angle of a and a ratio times that of b.
+    Gear(f64),
+}
+
+impl Coordinate {
+    /// Whether it is an angle, and not a length.
+    pub(super) fn is_angle(self) -> bool {
+        matches!(self, Self::Angle | Self::Gear(_))
+    }
+
+    /// What it is, m or rad.
+    pub(super) fn value(self, at: &Geometry) -> f64 {
+        match self {
+            Self::X => at.gap[0],
+            Self::Y => at.gap[1],
+            Self::Along => dot(at.axis, at.gap),
+            Self::Across => cross(at.axis, at.gap),
+            Self::Distance => dot(at.gap, at.gap).sqrt(),
+            Self::Angle => at.angles[1] - at.angles[0],
+            Self::Gear(ratio) => at.angles[0] + ratio * at.angles[1],
+        }
+    }
+
+    /// Its Jacobian: how fast it grows with the velocities of a and of b.
+    pub(super) fn jacobian(self, at: &Geometry) -> [V3; 2] {
+        // d/dt (u · gap) = u · (v_b + w_b × r_b - v_a - w_a × r_a); where u turns with a, r_a ends at the anchor of b.
+        let along = |u: V2, r_a: V2| [[-u[0], -u[1], -cross(r_a, u)], [u[0], u[1], cross(at.r_b, u)]];
+        match self {
+            Self::X => along([1.0, 0.0], at.r_a),
+            Self::Y => along([0.0, 1.0], at.r_a),
+            Self::Along => along(at.axis, add(at.r_a, at.gap)),
+            Self::Across => along(perp(at.axis), add(at.r_a, at.gap)),
+            Self::Distance => {
+                let distance = self.value(at);
+                // Two anchors in one place: any direction serves.
+                let u =
+                    if distance > 0.0 { [at.gap[0] / distance, at.gap[1] / distance] } else { [0.0, 1.0] };
+                along(u, at.r_a)
+            }
+            Self::Angle => [[0.0, 0.0, -1.0], [0.0, 0.0, 1.0]],
+            Self::Gear(ratio) => [[0.0, 0.0, 1.0], [0.0, 0.0, ratio]],
+        }
+    }
+}

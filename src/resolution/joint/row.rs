@@ -1,0 +1,307 @@
+//! A row: a coordinate of a joint, and what is asked of it.
+//!
+//! ```text
+//! C(x) = 0 or ≥ 0        constraint on the coordinate x
+//! u = J v                how fast it changes
+//! J M⁻¹ Jᵀ p             what the impulse p does to u
+//! push                   C(x after the drift) = 0: the rotation is exact, and nothing is left for later
+//! relax                  u = 0, where the bodies are then
+//! ```
+//!
+//! Push and relax with the geometry of their moments are RATTLE (H. Andersen, 1983): second order, and of an energy that
+//! does not drift. A spring acts by the implicit midpoint rule: the impulse p = -h/2 (k (x + h u/2) + c u) before the drift, and
+//! the same after it. Its k and c are such that a free spring has the poles of the exact one (A. Tustin, 1947): an undamped one
+//! keeps its energy and its time, a damped one decays by its closed form.
+
+use crate::resolution::joint::geometry::{Coordinate, Geometry, JointBody, V3, rotation};
+
+/// What is asked of a coordinate.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Role {
+    /// To be 0.
+    Rigid,
+    /// To be within limits.
+    Limits([f64; 2]),
+    /// To be pulled to `rest` by the stiffness k, N/m or N m/rad, damped by c, N s/m or N m s/rad, with `max` at most.
+    Spring { k: f64, c: f64, rest: f64, max: f64 },
+    /// To change at `speed`, with a force or torque of `max` at most.
+    Speed { speed: f64, max: f64 },
+}
+
+/// Half of a substep.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Phase {
+    /// Before the drift.
+    Push,
+    /// After it.
+    Relax,
+}
+
+/// Times of a substep.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Times {
+    /// Length of the substep, s.
+    pub(super) h: f64,
+    /// How long the forces of a phase act, s.
+    pub(super) kick: f64,
+}
+
+/// Angles, rad, and lengths, by the lever arms of the joint, up to which a row is where it should be: below, the poses of
+/// bodies, in `f32`, are not known.
+const EXACT: f64 = 1e-8;
+
+/// A limit is reached within so much of it, as above: some hundred times what is left of it after a push.
+const REACHED: f64 = 1e-6;
+
+/// A bounded row is at its bound from this share of it on.
+const AT_BOUND: f64 = 1.0 - 1e-9;
+
+/// A motor yields by this share of what its impulse would do: a limit that it drives against holds, and the motor, of which so
+/// much would be asked, is found to be at its bound. Under a load it is slow by a millionth of what that does in a substep.
+const MOTOR_SOFTNESS: f64 = 1e-6;
+
+/// A spring that turns through more than this angle in a substep, rad, is not followed but damped as the midpoint rule does.
+const FASTEST_FOLLOWED: f64 = 2.0;
+
+/// A row of a joint.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Row {
+    pub(super) coordinate: Coordinate,
+    pub(super) role: Role,
+    /// By how much the coordinate is off what a rigid row asks for when it is 0: a length.
+    pub(super) zero: f64,
+    /// Whether this row and the next are two components of a vector, which is bounded as one.
+    pub(super) heads_pair: bool,
+    /// Place of the joint among those of the step, and of its bodies among theirs.
+    pub(super) joint: u32,
+    pub(super) bodies: [u32; 2],
+    pub(super) j: [V3; 2],
+    /// J M⁻¹ Jᵀ.
+    pub(super) k: f64,
+    /// The coordinate at the beginning of the phase.
+    pub(super) x: f64,
+    /// Size of the joint, m; 1 for angles.
+    pub(super) scale: f64,
+    /// Softness γ, and the speed that is asked for, negative.
+    pub(super) softness: f64,
+    pub(super) bias: f64,
+    /// Impulse of this phase, and of the push.
+    pub(super) impulse: f64,
+    pub(super) pushed: f64,
+    /// Force of the last substep.
+    pub(super) load: f64,
+    /// Whether it takes part in the direct solve.
+    pub(super) is_free: bool,
+    /// How fast it is off what is asked for, m/s or rad/s.
+    pub(super) residual: f64,
+    /// What the impulse would be without bounds.
+    pub(super) wanted: f64,
+}
+
+impl Row {
+    pub(super) fn new(coordinate: Coordinate, role: Role) -> Self {
+        Self {
+            coordinate,
+            role,
+            zero: 0.0,
+            heads_pair: false,
+            joint: 0,
+            bodies: [0; 2],
+            j: [[0.0; 3]; 2],
+            k: 0.0,
+            x: 0.0,
+            scale: 1.0,
+            softness: 0.0,
+            bias: 0.0,
+            impulse: 0.0,
+            pushed: 0.0,
+            load: 0.0,
+            is_free: false,
+            residual: 0.0,
+            wanted: 0.0,
+        }
+    }
+
+    /// Begins a phase where the bodies are, with half of the last impulse.
+    pub(super) fn begin(&mut self, at: &Geometry, a: &JointBody, b: &JointBody, phase: Phase, times: Times) {
+        self.j = self.coordinate.jacobian(at);
+        self.x = self.coordinate.value(at) - self.zero;
+        self.k = a.coupling(self.j[0], self.j[0]) + b.coupling(self.j[1], self.j[1]);
+        if let Role::Speed { .. } = self.role {
+            self.softness = MOTOR_SOFTNESS * self.k;
+        }
+        if phase == Phase::Push {
+            self.pushed = 0.0;
+            self.impulse = self.load * times.kick;
+            if let Role::Spring { k, c, rest, .. } = self.role {
+                self.soften(k, c, rest, times);
+            }
+        } else if let Role::Spring { .. } = self.role {
+            self.impulse = self.pushed;
+            return;
+        } else {
+            // A limit that was left bears nothing.
+            let is_left = matches!(self.role, Role::Limits(_)) && self.pushed == 0.0;
+            self.impulse = if is_left { 0.0 } else { self.load * times.kick };
+        }
+        let [least, most] = self.bounds(times);
+        self.impulse = self.impulse.max(least).min(most);
+    }
+
+    /// Softness and bias of a spring: with a = c h/2 and b = k h²/4 per mass, p = -(2 b x/h + (a + b) u)/K.
+    fn soften(&mut self, k: f64, c: f64, rest: f64, times: Times) {
+        if times.kick >= times.h {
+            // A single kick: implicit Euler, p = -h (k (x + h u) + c u).
+            let (a, b) = (c * times.h, k * times.h * times.h);
+            self.softness = 1.0 / (a + b);
+            self.bias = (self.x - rest) * b / (times.h * (a + b));
+            return;
+        }
+        let [a, b] = midpoint(k * self.k, c * self.k, times.h);
+        self.softness = self.k / (a + b);
+        self.bias = 2.0 * b * (self.x - rest) / (times.h * (a + b));
+    }
+
+    /// What the impulse of the phase is bounded by. Limits are by their own rule.
+    fn bounds(&self, times: Times) -> [f64; 2] {
+        match self.role {
+            Role::Rigid | Role::Limits(_) => [f64::NEG_INFINITY, f64::INFINITY],
+            Role::Spring { max, .. } | Role::Speed { max, .. } => [-max * times.kick, max * times.kick],
+        }
+    }
+
+    /// Whether its force is bounded, and pairs with that of the next row.
+    pub(super) fn bound(&self, times: Times) -> f64 {
+        self.bounds(times)[1]
+    }
+
+    /// How fast the coordinate changes, m/s or rad/s.
+    pub(super) fn speed(&self, a: &JointBody, b: &JointBody) -> f64 {
+        let along = |j: V3, v: V3| j[0] * v[0] + j[1] * v[1] + j[2] * v[2];
+        along(self.j[0], a.velocity) + along(self.j[1], b.velocity)
+    }
+
+    /// Finds by how much it is off, and whether it is to act. `after` is the geometry after the drift.
+    pub(super) fn look(&mut self, a: &JointBody, b: &JointBody, after: Option<&Geometry>, times: Times) {
+        let u = self.speed(a, b);
+        // Where the coordinate will be, or is.
+        let x = after.map_or(self.x, |after| self.coordinate.value(after) - self.zero);
+        let is_push = after.is_some();
+        (self.residual, self.is_free) = match self.role {
+            Role::Rigid => (if is_push { x / times.h } else { u }, true),
+            Role::Limits(limits) => self.look_at_limits(limits, x, u, is_push, times),
+            Role::Spring { max, .. } => {
+                // After the drift it bears what it bore before.
+                let w = if is_push { u + self.bias + self.softness * self.impulse } else { 0.0 };
+                (w, is_push && self.is_inside(max * times.kick, w))
+            }
+            Role::Speed { speed, max } => {
+                let w = u - speed + self.softness * self.impulse;
+                (w, self.is_inside(max * times.kick, w))
+            }
+        };
+        self.is_free &= self.k > 0.0;
+    }
+
+    /// Whether the impulse is within its bound, or is to come back from it.
+    fn is_inside(&self, bound: f64, w: f64) -> bool {
+        self.impulse.abs() < AT_BOUND * bound || (bound > 0.0 && self.impulse * w > 0.0)
+    }
+
+    /// Limits act where they are reached, and let go of what leaves them.
+    fn look_at_limits(
+        &self,
+        [lower, upper]: [f64; 2],
+        x: f64,
+        u: f64,
+        is_push: bool,
+        times: Times,
+    ) -> (f64, bool) {
+        let impulse = self.pushed + self.impulse;
+        let is_lower = if impulse == 0.0 { x - lower < upper - x } else { impulse > 0.0 };
+        let gap = if is_lower { x - lower } else { x - upper };
+        let w = if is_push { gap / times.h } else { u };
+        let is_reached = is_push || gap.abs() <= REACHED * self.scale || (gap < 0.0) == is_lower;
+        let closes = if is_lower { w < 0.0 } else { w > 0.0 };
+        if lower == upper || impulse != 0.0 || (is_reached && closes) { (w, true) } else { (0.0, false) }
+    }
+
+    /// How far it is off, as a share of what matters.
+    pub(super) fn excess(&self, times: Times) -> f64 {
+        if self.is_free { self.residual.abs() * times.h / (EXACT * self.scale) } else { 0.0 }
+    }
+
+    /// The impulse cut to what the row may bear.
+    pub(super) fn cut(&self, impulse: f64, times: Times) -> f64 {
+        if let Role::Limits([lower, upper]) = self.role {
+            if lower == upper {
+                return impulse;
+            }
+            let total = self.pushed + self.impulse;
+            // The side that has pushed, or, if none has, that which is off.
+            let is_lower = if total == 0.0 { self.residual < 0.0 } else { total > 0.0 };
+            return if is_lower { impulse.max(-self.pushed) } else { impulse.min(-self.pushed) };
+        }
+        let [least, most] = self.bounds(times);
+        impulse.max(least).min(most)
+    }
+}
+
+/// a = c h/2 and b = k h²/4 of a spring of one mass with these `k`, 1/s², and `c`, 1/s, of which the midpoint rule makes the poles
+/// of the exact one. With trace T and determinant D of the exact map over h:
+///
+/// ```text
+/// D = (1 - a + b)/(1 + a + b)    T = 2 (1 - b)/(1 + a + b)
+/// a = 2 (1 - D)/(1 + D + T)      b = (1 + D - T)/(1 + D + T)
+/// ```
+fn midpoint(k: f64, c: f64, h: f64) -> [f64; 2] {
+    let (sigma, discriminant) = (0.5 * c * h, k * h * h - 0.25 * c * c * h * h);
+    let angle = discriminant.abs().sqrt();
+    let trace = if discriminant > 0.0 {
+        if angle > FASTEST_FOLLOWED {
+            return [0.5 * c * h, 0.25 * k * h * h];
+        }
+        2.0 * exp_of_minus(sigma) * rotation(angle)[0]
+    } else {
+        // σ - √(σ² - k h²), without the difference.
+        let slow = k * h * h / (sigma + angle);
+        exp_of_minus(slow) + exp_of_minus(sigma + angle)
+    };
+    let determinant = exp_of_minus(2.0 * sigma);
+    let sum = 1.0 + determinant + trace;
+    [2.0 * (1.0 - determinant) / sum, (1.0 + determinant - trace) / sum]
+}
+
+/// e^-x of a number that is not negative: by its series for a 1024th of it, squared ten times.
+fn exp_of_minus(x: f64) -> f64 {
+    if x > 700.0 {
+        return 0.0;
+    }
+    let y = -x / 1024.0;
+    let mut value =
+        1.0 + y * (1.0 + y / 2.0 * (1.0 + y / 3.0 * (1.0 + y / 4.0 * (1.0 + y / 5.0 * (1.0 + y / 6.0)))));
+    // (1 + e)² = 1 + (2 e + e²) loses no digits of a small e.
+    let mut less = value - 1.0;
+    if x < 1.0 {
+        less = y * (1.0 + y / 2.0 * (1.0 + y / 3.0 * (1.0 + y / 4.0)));
+    }
+    for _ in 0..10 {
+        less = 2.0 * less + less * less;
+    }
+    value = 1.0 + less;
+    value
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Against the standard library, which tests may use: the sum of the series is good to 10⁻¹⁶, ten squarings to 10⁻¹³.
+    #[test]
+    #[allow(clippy::disallowed_methods)]
+    fn exponentials_are_those_of_the_library() {
+        for x in [0.0, 1e-9, 1e-3, 0.1, 0.9, 1.1, 10.0, 600.0] {
+            assert!((exp_of_minus(x) / (-x).exp() - 1.0).abs() < 1e-12, "{x}");
+        }
+    }
+}

@@ -1,0 +1,306 @@
+//! Views of a joint: to read it, and to change it.
+
+use core::ops::RangeInclusive;
+
+use crate::body::BodyId;
+use crate::joint::{End, Joint, JointError, JointId, JointKind, JointRecord, Motor, Spring};
+use crate::math::{Point, Vec2};
+use crate::world::World;
+use crate::world::events::JointRefusal;
+
+/// How far a joint is off what it holds.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[non_exhaustive]
+pub struct JointGap {
+    /// Largest gap of its anchors, or way beyond a limit, m.
+    pub distance: f32,
+    /// Largest angle that it does not hold, or beyond a limit, rad.
+    pub angle: f32,
+}
+
+/// A joint of a world.
+#[derive(Clone, Copy, Debug)]
+pub struct JointRef<'a> {
+    world: &'a World,
+    id: JointId,
+}
+
+impl<'a> JointRef<'a> {
+    pub(in crate::world) fn new(world: &'a World, id: JointId) -> Self {
+        Self { world, id }
+    }
+
+    fn record(&self) -> &'a JointRecord {
+        &self.world.joints.all[self.id.0.index()]
+    }
+
+    /// Its id.
+    pub fn id(&self) -> JointId {
+        self.id
+    }
+
+    /// What kind of joint it is.
+    pub fn kind(&self) -> JointKind {
+        self.record().description.kind
+    }
+
+    /// Its first body.
+    pub fn body_a(&self) -> BodyId {
+        self.record().description.a
+    }
+
+    /// Its second body; `None` where that is the world.
+    pub fn body_b(&self) -> Option<BodyId> {
+        self.record().description.b
+    }
+
+    /// Its description, as it was added and has been changed since.
+    pub fn describe(&self) -> Joint {
+        self.record().description.clone()
+    }
+
+    /// Where its anchors are, m: that on `a`, and that on `b` or in the world.
+    pub fn anchors(&self) -> [Point; 2] {
+        self.record().anchors(&self.world.bodies)
+    }
+
+    /// The angle of `b` from `a` since the joint was added, rad, of any number of turns.
+    pub fn angle(&self) -> f64 {
+        self.record().angle()
+    }
+
+    /// How fast the angle grows, rad/s.
+    pub fn angular_speed(&self) -> f64 {
+        let spin = |body: BodyId| f64::from(self.world.bodies.state(body.0.index()).angular_velocity);
+        self.body_b().map_or(0.0, spin) - spin(self.body_a())
+    }
+
+    /// The axis, in the frame of the world, of length 1: of a prismatic or wheel joint that along which it slides, of others the
+    /// direction from the anchor on `a` to the other.
+    fn direction(&self) -> Vec2 {
+        let record = self.record();
+        if matches!(self.kind(), JointKind::Prismatic | JointKind::Wheel) {
+            return self.world.bodies.motions[record.slot_a as usize].pose.rotation.rotate(record.axis);
+        }
+        let [a, b] = self.anchors();
+        (b - a).normalized_or_zero()
+    }
+
+    /// How far `b` has slid along the axis, or, of a joint without one, how far the anchors are apart, m.
+    pub fn translation(&self) -> f64 {
+        let [a, b] = self.anchors();
+        let (axis, gap) = (self.direction(), [b.x - a.x, b.y - a.y]);
+        f64::from(axis.x) * gap[0] + f64::from(axis.y) * gap[1]
+    }
+
+    /// How fast the joint moves: of a prismatic, distance or drag joint how fast its [`translation`](Self::translation) grows,
+    /// m/s; of others its [`angular_speed`](Self::angular_speed), rad/s.
+    pub fn speed(&self) -> f64 {
+        if !matches!(self.kind(), JointKind::Prismatic | JointKind::Distance | JointKind::Drag) {
+            return self.angular_speed();
+        }
+        let [a, b] = self.anchors();
+        let velocity_at = |body: BodyId, place: Point| {
+            self.world.body(body).map_or(Vec2::ZERO, |body| body.velocity_at(place))
+        };
+        // The axis turns with a, and so the point of a that is at the anchor of b is what b slides along.
+        let of_a = if self.kind() == JointKind::Prismatic { b } else { a };
+        let of_b = self.body_b().map_or(Vec2::ZERO, |body| velocity_at(body, b));
+        f64::from(self.direction().dot(of_b - velocity_at(self.body_a(), of_a)))
+    }
+
+    /// The force on `b` (or the world) at its anchor, N, in the last substep; that on `a` is opposite.
+    pub fn force(&self) -> Vec2 {
+        self.record().state.force
+    }
+
+    /// The torque on `b` (or the world) beside that of the force, N m, in the last substep: of motors, springs and limits of the
+    /// angle, and of welds.
+    pub fn torque(&self) -> f32 {
+        self.record().state.torque
+    }
+
+    /// How far it is off what it holds, after the last step.
+    pub fn error(&self) -> JointGap {
+        let state = &self.record().state;
+        JointGap { distance: state.gap, angle: state.angle_gap }
+    }
+
+    /// Whether it acts.
+    pub fn is_enabled(&self) -> bool {
+        self.record().description.enabled
+    }
+
+    /// The number of the caller's.
+    pub fn user_data(&self) -> u64 {
+        self.record().description.user_data
+    }
+}
+
+/// A joint of a world, to change it. What changes wakes its bodies.
+#[derive(Debug)]
+pub struct JointMut<'a> {
+    world: &'a mut World,
+    id: JointId,
+}
+
+impl<'a> JointMut<'a> {
+    pub(in crate::world) fn new(world: &'a mut World, id: JointId) -> Self {
+        Self { world, id }
+    }
+
+    /// The read-only view of the joint.
+    pub fn view(&self) -> JointRef<'_> {
+        JointRef::new(self.world, self.id)
+    }
+
+    fn record_mut(&mut self) -> &mut JointRecord {
+        &mut self.world.joints.all[self.id.0.index()]
+    }
+
+    fn change(&mut self, change: impl FnOnce(&mut Joint)) -> Result<(), JointError> {
+        let mut joint = self.view().describe();
+        change(&mut joint);
+        self.world.validate_joint(&joint)?;
+        let record = self.record_mut();
+        if record.description == joint {
+            return Ok(());
+        }
+        // Rows that come or go leave those after them at other places.
+        let options = |joint: &Joint| (joint.motor.is_some(), joint.spring.is_some(), joint.limits.is_some());
+        if options(&record.description) != options(&joint) {
+            record.state.loads = Default::default();
+        }
+        let touching_changes = record.description.collide_connected != joint.collide_connected;
+        record.description = joint;
+        self.world.joint_changed(self.id, touching_changes);
+        Ok(())
+    }
+
+    /// A change of every frame: one that is refused is reported.
+    #[track_caller]
+    fn steer(&mut self, change: impl FnOnce(&mut Joint)) {
+        if let Err(error) = self.change(change) {
+            self.refuse(error);
+        }
+    }
+
+    #[track_caller]
+    #[expect(clippy::manual_assert, reason = "the build decides, not a condition")]
+    fn refuse(&mut self, error: JointError) {
+        if cfg!(debug_assertions) {
+            panic!("{error}");
+        }
+        self.world.events.joints_refused_by_edit.push(JointRefusal { joint: self.id, error });
+    }
+
+    /// Drives it at a speed, rad/s or m/s, with `max` torque, N m, or force, N, at most.
+    ///
+    /// # Panics
+    /// In a debug build, if the kind has no motor or a number is one that [`World::add_joint`] refuses; in a release build the
+    /// joint stays as it is, and [`Events::refused_joints`](crate::Events::refused_joints) tells.
+    #[track_caller]
+    pub fn set_motor(&mut self, speed: f32, max: f32) {
+        self.steer(|joint| joint.motor = Some(Motor { speed, max }));
+    }
+
+    /// Moves the target of a drag joint, m.
+    ///
+    /// # Panics
+    /// As [`set_motor`](Self::set_motor).
+    #[track_caller]
+    pub fn set_target(&mut self, target: impl Into<Point>) {
+        let target = target.into();
+        self.steer(|joint| joint.target = Some(target));
+        let record = self.record_mut();
+        if let (JointKind::Drag, Some(target)) = (record.description.kind, record.description.target) {
+            record.end = End::World(target);
+        }
+    }
+
+    /// Moves the rest of the spring of the angle, rad, or of the translation, m: a motor to a position.
+    ///
+    /// # Panics
+    /// As [`set_motor`](Self::set_motor).
+    #[track_caller]
+    pub fn set_rest(&mut self, rest: f64) {
+        self.steer(|joint| joint.rest = rest);
+    }
+
+    /// Takes the motor away.
+    pub fn remove_motor(&mut self) {
+        self.steer(|joint| joint.motor = None);
+    }
+
+    /// Sets from where to where the angle, rad, the translation or the distance, m, may go; `None` for anywhere.
+    ///
+    /// # Errors
+    /// [`JointError`], if the limits are ones that [`World::add_joint`] refuses.
+    pub fn set_limits(&mut self, limits: impl Into<Option<RangeInclusive<f64>>>) -> Result<(), JointError> {
+        let limits = limits.into().map(|range| [*range.start(), *range.end()]);
+        self.change(|joint| joint.limits = limits)
+    }
+
+    /// Sets frequency, Hz, and damping ratio of the spring.
+    ///
+    /// # Errors
+    /// [`JointError`], if a number is one that [`World::add_joint`] refuses.
+    pub fn set_spring(&mut self, hertz: f32, damping_ratio: f32) -> Result<(), JointError> {
+        self.change(|joint| joint.spring = Some(Spring { hertz, damping_ratio }))
+    }
+
+    /// Takes the spring away; a drag or motor joint does nothing without one.
+    pub fn remove_spring(&mut self) {
+        self.steer(|joint| joint.spring = None);
+    }
+
+    /// Sets the length of a distance joint, m.
+    ///
+    /// # Errors
+    /// [`JointError`], if the length is one that [`World::add_joint`] refuses, or the joint is of another kind.
+    pub fn set_length(&mut self, length: f32) -> Result<(), JointError> {
+        self.change(|joint| joint.length = Some(length))?;
+        self.record_mut().length = f64::from(length);
+        Ok(())
+    }
+
+    /// Sets the greatest force, N.
+    ///
+    /// # Errors
+    /// [`JointError`], if the joint has none, or the number is not a force.
+    pub fn set_max_force(&mut self, force: f32) -> Result<(), JointError> {
+        self.change(|joint| joint.max_force = Some(force))
+    }
+
+    /// Sets the greatest torque, N m.
+    ///
+    /// # Errors
+    /// [`JointError`], if the joint has none, or the number is not a torque.
+    pub fn set_max_torque(&mut self, torque: f32) -> Result<(), JointError> {
+        self.change(|joint| joint.max_torque = Some(torque))
+    }
+
+    /// Sets by which force, N, or torque, N m, it breaks; `None` for never.
+    ///
+    /// # Errors
+    /// [`JointError`], if a number is not a force or torque.
+    pub fn set_break_at(&mut self, limits: impl Into<Option<[f32; 2]>>) -> Result<(), JointError> {
+        let limits = limits.into();
+        self.change(|joint| joint.breaks_at = limits)
+    }
+
+    /// Sets whether it acts.
+    pub fn set_enabled(&mut self, enabled: bool) {
+        self.steer(|joint| joint.enabled = enabled);
+    }
+
+    /// Sets whether its bodies touch each other.
+    pub fn set_collide_connected(&mut self, collide: bool) {
+        self.steer(|joint| joint.collide_connected = collide);
+    }
+
+    /// Sets the number of the caller's.
+    pub fn set_user_data(&mut self, user_data: u64) {
+        self.record_mut().description.user_data = user_data;
+    }
+}

@@ -1,0 +1,135 @@
+//! Adding and removing joints.
+
+use crate::body::{BodyId, NONE};
+use crate::joint::{Joint, JointError, JointId};
+use crate::world::{JointMut, JointRef, World};
+
+impl World {
+    /// Adds a joint between two bodies, or a body and the world; wakes them.
+    ///
+    /// # Errors
+    /// [`JointError`], if a body has been removed, both are one, the kind has no such option, limits are crossed, or a number is
+    /// NaN or out of range; the world is as it was.
+    pub fn add_joint(&mut self, joint: Joint) -> Result<JointId, JointError> {
+        self.validate_joint(&joint)?;
+        let id = self.joints.insert(joint, &self.bodies);
+        self.joint_changed(id, true);
+        Ok(id)
+    }
+
+    /// Checks a description against the bodies there are.
+    pub(in crate::world) fn validate_joint(&self, joint: &Joint) -> Result<(), JointError> {
+        let is_there = |id: BodyId| self.bodies.records.get(id.0).is_some();
+        if !is_there(joint.a) {
+            return Err(JointError::NoBody { which: "first" });
+        }
+        if joint.b.is_some_and(|b| !is_there(b)) {
+            return Err(JointError::NoBody { which: "second" });
+        }
+        if joint.b == Some(joint.a) {
+            return Err(JointError::SameBody);
+        }
+        joint.validate()
+    }
+
+    /// The joint with this id, or `None` if it has been removed.
+    pub fn joint(&self, id: JointId) -> Option<JointRef<'_>> {
+        self.joints.all.get(id.0)?;
+        Some(JointRef::new(self, id))
+    }
+
+    /// The joint with this id, for changing it, or `None` if it has been removed. Changes wake its bodies.
+    pub fn joint_mut(&mut self, id: JointId) -> Option<JointMut<'_>> {
+        self.joints.all.get(id.0)?;
+        Some(JointMut::new(self, id))
+    }
+
+    /// Every joint, by ascending place; a removed joint's place is used again.
+    pub fn joints(&self) -> impl Iterator<Item = (JointId, JointRef<'_>)> {
+        self.joints.all.iter().map(|(key, _)| (JointId(key), JointRef::new(self, JointId(key))))
+    }
+
+    /// How many joints there are.
+    pub fn joint_count(&self) -> usize {
+        self.joints.len()
+    }
+
+    /// The joints of a body, by their ids; none if it has been removed.
+    pub fn joints_of(&self, body: BodyId) -> Vec<JointId> {
+        if self.bodies.records.get(body.0).is_some() { self.joints.ids_of(body) } else { Vec::new() }
+    }
+
+    /// Removes a joint and returns its description, or `None` if it was removed before. Its bodies wake, and touch each other
+    /// from the next step on, if they overlap.
+    pub fn remove_joint(&mut self, id: JointId) -> Option<Joint> {
+        let slots = self.joints.all.get(id.0)?.slots();
+        self.wake_ends(slots);
+        let removed = self.joints.remove(id)?;
+        self.sort_pair_of(slots);
+        Some(removed.description)
+    }
+
+    /// Removes all joints of a body that is to be removed, and reports them.
+    pub(in crate::world) fn remove_joints_of(&mut self, body: BodyId) {
+        for id in self.joints.ids_of(body) {
+            self.remove_joint(id);
+            self.events.joints_removed_by_edit.push(id);
+        }
+    }
+
+    /// Removes the joints that bore too much in this step, and reports them.
+    pub(in crate::world) fn break_joints(&mut self) {
+        for place in 0..self.solver.joints.broken().len() {
+            let index = self.solver.joints.broken()[place];
+            // It may have gone with a body that left the bounds.
+            if let Some(record) = self.joints.all.at(index)
+                && record.bears_too_much()
+            {
+                let id = self.joints.id_at(index);
+                self.remove_joint(id);
+                self.events.broken.push(id);
+            }
+        }
+    }
+
+    /// Takes note that a joint is new or another one, and whether its bodies may touch where they did not, or the reverse.
+    pub(in crate::world) fn joint_changed(&mut self, id: JointId, touching_changes: bool) {
+        let slots = self.joints.all[id.0.index()].slots();
+        self.wake_ends(slots);
+        if touching_changes {
+            self.sort_pair_of(slots);
+        }
+    }
+
+    fn wake_ends(&mut self, slots: [u32; 2]) {
+        for slot in slots.into_iter().filter(|&slot| slot != NONE) {
+            self.wake_slot(slot);
+        }
+    }
+
+    /// Ends the contact of two bodies that do not touch any more, or has their pair looked for again.
+    fn sort_pair_of(&mut self, [a, b]: [u32; 2]) {
+        if b == NONE {
+            return;
+        }
+        if !self.joints.part(a, b) {
+            // What moves is found by what it meets.
+            for slot in [a, b] {
+                if self.bodies.is_dynamic(slot) {
+                    self.broad_phase.mark_moved(slot);
+                }
+            }
+            return;
+        }
+        let of_pair = |&index: &u32| self.contacts[index].other(a) == b;
+        let contact = self.contacts.of_body(&self.bodies, a).find(of_pair);
+        if let Some(index) = contact {
+            self.end_contact(index);
+        }
+        let pair = (a.min(b), a.max(b));
+        if self.candidates.iter().any(|candidate| candidate == pair) {
+            self.candidates.remove(core::iter::once(pair));
+            self.broad_phase.forget_pair(pair.0, pair.1);
+        }
+    }
+}

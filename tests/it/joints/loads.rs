@@ -1,0 +1,85 @@
+//! Chains, heavy ends, and joints that break.
+
+use rustycs::prelude::*;
+
+use crate::support::{G, add, assert_relative, earth, run, space, velocity};
+
+/// A rope of `links` capsule-sized boxes of 1 m and `mass` each, that hangs from the world with a weight at its end; returns its
+/// joints from the top on.
+fn heavy_rope(world: &mut World, links: u32, mass: f32, weight: f32) -> Vec<JointId> {
+    let mut joints = Vec::new();
+    let mut before = None;
+    for link in 0..links {
+        let top = -f64::from(link);
+        let body = Body::dynamic(Shape::obb(0.2, 1.0)).at([0.0, top - 0.5]).mass(mass);
+        let body = add(world, body);
+        joints.push(world.add_joint(Joint::revolute(body, before).at([0.0, top])).unwrap());
+        before = Some(body);
+    }
+    let end = -f64::from(links);
+    let ball = add(world, Body::dynamic(Shape::circle(2.0)).at([0.0, end - 2.0]).mass(weight));
+    joints.push(world.add_joint(Joint::revolute(ball, before).at([0.0, end])).unwrap());
+    joints
+}
+
+/// Each pin bears what hangs below it, and stretches by less than a millimetre: far less, as poses in `f32` let it.
+#[test]
+fn a_rope_with_a_weight_of_1800_links_does_not_stretch() {
+    let mut world = earth();
+    let joints = heavy_rope(&mut world, 18, 0.5, 900.0);
+    run(&mut world, 2.0);
+    for (number, joint) in joints.iter().enumerate() {
+        let joint = world.joint(*joint).unwrap();
+        assert!(joint.error().distance < 1e-4, "pin {number}: {:?}", joint.error());
+        let below = 900.0 + 0.5 * (18 - number) as f64;
+        assert_relative(f64::from(joint.force().length()), below * G, 1e-3, "force in a pin");
+    }
+}
+
+/// The same of 50,000 links.
+#[test]
+fn a_rope_with_a_weight_of_50000_links_does_not_stretch() {
+    let mut world = earth();
+    let joints = heavy_rope(&mut world, 18, 0.5, 25_000.0);
+    run(&mut world, 2.0);
+    for joint in joints {
+        assert!(world.joint(joint).unwrap().error().distance < 1e-3);
+    }
+}
+
+/// A joint that breaks above 100 N holds 10 kg and does not hold 10.4 kg.
+#[test]
+fn a_joint_breaks_above_its_force_and_not_below() {
+    for (mass, breaks) in [(10.0_f32, false), (10.4, true)] {
+        let mut world = earth();
+        let body = add(&mut world, Body::dynamic(Shape::circle(0.5)).at([0.0, 0.0]).mass(mass));
+        let joint = Joint::weld(body, None).break_at(100.0, f32::INFINITY);
+        let joint = world.add_joint(joint).unwrap();
+        world.step();
+        assert_eq!(world.events().broken() == [joint], breaks, "{mass} kg");
+        assert_eq!(world.joint(joint).is_none(), breaks, "{mass} kg");
+    }
+}
+
+/// No forces but those of joints, which are equal and opposite: roundings of `f32` are left.
+#[test]
+fn bodies_joined_in_space_keep_momentum_and_angular_momentum() {
+    let mut world = space();
+    let mut before: Option<BodyId> = None;
+    for number in 0..6_u8 {
+        let body = Body::dynamic(Shape::obb(1.0, 0.2)).at([f64::from(number), 0.0]).mass(1.0);
+        let body = add(&mut world, body.velocity([0.0, f32::from(number % 3)]));
+        if let Some(before) = before {
+            world.add_joint(Joint::revolute(before, body).at([f64::from(number) - 0.5, 0.0])).unwrap();
+        }
+        before = Some(body);
+    }
+    let sum =
+        |world: &World| world.bodies().map(|(id, _)| velocity(world, id)[1]).fold(0.0, |sum, v| sum + v);
+    let at_first = (sum(&world), world.angular_momentum());
+    run(&mut world, 10.0);
+    assert_relative(sum(&world), at_first.0, 1e-4, "momentum");
+    let [found, expected] =
+        [world.angular_momentum(), at_first.1].map(|l| format!("{l:?}").parse::<f64>().unwrap());
+    assert_relative(found, expected, 1e-3, "angular momentum");
+}

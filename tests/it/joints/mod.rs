@@ -1,0 +1,6 @@
+//! Joints: what they hold, drive and bear, by closed forms.
+
+mod drives;
+mod loads;
+mod pendulums;
+mod use_of_joints;
