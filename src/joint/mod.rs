@@ -12,7 +12,7 @@ mod table;
 pub use description::{Joint, JointKind};
 pub(crate) use description::{Motor, Spring};
 pub use error::JointError;
-pub(crate) use table::{End, JointRecord, Joints};
+pub(crate) use table::{End, JointRecord, Joints, Pace};
 
 crate::store::id_type! {
     /// Names a joint of a world.

@@ -124,9 +124,25 @@ pub(crate) struct Joints {
     pub(crate) all: Slots<JointRecord>,
     /// By slot of a body, its first joint; shorter where no later slot ever had one.
     heads: Vec<u32>,
+    pub(crate) pace: Pace,
 }
 
-clone_into_buffers!(Joints { all, heads });
+clone_into_buffers!(Joints { all, heads, pace });
+
+/// How finely the bodies of joints are moved within a substep.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Pace {
+    /// Longest step, s; infinite where whole substeps do.
+    pub(crate) step: f64,
+    /// For how long twice that would have done, s.
+    pub(crate) calm: f64,
+}
+
+impl Default for Pace {
+    fn default() -> Self {
+        Self { step: f64::INFINITY, calm: 0.0 }
+    }
+}
 
 impl Joints {
     /// How many there are.

@@ -79,6 +79,11 @@ impl Kicks {
         self.columns[row as usize / COLUMN].acceleration.load::<f32>(row as usize % COLUMN).into()
     }
 
+    /// Angular acceleration of the body of a row, rad/s².
+    pub(crate) fn angular_acceleration(&self, row: u32) -> f32 {
+        self.columns[row as usize / COLUMN].angular_acceleration.load::<f32>(row as usize % COLUMN)
+    }
+
     /// What rounding has kept out of the velocity of the body of a row, m/s.
     pub(crate) fn compensation(&self, row: usize) -> Vec2 {
         self.columns[row / COLUMN].compensation.load::<f32>(row % COLUMN).into()

@@ -151,7 +151,7 @@ impl Solver {
         self.seams.hold_back(tables.graph, &tables.bodies.states, h);
         warm_start(WarmStartTime::BeforeMove, scheme, tables);
         if !self.joints.is_empty() {
-            self.joints.push(scheme, &mut tables.bodies.states);
+            self.joints.push(scheme, &self.kicks, &mut tables.bodies.states);
         }
         let (graph, states) = (&mut *tables.graph, &mut tables.bodies.states);
         let sweep = scheme.sweep_over(scheme.main_sweep(), has_moved);

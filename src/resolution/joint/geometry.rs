@@ -64,12 +64,21 @@ pub(super) struct JointBody {
     pub(super) row: u32,
     pub(super) inverse_mass: f64,
     pub(super) inverse_inertia: f64,
+    /// What its joints bear turns it back by so much, N m/rad.
+    pub(super) stiffness: f64,
     pub(super) velocity: V3,
     pub(super) shift: V2,
     /// (cos, sin).
     pub(super) turn: V2,
     /// The same as an angle of any number of turns, rad.
     pub(super) angle: f64,
+    /// By how much it is faster at the end of a substep than on average over it, where that is made of several steps.
+    pub(super) ahead: V3,
+    /// By forces, m/s² and rad/s².
+    pub(super) acceleration: V3,
+    /// How many joints hold it in a place, and how far from its centre the last of them, m.
+    pub(super) held: u32,
+    pub(super) arm: f64,
 }
 
 impl JointBody {
@@ -79,6 +88,28 @@ impl JointBody {
         self.velocity[0] += self.inverse_mass * j[0] * amount;
         self.velocity[1] += self.inverse_mass * j[1] * amount;
         self.velocity[2] += self.inverse_inertia * j[2] * amount;
+    }
+
+    /// How fast it swings by what its joints bear, rad/s.
+    ///
+    /// A force f at an arm r turns a body back like a spring of the stiffness r · f, so that a link under tension swings at
+    /// ω = √(Σ r · f / I), as fast as it is light. (D. Tournier et al., "Stable Constrained Dynamics", 2015.)
+    ///
+    /// What hangs by one joint swings about it, with the inertia I + m r².
+    pub(super) fn swing(&self) -> f64 {
+        let arm = if self.held == 1 { self.arm } else { 0.0 };
+        // 1/(I + m r²)
+        let about = self.inverse_mass + self.inverse_inertia * arm * arm;
+        let inverse = if about > 0.0 { self.inverse_inertia * self.inverse_mass / about } else { 0.0 };
+        (self.stiffness * inverse).max(0.0).sqrt()
+    }
+
+    /// Lets forces act for a time, s.
+    #[inline(always)]
+    pub(super) fn accelerate(&mut self, time: f64) {
+        for (velocity, acceleration) in self.velocity.iter_mut().zip(self.acceleration) {
+            *velocity += time * acceleration;
+        }
     }
 
     /// What an impulse along `k` does to the speed along `j`.
@@ -181,6 +212,22 @@ impl Coordinate {
             Self::Angle => at.angles[1] - at.angles[0],
             Self::Gear(ratio) => at.angles[0] + ratio * at.angles[1],
         }
+    }
+
+    /// How far its anchors are from the centres of a and b, m, if it holds them in a place.
+    pub(super) fn arms(self, at: &Geometry) -> Option<[f64; 2]> {
+        let length = |r: V2| dot(r, r).sqrt();
+        (!self.is_angle()).then(|| [length(at.r_a), length(at.r_b)])
+    }
+
+    /// How stiffly the bodies a and b are turned back by a `load` on it, N, to either side, N m/rad.
+    pub(super) fn turning_stiffness(self, at: &Geometry, load: f64) -> [f64; 2] {
+        if self.is_angle() {
+            return [0.0; 2];
+        }
+        let [_, [x, y, _]] = self.jacobian(at);
+        let force = [load * x, load * y];
+        [-dot(at.r_a, force), dot(at.r_b, force)]
     }
 
     /// Its Jacobian: how fast it grows with the velocities of a and of b.

@@ -14,13 +14,26 @@ mod solve;
 
 use crate::body::{Bodies, NONE};
 use crate::compute::{BodyState, GROUND_ROW};
-use crate::joint::{End, JointRecord, Joints};
+use crate::joint::{End, JointRecord, Joints, Pace};
 use crate::math::{Point, Rot, Vec2, atan2_f64};
-use crate::resolution::joint::geometry::{Base, JointBody, dot, nearest, rotate};
+use crate::resolution::integrate::Kicks;
+use crate::resolution::joint::geometry::{Base, JointBody, V3, dot, nearest, rotate};
 use crate::resolution::joint::kinds::{Inverse, rows_of};
 use crate::resolution::joint::plan::{Cluster, Place, plan};
 use crate::resolution::joint::row::{Phase, Role, Row, Times};
 use crate::resolution::scheme::Scheme;
+
+/// A step in which a body swings by more than this, rad, is taken back, and made in halves: at 2 it would explode.
+const MOST_PHASE: f64 = 1.0;
+
+/// Steps are made longer again when bodies have swung by less than this in twice their length, rad, for `CALM` seconds. A swing
+/// of a metre takes two: a step that changed within a swing would take energy from it, as way and way back would not be alike.
+const SLOW_PHASE: f64 = 0.5;
+const CALM: f64 = 4.0;
+
+/// A substep is divided into no more steps than this: a chain that whips a ball of 672 of its links takes them for moments. Of a
+/// ball of 5,000 links it would take more, and such a chain still explodes.
+const MOST_STEPS: f64 = 256.0;
 
 /// The joints of a step, and the bodies they move.
 #[derive(Clone, Debug, Default)]
@@ -32,6 +45,13 @@ pub(crate) struct JointSolver {
     bases: Vec<Base>,
     rows: Vec<Row>,
     places: Vec<Place>,
+    /// Length of the substep, s, and times of the last step in it.
+    h: f64,
+    times: Times,
+    pace: Pace,
+    /// Scratch: the bodies as the substep began, and their velocities as the last step did.
+    starts: Vec<JointBody>,
+    velocities: Vec<V3>,
     /// Those for which the clusters were planned.
     planned: Vec<Place>,
     clusters: Vec<Cluster>,
@@ -62,6 +82,7 @@ impl JointSolver {
         if joints.len() == 0 {
             return;
         }
+        self.pace = joints.pace;
         self.bodies.clear();
         self.bodies.push(body_of(GROUND_ROW, None));
         self.bases.clear();
@@ -135,42 +156,140 @@ impl JointSolver {
     }
 
     /// Before the bodies move: what is rigid is exact when they have.
-    pub(super) fn push(&mut self, scheme: &Scheme, states: &mut [BodyState]) {
-        self.run(Phase::Push, scheme, states);
+    ///
+    /// Where a link swings too fast for the substep, the bodies of joints go through it in several steps, each with push, drift
+    /// and relax. The last ends as a single one would: its drift is the way of all, its relax comes when the bodies have moved.
+    pub(super) fn push(&mut self, scheme: &Scheme, kicks: &Kicks, states: &mut [BodyState]) {
+        let (h, kick) = (f64::from(scheme.substep_time()), f64::from(scheme.kick_time()));
+        self.h = h;
+        self.read(states, Phase::Push);
+        for body in &mut self.bodies {
+            let Vec2 { x, y } = kicks.acceleration(body.row);
+            let all = [x, y, kicks.angular_acceleration(body.row)].map(f64::from);
+            body.acceleration = if scheme.split_kick && body.inverse_mass > 0.0 { all } else { [0.0; 3] };
+            // Forces act step by step.
+            body.accelerate(-kick);
+        }
+        self.starts.clone_from(&self.bodies);
+        let (mut rest, mut fastest) = (h, 0.0_f64);
+        loop {
+            let steps =
+                if scheme.split_kick { (rest / self.pace.step).ceil().clamp(1.0, MOST_STEPS) } else { 1.0 };
+            self.times = Times { h: rest / steps, kick: kick / h * (rest / steps) };
+            let swing = self.push_for_a_step(scheme.split_kick);
+            fastest = fastest.max(swing);
+            let Times { h: step, .. } = self.times;
+            if step >= rest {
+                break;
+            }
+            for body in &mut self.bodies {
+                *body = body.after(step);
+                body.accelerate(0.5 * step);
+            }
+            self.run(Phase::Relax);
+            self.note_loads(scheme);
+            rest -= step;
+        }
+        self.pace.after(h, fastest);
+        for (body, start) in self.bodies.iter_mut().zip(&self.starts) {
+            let end = body.after(self.times.h);
+            let way = [end.shift[0] - start.shift[0], end.shift[1] - start.shift[1], end.angle - start.angle];
+            let is_one_step = self.times.h == h;
+            let average = if is_one_step { body.velocity } else { way.map(|way| way / h) };
+            // The second kick of the substep is longer than that of the last step.
+            let less = 0.5 * (self.times.h - h);
+            body.ahead = [0, 1, 2]
+                .map(|index| body.velocity[index] - average[index] + less * body.acceleration[index]);
+            *body = JointBody { velocity: average, ahead: body.ahead, ..*start };
+        }
+        self.write(states);
+    }
+
+    /// Pushes for a step, or for a half of it, and so on, if what that takes makes a body swing too fast. Returns how fast the
+    /// fastest swings, rad/s.
+    fn push_for_a_step(&mut self, may_be_divided: bool) -> f64 {
+        self.velocities.clear();
+        self.velocities.extend(self.bodies.iter().map(|body| body.velocity));
+        loop {
+            let Times { h: step, kick } = self.times;
+            for (body, velocity) in self.bodies.iter_mut().zip(&self.velocities) {
+                body.velocity = *velocity;
+                body.accelerate(0.5 * step);
+            }
+            self.run(Phase::Push);
+            let swing = self.fastest_swing(|row| row.impulse / kick);
+            if swing * step <= MOST_PHASE || !may_be_divided || step < 2.0 * self.h / MOST_STEPS {
+                return swing;
+            }
+            self.times = Times { h: 0.5 * step, kick: 0.5 * kick };
+            self.pace = Pace { step: 0.5 * step, calm: 0.0 };
+        }
     }
 
     /// After they have: what is rigid does not part.
     pub(super) fn relax(&mut self, scheme: &Scheme, states: &mut [BodyState]) {
         if scheme.split_kick {
-            self.run(Phase::Relax, scheme, states);
+            self.read(states, Phase::Relax);
+            for body in &mut self.bodies {
+                body.velocity = [0, 1, 2].map(|index| body.velocity[index] + body.ahead[index]);
+            }
+            self.run(Phase::Relax);
+            self.write(states);
         }
+        self.note_loads(scheme);
+    }
+
+    /// Takes note of what the rows have borne in the last step.
+    fn note_loads(&mut self, scheme: &Scheme) {
         for row in &mut self.rows {
-            row.load = if scheme.warm_starting || matches!(row.role, Role::Spring { .. }) {
-                (row.pushed + row.impulse) / f64::from(scheme.substep_time())
-            } else {
-                0.0
-            };
+            let load = (row.pushed + row.impulse) / self.times.h;
+            let is_kept = scheme.warm_starting || matches!(row.role, Role::Spring { .. });
+            // Beyond all bounds nothing is known.
+            row.load = if is_kept && (load as f32).is_finite() { load } else { 0.0 };
         }
     }
 
-    fn run(&mut self, phase: Phase, scheme: &Scheme, states: &mut [BodyState]) {
-        let times = Times { h: f64::from(scheme.substep_time()), kick: f64::from(scheme.kick_time()) };
-        self.read(states, phase, times);
-        self.begin(phase, times);
-        self.solve_clusters(phase, times);
-        self.write(states);
+    fn run(&mut self, phase: Phase) {
+        self.begin(phase, self.times);
+        self.solve_clusters(phase, self.times);
     }
 
     /// Reads where the bodies are, and how fast.
-    fn read(&mut self, states: &[BodyState], phase: Phase, times: Times) {
+    fn read(&mut self, states: &[BodyState], phase: Phase) {
         for body in &mut self.bodies {
             let state = &states[body.row as usize];
-            let expected = body.angle + if phase == Phase::Relax { times.h * body.velocity[2] } else { 0.0 };
+            let expected = body.angle + if phase == Phase::Relax { self.h * body.velocity[2] } else { 0.0 };
             body.velocity = [state.velocity.x, state.velocity.y, state.angular_velocity].map(f64::from);
             body.shift = [state.delta_position.x, state.delta_position.y].map(f64::from);
             body.turn = [state.delta_rotation.c, state.delta_rotation.s].map(f64::from);
             body.unwrap_angle(expected);
         }
+    }
+
+    /// How fast the fastest of the bodies swings by what the rows bear, N, rad/s.
+    fn fastest_swing(&mut self, load: impl Fn(&Row) -> f64) -> f64 {
+        for body in &mut self.bodies {
+            (body.stiffness, body.held) = (0.0, 0);
+        }
+        for (place, base) in self.places.iter().zip(&self.bases) {
+            let rows = &self.rows[place.rows[0] as usize..place.rows[1] as usize];
+            let Some(first) = rows.first() else { continue };
+            let [a, b] = first.bodies.map(|body| self.bodies[body as usize]);
+            let at = base.at(&a, &b);
+            if let Some(arms) = first.coordinate.arms(&at) {
+                for (body, arm) in first.bodies.into_iter().zip(arms) {
+                    let body = &mut self.bodies[body as usize];
+                    (body.held, body.arm) = (body.held + 1, arm);
+                }
+            }
+            for row in rows {
+                let stiffness = row.coordinate.turning_stiffness(&at, load(row));
+                for (body, stiffness) in row.bodies.into_iter().zip(stiffness) {
+                    self.bodies[body as usize].stiffness += stiffness;
+                }
+            }
+        }
+        self.bodies.iter().map(JointBody::swing).fold(0.0, f64::max)
     }
 
     /// Brings the rows to where the bodies are, and applies what they bore before.
@@ -209,14 +328,25 @@ impl JointSolver {
         if self.is_empty() {
             return;
         }
-        let times = Times { h: f64::from(scheme.substep_time()), kick: f64::from(scheme.kick_time()) };
-        self.read(states, if scheme.split_kick { Phase::Push } else { Phase::Relax }, times);
+        joints.pace = self.pace;
+        self.read(states, if scheme.split_kick { Phase::Push } else { Phase::Relax });
         for (place, base) in self.places.iter().zip(&self.bases) {
             let record = &mut joints.all[place.joint];
             let rows = &self.rows[place.rows[0] as usize..place.rows[1] as usize];
             if finish_joint(record, base, rows, &self.bodies) {
                 self.broken.push(place.joint);
             }
+        }
+    }
+}
+
+impl Pace {
+    /// After a substep of length `h`, s, in which the fastest body swung at `swing`, rad/s.
+    fn after(&mut self, h: f64, swing: f64) {
+        self.calm = if 2.0 * self.step * swing < SLOW_PHASE { self.calm + h } else { 0.0 };
+        if self.calm > CALM && self.step < f64::INFINITY {
+            *self =
+                if 2.0 * self.step < h { Self { step: 2.0 * self.step, calm: 0.0 } } else { Self::default() };
         }
     }
 }
@@ -246,8 +376,9 @@ fn finish_joint(record: &mut JointRecord, base: &Base, rows: &[Row], bodies: &[J
         let worst = if row.coordinate.is_angle() { &mut state.angle_gap } else { &mut state.gap };
         *worst = worst.max(gap as f32);
     }
-    state.force = Vec2::new(force[0] as f32, force[1] as f32);
-    state.torque = torque as f32;
+    let finite = |x: f64| (x as f32).clamp(f32::MIN, f32::MAX);
+    state.force = Vec2::new(finite(force[0]), finite(force[1]));
+    state.torque = finite(torque);
     state.turned([a.angle, b.angle]);
     record.pass_teeth();
     record.bears_too_much()
@@ -256,8 +387,20 @@ fn finish_joint(record: &mut JointRecord, base: &Base, rows: &[Row], bodies: &[J
 /// A body at the beginning of a step.
 fn body_of(row: u32, inverse: Option<[f32; 2]>) -> JointBody {
     let [inverse_mass, inverse_inertia] = inverse.unwrap_or_default().map(f64::from);
-    let (velocity, shift, turn) = ([0.0; 3], [0.0; 2], [1.0, 0.0]);
-    JointBody { row, inverse_mass, inverse_inertia, velocity, shift, turn, angle: 0.0 }
+    JointBody {
+        row,
+        inverse_mass,
+        inverse_inertia,
+        stiffness: 0.0,
+        velocity: [0.0; 3],
+        shift: [0.0; 2],
+        turn: [1.0, 0.0],
+        angle: 0.0,
+        ahead: [0.0; 3],
+        acceleration: [0.0; 3],
+        held: 0,
+        arm: 0.0,
+    }
 }
 
 /// What a joint is like when the step begins; its angles are brought to those of the bodies, which may have been turned by hand.

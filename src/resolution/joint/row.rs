@@ -37,8 +37,8 @@ pub(super) enum Phase {
     Relax,
 }
 
-/// Times of a substep.
-#[derive(Clone, Copy, Debug)]
+/// Times of a step.
+#[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Times {
     /// Length of the substep, s.
     pub(super) h: f64,
@@ -52,6 +52,11 @@ const EXACT: f64 = 1e-8;
 
 /// A limit is reached within so much of it, as above: some hundred times what is left of it after a push.
 const REACHED: f64 = 1e-6;
+
+/// Gaps that are there, as of bodies that were joined apart, were moved by hand or struck, or of joints that contradict each other,
+/// close no faster than this, m/s or rad/s, as overlaps of contacts do: closed at once, a gap of a metre would throw its bodies
+/// at hundreds of metres per second.
+const CLOSING_SPEED: f64 = 3.0;
 
 /// A bounded row is at its bound from this share of it on.
 const AT_BOUND: f64 = 1.0 - 1e-9;
@@ -188,7 +193,7 @@ impl Row {
         let x = after.map_or(self.x, |after| self.coordinate.value(after) - self.zero);
         let is_push = after.is_some();
         (self.residual, self.is_free) = match self.role {
-            Role::Rigid => (if is_push { x / times.h } else { u }, true),
+            Role::Rigid => (if is_push { (x - left(self.x, times)) / times.h } else { u }, true),
             Role::Limits(limits) => self.look_at_limits(limits, x, u, is_push, times),
             Role::Spring { max, .. } => {
                 // After the drift it bears what it bore before.
@@ -220,7 +225,8 @@ impl Row {
         let impulse = self.pushed + self.impulse;
         let is_lower = if impulse == 0.0 { x - lower < upper - x } else { impulse > 0.0 };
         let gap = if is_lower { x - lower } else { x - upper };
-        let w = if is_push { gap / times.h } else { u };
+        let before = if is_lower { (self.x - lower).min(0.0) } else { (self.x - upper).max(0.0) };
+        let w = if is_push { (gap - left(before, times)) / times.h } else { u };
         let is_reached = is_push || gap.abs() <= REACHED * self.scale || (gap < 0.0) == is_lower;
         let closes = if is_lower { w < 0.0 } else { w > 0.0 };
         if lower == upper || impulse != 0.0 || (is_reached && closes) { (w, true) } else { (0.0, false) }
@@ -245,6 +251,11 @@ impl Row {
         let [least, most] = self.bounds(times);
         impulse.max(least).min(most)
     }
+}
+
+/// What is to be left of a gap after a step: it closes at `CLOSING_SPEED` at most.
+fn left(gap: f64, times: Times) -> f64 {
+    (gap.abs() - CLOSING_SPEED * times.h).max(0.0).copysign(gap)
 }
 
 /// a = c h/2 and b = k h²/4 of a spring of one mass with these `k`, 1/s², and `c`, 1/s, of which the midpoint rule makes the poles

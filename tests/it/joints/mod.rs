@@ -1,5 +1,6 @@
 //! Joints: what they hold, drive and bear, by closed forms.
 
+mod by_chance;
 mod drives;
 mod loads;
 mod pendulums;
