@@ -291,7 +291,7 @@ impl Solver {
         }
     }
 
-    /// Writes impulses back into the contacts and compensations back into the bodies.
+    /// Writes impulses back into the contacts and joints, and compensations back into the bodies.
     fn finish(&mut self, scheme: &Scheme, tables: &mut SolveTables<'_>) -> StepResidual {
         let rows = 1..tables.bodies.row_count();
         self.joints.finish(scheme, tables.joints, &tables.bodies.states);

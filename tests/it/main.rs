@@ -5,7 +5,6 @@ mod bad_input;
 mod closed_worlds;
 mod continuous;
 mod determinism;
-mod filtered_queries;
 mod golden;
 mod house;
 mod interface;

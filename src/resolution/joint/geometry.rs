@@ -64,8 +64,8 @@ pub(super) struct JointBody {
     pub(super) row: u32,
     pub(super) inverse_mass: f64,
     pub(super) inverse_inertia: f64,
-    /// What its joints bear turns it back by so much, N m/rad.
-    pub(super) stiffness: f64,
+    /// How stiffly what its joints bear pulls it back, N/m, and turns it back, N m/rad.
+    pub(super) stiffness: [f64; 2],
     pub(super) velocity: V3,
     pub(super) shift: V2,
     /// (cos, sin).
@@ -90,10 +90,8 @@ impl JointBody {
         self.velocity[2] += self.inverse_inertia * j[2] * amount;
     }
 
-    /// How fast it swings by what its joints bear, rad/s.
-    ///
-    /// A force f at an arm r turns a body back like a spring of the stiffness r · f, so that a link under tension swings at
-    /// ω = √(Σ r · f / I), as fast as it is light. (D. Tournier et al., "Stable Constrained Dynamics", 2015.)
+    /// How fast it swings by what its joints bear, rad/s: a link under tension at ω = √(Σ r · f / I), as fast as it is light.
+    /// (D. Tournier et al., "Stable Constrained Dynamics", 2015, on geometric stiffness.)
     ///
     /// What hangs by one joint swings about it, with the inertia I + m r².
     pub(super) fn swing(&self) -> f64 {
@@ -101,7 +99,9 @@ impl JointBody {
         // 1/(I + m r²)
         let about = self.inverse_mass + self.inverse_inertia * arm * arm;
         let inverse = if about > 0.0 { self.inverse_inertia * self.inverse_mass / about } else { 0.0 };
-        (self.stiffness * inverse).max(0.0).sqrt()
+        // Where two neighbours go to opposite sides, each has twice the stiffness.
+        let [pull, turn] = self.stiffness;
+        (turn * inverse).max(2.0 * pull * self.inverse_mass).max(0.0).sqrt()
     }
 
     /// Lets forces act for a time, s.
@@ -220,14 +220,20 @@ impl Coordinate {
         (!self.is_angle()).then(|| [length(at.r_a), length(at.r_b)])
     }
 
-    /// How stiffly the bodies a and b are turned back by a `load` on it, N, to either side, N m/rad.
-    pub(super) fn turning_stiffness(self, at: &Geometry, load: f64) -> [f64; 2] {
+    /// How stiffly the bodies a and b are pulled back, N/m, and turned back, N m/rad, by a `load` on it, N.
+    ///
+    /// A force f at an arm r turns a body back with r · f. A rod under the tension T, of the length l, pulls what goes to the side
+    /// back with T/l.
+    pub(super) fn geometric_stiffness(self, at: &Geometry, load: f64) -> [[f64; 2]; 2] {
         if self.is_angle() {
-            return [0.0; 2];
+            return [[0.0; 2]; 2];
         }
         let [_, [x, y, _]] = self.jacobian(at);
         let force = [load * x, load * y];
-        [-dot(at.r_a, force), dot(at.r_b, force)]
+        let distance = self.value(at);
+        let pull = if self == Self::Distance && distance > 0.0 { -load / distance } else { 0.0 };
+        let turn = |r: V2, force: f64| force + pull * dot(r, r);
+        [[pull, turn(at.r_a, -dot(at.r_a, force))], [pull, turn(at.r_b, dot(at.r_b, force))]]
     }
 
     /// Its Jacobian: how fast it grows with the velocities of a and of b.

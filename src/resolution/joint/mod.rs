@@ -269,7 +269,7 @@ impl JointSolver {
     /// How fast the fastest of the bodies swings by what the rows bear, N, rad/s.
     fn fastest_swing(&mut self, load: impl Fn(&Row) -> f64) -> f64 {
         for body in &mut self.bodies {
-            (body.stiffness, body.held) = (0.0, 0);
+            (body.stiffness, body.held) = ([0.0; 2], 0);
         }
         for (place, base) in self.places.iter().zip(&self.bases) {
             let rows = &self.rows[place.rows[0] as usize..place.rows[1] as usize];
@@ -283,9 +283,10 @@ impl JointSolver {
                 }
             }
             for row in rows {
-                let stiffness = row.coordinate.turning_stiffness(&at, load(row));
-                for (body, stiffness) in row.bodies.into_iter().zip(stiffness) {
-                    self.bodies[body as usize].stiffness += stiffness;
+                let stiffness = row.coordinate.geometric_stiffness(&at, load(row));
+                for (body, [pull, turn]) in row.bodies.into_iter().zip(stiffness) {
+                    let body = &mut self.bodies[body as usize];
+                    body.stiffness = [body.stiffness[0] + pull, body.stiffness[1] + turn];
                 }
             }
         }
@@ -391,7 +392,7 @@ fn body_of(row: u32, inverse: Option<[f32; 2]>) -> JointBody {
         row,
         inverse_mass,
         inverse_inertia,
-        stiffness: 0.0,
+        stiffness: [0.0; 2],
         velocity: [0.0; 3],
         shift: [0.0; 2],
         turn: [1.0, 0.0],

@@ -83,6 +83,40 @@ fn a_light_chain_with_a_heavy_ball_swings_without_parting() {
     }
 }
 
+/// The same of ten discs on massless rods, which do not turn but go to the side.
+#[test]
+fn a_string_of_light_discs_with_a_heavy_one_swings_without_parting() {
+    for weight in [10.0_f32, 672.0] {
+        let mut world = earth();
+        let ghost = Filter { group: -1, ..Filter::DEFAULT };
+        let (mut joints, mut before) = (Vec::new(), None);
+        for number in 1..=10_u8 {
+            let x = 0.5 * f64::from(number);
+            let mass = if number == 10 { 6.0 * weight } else { 6.0 };
+            let disc = Body::dynamic(Shape::circle(0.1)).at([x, 0.0]).mass(mass).filter(ghost);
+            let disc = add(&mut world, disc);
+            let rod = match before {
+                Some(before) => Joint::distance(before, disc),
+                None => Joint::distance(disc, None).between([x, 0.0], [0.0, 0.0]),
+            };
+            joints.push(world.add_joint(rod).unwrap());
+            before = Some(disc);
+        }
+        let start = world.energy();
+        // What the discs fall by, at most.
+        let scale = 6.0 * G * (5.0 * f64::from(weight) + 9.0 * 2.5);
+        for tick in 0..1_200 {
+            world.step();
+            for joint in &joints {
+                let gap = world.joint(*joint).unwrap().error().distance;
+                assert!(gap < 1e-5, "{weight} discs, tick {tick}: {gap} m");
+            }
+            let gained = world.energy() - start;
+            assert!(gained < 0.01 * scale, "{weight} discs, tick {tick}: {gained} J of {scale} J");
+        }
+    }
+}
+
 /// A joint that breaks above 100 N holds 10 kg and does not hold 10.4 kg.
 #[test]
 fn a_joint_breaks_above_its_force_and_not_below() {

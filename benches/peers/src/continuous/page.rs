@@ -43,7 +43,10 @@ fn text(contestants: &[Contestant], rows: &[Row]) -> String {
     text += "- \"Bullets\" and \"CCD\": all bodies that move have the flag with which the engine sweeps them. rustycs has none; \
              \"off\" is `Settings::continuous` switched off.\n\
              - Box2D cuts speeds to 400 m/s, so that what is thrown faster is thrown with that.\n";
-    circumstances(contestants.iter().map(|contestant| contestant.engine.version()), &mut text);
+    let mut versions: Vec<String> =
+        contestants.iter().map(|contestant| contestant.engine.version()).collect();
+    versions.dedup();
+    circumstances(versions, &mut text);
     _ = writeln!(text, "- Measured {}.\n", goes(rows.iter().map(|row| row.begun.as_str())));
     text += "## In all\n\n| engine | cells in which something passes | trials that pass |\n|---|---:|---:|\n";
     for name in &names {

@@ -1,5 +1,7 @@
 //! Queries against brute force over all bodies.
 
+mod filtered;
+
 use rand::rngs::Xoshiro256PlusPlus;
 use rand::{RngExt, SeedableRng};
 use rustycs::collision::detect;

@@ -1,24 +1,11 @@
 //! Queries with a filter, shapes on their way, and the nearest body, against looking at all bodies.
 
-use rand::rngs::Xoshiro256PlusPlus;
 use rand::{RngExt, SeedableRng};
 use rustycs::collision::detect;
 use rustycs::prelude::*;
 
+use super::{Random, random_shape};
 use crate::support::{add, assert_near};
-
-type Random = Xoshiro256PlusPlus;
-
-fn random_shape(random: &mut Random) -> Shape {
-    let (width, height) = (random.random_range(0.1..2.0_f32), random.random_range(0.1..2.0_f32));
-    match random.random_range(0..4_u32) {
-        0 => Shape::circle(0.5 * width),
-        1 => Shape::aabb(width, height),
-        2 => Shape::obb(width, height),
-        _ => Shape::polygon([[0.0, 0.0], [width, 0.0], [1.2 * width, height], [0.3 * width, 1.4 * height]])
-            .unwrap(),
-    }
-}
 
 /// Bodies of every shape, type and filter within 10 m of a middle.
 fn crowd(random: &mut Random, middle: [f64; 2]) -> (World, Vec<BodyId>) {
