@@ -283,24 +283,22 @@ fn midpoint(k: f64, c: f64, h: f64) -> [f64; 2] {
     [2.0 * (1.0 - determinant) / sum, (1.0 + determinant - trace) / sum]
 }
 
-/// e^-x of a number that is not negative: by its series for a 1024th of it, squared ten times.
+/// e^-x of a number that is not negative: by its series for a 1024th of it, at most 0.7, squared ten times.
 fn exp_of_minus(x: f64) -> f64 {
     if x > 700.0 {
         return 0.0;
     }
     let y = -x / 1024.0;
-    let mut value =
-        1.0 + y * (1.0 + y / 2.0 * (1.0 + y / 3.0 * (1.0 + y / 4.0 * (1.0 + y / 5.0 * (1.0 + y / 6.0)))));
-    // (1 + e)² = 1 + (2 e + e²) loses no digits of a small e.
-    let mut less = value - 1.0;
+    // The next term is below 10⁻¹⁷ of it.
+    let mut less = y * (2..=16).rev().fold(1.0, |sum, term| 1.0 + y / f64::from(term) * sum);
     if x < 1.0 {
-        less = y * (1.0 + y / 2.0 * (1.0 + y / 3.0 * (1.0 + y / 4.0)));
+        // (1 + e)² = 1 + (2 e + e²) loses no digits of a small e.
+        for _ in 0..10 {
+            less = 2.0 * less + less * less;
+        }
+        return 1.0 + less;
     }
-    for _ in 0..10 {
-        less = 2.0 * less + less * less;
-    }
-    value = 1.0 + less;
-    value
+    (0..10).fold(1.0 + less, |value, _| value * value)
 }
 
 #[cfg(test)]
