@@ -118,27 +118,27 @@ pub(crate) mod store;
 pub(crate) mod testing;
 pub mod world;
 
-pub use body::{Body, BodyError, BodyId, BodyType, Filter, Material, Mix};
+pub use body::{Body, BodyError, BodyId, BodyType, Collider, ColliderId, Filter, Material, Mix};
 pub use collision::{FeatureId, Manifold, ManifoldPoint};
 pub use joint::{Joint, JointError, JointId, JointKind};
 pub use math::{Aabb, Point, Pose, Rot, Vec2};
 pub use shape::{Shape, ShapeError};
 pub use world::{
-    Attractor, AttractorError, AttractorId, BodyMut, BodyRef, Clock, ClosestHit, ContactEvent, ContactRef,
-    Counters, Events, Force, ForceError, ForceId, HitEvent, JointGap, JointMut, JointRef, JointRefusal,
-    Lanes, PositionCorrection, Profile, QueryFilter, RayHit, Refusal, SensorEvent, Settings, SettingsError,
-    ShapeHit, Stage, StageReport, StepError, Tier, World,
+    Attractor, AttractorError, AttractorId, BodyMut, BodyRef, Clock, ClosestHit, ColliderRef, ContactEvent,
+    ContactRef, Counters, Events, Force, ForceError, ForceId, HitEvent, JointGap, JointMut, JointRef,
+    JointRefusal, Lanes, PositionCorrection, Profile, QueryFilter, RayHit, Refusal, SensorEvent, Settings,
+    SettingsError, ShapeHit, Stage, StageReport, StepError, Tier, World,
 };
 
 /// Everything a program needs by name.
 pub mod prelude {
     pub use crate::{
         Aabb, Attractor, AttractorError, AttractorId, Body, BodyError, BodyId, BodyMut, BodyRef, BodyType,
-        Clock, ClosestHit, ContactEvent, ContactRef, Counters, Events, FeatureId, Filter, Force, ForceError,
-        ForceId, HitEvent, Joint, JointError, JointGap, JointId, JointKind, JointMut, JointRef, Lanes,
-        Manifold, ManifoldPoint, Material, Mix, Point, Pose, PositionCorrection, Profile, QueryFilter,
-        RayHit, Refusal, Rot, SensorEvent, Settings, SettingsError, Shape, ShapeError, ShapeHit, Stage,
-        StageReport, StepError, Tier, Vec2, World, collision,
+        Clock, ClosestHit, Collider, ColliderId, ColliderRef, ContactEvent, ContactRef, Counters, Events,
+        FeatureId, Filter, Force, ForceError, ForceId, HitEvent, Joint, JointError, JointGap, JointId,
+        JointKind, JointMut, JointRef, Lanes, Manifold, ManifoldPoint, Material, Mix, Point, Pose,
+        PositionCorrection, Profile, QueryFilter, RayHit, Refusal, Rot, SensorEvent, Settings, SettingsError,
+        Shape, ShapeError, ShapeHit, Stage, StageReport, StepError, Tier, Vec2, World, collision,
     };
 }
 

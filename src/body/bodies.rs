@@ -1,9 +1,11 @@
 //! All bodies of a world, in tables indexed by slot.
 
+use crate::body::collider::Masses;
+use crate::body::compound::Compounds;
 use crate::body::{Body, BodyId, BodyType, Material, Mixes, RestRule, RestWatch, Roles};
 use crate::compute::{BodyState, COLUMN, DistinctIndices, GROUND_ROW, prefetch};
 use crate::math::{Aabb, Point, Pose, Rot, Vec2};
-use crate::shape::{MassProperties, Shape};
+use crate::shape::Shape;
 use crate::store::{Key, Slots};
 
 /// No slot, group or contact: the end of a list.
@@ -28,11 +30,15 @@ pub(crate) struct Record {
     pub(crate) first_contact: u32,
     /// The sleeping group the body belongs to, or `NONE` while it is awake or fixed.
     pub(crate) sleep_group: u32,
+    /// The slot of the body: its own, or, of one of several shapes of a body, that of the body.
+    pub(crate) body: u32,
+    /// Of a body of several shapes the slot of the first; of one of them that of the next; `NONE` where there is none.
+    pub(crate) next_collider: u32,
 }
 
 /// Warm: pose, mass and size; touched a few times per step, by contacts in the order of their pairs. One cache line.
 #[repr(align(64))]
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub(crate) struct Motion {
     pub(crate) pose: Pose,
     /// 1/mass, 1/kg; 0 for fixed and kinematic bodies.
@@ -43,8 +49,10 @@ pub(crate) struct Motion {
     pub(crate) extent: f32,
     /// Smallest width of the shape, m.
     pub(crate) thickness: f32,
-    /// Whether the shape is a circle, whose outline does not turn with it.
+    /// Whether the shape is a circle around the centre of mass, whose outline does not turn with it.
     pub(crate) is_round: bool,
+    /// Whether the shape is a circle.
+    pub(crate) is_circle: bool,
     /// Whether it may be put to sleep.
     pub(crate) may_sleep: bool,
     /// Whether it is slow enough to be watched for rest, as its `RestWatch` tells.
@@ -53,22 +61,24 @@ pub(crate) struct Motion {
     pub(crate) row: u32,
     /// What rounding has kept out of the velocity so far, m/s.
     pub(crate) velocity_compensation: Vec2,
-    /// How far the outline may still move before its box must be looked at, m.
+    /// How far the outline may still move before its box must be looked at, m; any distance for a body of several shapes, which
+    /// have the boxes.
     pub(crate) room: f32,
 }
 
 const _: () = assert!(size_of::<Motion>() == 64);
 
 impl Motion {
-    /// Takes mass and size from a description.
+    /// Takes mass and size from a description, as if its own shape were all it has.
     fn fit(&mut self, body: &Body) {
-        let MassProperties { mass, inertia } = body.mass_properties();
+        let Masses { mass, inertia, .. } = body.masses();
         let is_dynamic = body.body_type == BodyType::Dynamic;
         self.inverse_mass = if is_dynamic { 1.0 / mass } else { 0.0 };
         self.inverse_inertia = if is_dynamic && body.can_turn() { 1.0 / inertia } else { 0.0 };
         self.extent = body.shape.extent();
         self.thickness = body.shape.thickness();
-        self.is_round = matches!(body.shape, Shape::Circle(_));
+        self.is_circle = matches!(body.shape, Shape::Circle(_));
+        self.is_round = self.is_circle;
     }
 
     /// Watches the body for rest over a step that has moved it `by` and turned it by `turn`. Returns whether it may sleep.
@@ -86,7 +96,7 @@ impl Motion {
 }
 
 /// Warm: what acts on the body; touched once per step, in the order of rows.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub(crate) struct Forcing {
     /// Force during the next step, N.
     pub(crate) force: Vec2,
@@ -130,6 +140,7 @@ pub(crate) struct Bodies {
     /// By slot.
     pub(crate) shapes: Vec<Shape>,
     pub(crate) roles: Roles,
+    pub(crate) compounds: Compounds,
     /// By row: the ground, then every awake body that can move; and rows at rest that are no body's, to whole columns.
     pub(crate) states: Vec<BodyState>,
     /// By row: the pose before the last tick, or since when the body is there; that of the ground has no meaning.
@@ -149,6 +160,7 @@ clone_into_buffers!(Bodies {
     watches,
     shapes,
     roles,
+    compounds,
     states,
     previous,
     awake,
@@ -165,6 +177,7 @@ impl Default for Bodies {
             watches: Vec::new(),
             shapes: Vec::new(),
             roles: Roles::default(),
+            compounds: Compounds::default(),
             states: vec![BodyState::REST; COLUMN],
             previous: vec![Pose::default()],
             awake: DistinctIndices::default(),
@@ -177,7 +190,7 @@ impl Default for Bodies {
 impl Bodies {
     /// Adds a body whose description has been validated, awake unless it is fixed; returns its id.
     pub(crate) fn insert(&mut self, body: &Body) -> BodyId {
-        let MassProperties { mass, inertia } = body.mass_properties();
+        let Masses { mass, inertia, .. } = body.masses();
         let record = Record {
             body_type: body.body_type,
             material: body.material,
@@ -189,42 +202,27 @@ impl Bodies {
             user_data: body.user_data,
             first_contact: NONE,
             sleep_group: NONE,
+            body: NONE,
+            next_collider: NONE,
         };
-        let mut motion = Motion {
-            pose: body.pose(),
-            inverse_mass: 0.0,
-            inverse_inertia: 0.0,
-            velocity_compensation: Vec2::ZERO,
-            extent: 0.0,
-            thickness: 0.0,
-            room: 0.0,
-            row: GROUND_ROW,
-            is_round: false,
-            may_sleep: body.may_sleep,
-            is_watched: false,
-        };
+        let pose = body.pose();
+        let mut motion = Motion { pose, row: GROUND_ROW, may_sleep: body.may_sleep, ..Motion::default() };
         motion.fit(body);
-        self.measure(body.body_type, &motion);
         let forcing = Forcing {
-            force: Vec2::ZERO,
-            torque: 0.0,
             gravity_scale: body.gravity_scale,
             linear_damping: body.linear_damping,
             angular_damping: body.angular_damping,
+            ..Forcing::default()
         };
-        let key = self.records.insert(record);
+        let key = self.take_slot(record, motion, forcing, body.shape);
         let slot = key.index();
-        if slot as usize == self.motions.len() {
-            self.motions.push(motion);
-            self.forcings.push(forcing);
-            self.watches.push(RestWatch::default());
-            self.shapes.push(body.shape);
+        self.records[slot].body = slot;
+        if body.further.is_empty() {
+            self.roles.set(slot, body.role);
         } else {
-            self.motions[slot as usize] = motion;
-            self.forcings[slot as usize] = forcing;
-            self.shapes[slot as usize] = body.shape;
+            self.insert_colliders(slot, body);
         }
-        self.roles.set(slot, body.role);
+        self.measure(slot);
         if body.body_type != BodyType::Fixed {
             let row = self.give_row(slot);
             let state = &mut self.states[row as usize];
@@ -234,9 +232,31 @@ impl Bodies {
         BodyId(key)
     }
 
+    /// Fills a free slot of all tables.
+    pub(super) fn take_slot(
+        &mut self,
+        record: Record,
+        motion: Motion,
+        forcing: Forcing,
+        shape: Shape,
+    ) -> Key {
+        let key = self.records.insert(record);
+        let slot = key.index() as usize;
+        if slot == self.motions.len() {
+            self.motions.push(motion);
+            self.forcings.push(forcing);
+            self.watches.push(RestWatch::default());
+            self.shapes.push(shape);
+        } else {
+            (self.motions[slot], self.forcings[slot], self.shapes[slot]) = (motion, forcing, shape);
+        }
+        key
+    }
+
     /// Takes note of how small and how long a body is.
-    fn measure(&mut self, body_type: BodyType, motion: &Motion) {
-        if body_type != BodyType::Fixed {
+    fn measure(&mut self, slot: u32) {
+        if self.records[slot].body_type != BodyType::Fixed {
+            let motion = &self.motions[slot as usize];
             self.smallest_thickness = self.smallest_thickness.min(motion.thickness);
             self.largest_extent = self.largest_extent.max(motion.extent);
         }
@@ -247,6 +267,7 @@ impl Bodies {
         self.records.get(key)?;
         let description = self.describe(key.index());
         self.take_row(key.index());
+        self.remove_colliders(key.index());
         self.roles.forget(key.index());
         self.records.remove(key);
         Some(description)
@@ -260,6 +281,7 @@ impl Bodies {
         self.forcings.truncate(slots);
         self.shapes.truncate(slots);
         self.roles.trim(slots);
+        self.compounds.trim(slots);
         self.awake.trim();
         self.states.truncate(self.row_count().next_multiple_of(COLUMN));
     }
@@ -274,14 +296,15 @@ impl Bodies {
         let record = &self.records[slot];
         let (motion, state) = (&self.motions[slot as usize], self.state(slot));
         let forcing = &self.forcings[slot as usize];
+        let own = self.own_collider(slot);
         Body {
             body_type: record.body_type,
-            shape: self.shapes[slot as usize],
-            center: motion.pose.center,
+            shape: self.shapes[own as usize],
+            center: self.place_of_frame(slot),
             angle: motion.pose.rotation.angle(),
             velocity: state.velocity.into(),
             angular_velocity: state.angular_velocity,
-            material: record.material,
+            material: self.records[own].material,
             mass: record.mass_override,
             fixed_rotation: record.fixed_rotation,
             gravity_scale: forcing.gravity_scale,
@@ -289,28 +312,34 @@ impl Bodies {
             angular_damping: forcing.angular_damping,
             may_sleep: motion.may_sleep,
             user_data: record.user_data,
-            role: self.roles.of(slot),
+            role: self.roles.of(own),
+            further: self.further_colliders(slot),
         }
     }
 
-    /// Makes the body in `slot` what a validated description says, but for its pose and velocity.
+    /// Makes the body in `slot` what a validated description says, but for its pose and velocity, with as many shapes as it
+    /// has.
     pub(crate) fn redescribe(&mut self, slot: u32, body: &Body) {
+        let frame = self.place_of_frame(slot);
         let record = &mut self.records[slot];
         let old_type = core::mem::replace(&mut record.body_type, body.body_type);
-        let masses = body.mass_properties();
+        let masses = body.masses();
         (record.mass, record.inertia) = (masses.mass, masses.inertia);
         (record.material, record.mass_override) = (body.material, body.mass);
         record.fixed_rotation = body.fixed_rotation;
         let motion = &mut self.motions[slot as usize];
         motion.fit(body);
         motion.velocity_compensation = Vec2::ZERO;
-        let fitted = motion.clone();
-        if !body.shape.can_rotate() {
+        if !body.can_be_turned() {
             motion.pose.rotation = Rot::IDENTITY;
         }
         self.shapes[slot as usize] = body.shape;
-        self.roles.set(slot, body.role);
-        self.measure(body.body_type, &fitted);
+        if body.further.is_empty() {
+            self.roles.set(slot, body.role);
+        } else {
+            self.fit_colliders(slot, body, frame);
+        }
+        self.measure(slot);
         if body.body_type != BodyType::Dynamic {
             self.forcings[slot as usize].end_step();
         }
@@ -335,24 +364,33 @@ impl Bodies {
             self.states.resize(self.row_count() + COLUMN, BodyState::REST);
         }
         self.awake.push(slot);
-        self.motions[slot as usize].row = row;
+        self.set_row(slot, row);
         self.previous.push(self.motions[slot as usize].pose);
         row
     }
 
+    /// Has the body in `slot`, and its shapes, know its row.
+    fn set_row(&mut self, slot: u32, row: u32) {
+        self.motions[slot as usize].row = row;
+        if !self.compounds.is_empty() {
+            self.tell_colliders(slot);
+        }
+    }
+
     /// Takes the row of the body in `slot` away, which leaves it at rest; the last row moves into the gap.
     pub(crate) fn take_row(&mut self, slot: u32) {
-        let row = std::mem::replace(&mut self.motions[slot as usize].row, GROUND_ROW);
+        let row = self.motions[slot as usize].row;
         if row == GROUND_ROW {
             return;
         }
+        self.set_row(slot, GROUND_ROW);
         let last = self.row_count() - 1;
         self.states.swap(row as usize, last);
         self.states[last] = BodyState::REST;
         self.previous.swap_remove(row as usize);
         self.awake.swap_remove(row as usize - 1);
         if let Some(&moved) = self.awake.get(row as usize - 1) {
-            self.motions[moved as usize].row = row;
+            self.set_row(moved, row);
         }
     }
 
@@ -366,7 +404,11 @@ impl Bodies {
     pub(crate) fn previous_pose(&self, slot: u32) -> Pose {
         let motion = &self.motions[slot as usize];
         // What has no row has not moved.
-        if motion.row == GROUND_ROW { motion.pose } else { self.previous[motion.row as usize] }
+        if motion.row == GROUND_ROW {
+            return motion.pose;
+        }
+        let of_body = self.previous[motion.row as usize];
+        if self.compounds.is_empty() { of_body } else { self.pose_in(slot, of_body) }
     }
 
     /// The same, to change it; `None` where the body has no row.
@@ -406,7 +448,7 @@ impl Bodies {
     /// Whether the bodies in two slots collide where they meet.
     #[inline(always)]
     pub(crate) fn may_collide(&self, a: u32, b: u32) -> bool {
-        (self.is_dynamic(a) || self.is_dynamic(b)) && self.roles.may_collide(a, b)
+        (self.is_dynamic(a) || self.is_dynamic(b)) && self.roles.may_collide([a, b], self.bodies_of([a, b]))
     }
 
     /// Whether the solver moves the body in `slot` in this step.
@@ -415,7 +457,7 @@ impl Bodies {
         self.motions[slot as usize].row != GROUND_ROW
     }
 
-    /// The bounding box of the body in `slot`, rounded outward.
+    /// The bounding box of the shape in `slot`, rounded outward.
     pub(crate) fn aabb(&self, slot: u32) -> Aabb {
         self.shapes[slot as usize].bounding_box(self.motions[slot as usize].pose)
     }

@@ -2,10 +2,14 @@
 
 use core::fmt;
 
+use crate::body::collider::{Collider, Masses, Part};
 use crate::body::error::check_range;
+use crate::body::limits::{
+    INERTIAS, MASSES, check_damping, check_gravity_scale, check_place, check_strength, check_vector,
+};
 use crate::body::{BodyError, Filter, Material, Role};
-use crate::math::{Point, Pose, Rot, Vec2};
-use crate::shape::{MassProperties, Shape};
+use crate::math::{Point, Pose, Vec2};
+use crate::shape::Shape;
 
 /// How a body takes part in the motion.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -27,17 +31,6 @@ impl fmt::Display for BodyType {
         })
     }
 }
-
-/// Largest coordinate, m, that a body can be given, or get to: there a step of `f64` is 0.1 mm.
-pub(crate) const FARTHEST: f64 = 1e12;
-/// Largest speed (m/s), spin (rad/s), force (N) or impulse (N s) that can be given: its square stays in `f32`.
-pub(crate) const STRONGEST: f64 = 1e18;
-/// Masses (kg) with which the solver's products of inverse masses stay within `f32`.
-const MASSES: [f64; 2] = [1e-12, 1e15];
-/// Moments of inertia, kg m²: the masses times the squares of reasonable extents.
-const INERTIAS: [f64; 2] = [1e-18, 1e25];
-/// Largest coefficient of friction, gravity scale, damping (1/s) or surface speed (m/s): far above use, far from overflow.
-const LARGEST_FACTOR: f64 = 1e6;
 
 /// A body to be added to a world: a shape with a place, a motion and a material.
 ///
@@ -72,6 +65,8 @@ pub struct Body {
     pub(crate) may_sleep: bool,
     pub(crate) user_data: u64,
     pub(crate) role: Role,
+    /// Its shapes beside its own.
+    pub(crate) further: Vec<Collider>,
 }
 
 impl Body {
@@ -92,6 +87,7 @@ impl Body {
             may_sleep: true,
             user_data: 0,
             role: Role::default(),
+            further: Vec::new(),
         }
     }
 
@@ -113,7 +109,7 @@ impl Body {
         Self::new(BodyType::Kinematic, shape)
     }
 
-    /// Place of the centre of mass, m.
+    /// Place of the centre of mass, m; of the body's own shape, if it has [several](Self::with).
     #[must_use]
     pub fn at(mut self, center: impl Into<Point>) -> Self {
         self.center = center.into();
@@ -217,6 +213,29 @@ impl Body {
         self
     }
 
+    /// Gives the body one more shape. Together they move as one; where they overlap, both weigh.
+    ///
+    /// [`at`](Self::at) and [`angle`](Self::angle) tell where the frame goes that the shapes are described in, with the body's own
+    /// shape in the middle. The [position](crate::BodyRef::position) of a dynamic body is its centre of mass as always, which
+    /// is elsewhere as a rule; one that contacts do not move is at its own shape. Density, friction, restitution
+    /// and filter of the body hold for all shapes that are not given their own; what else it is told is about its own shape.
+    ///
+    /// ```
+    /// # use rustycs::prelude::*;
+    /// # let mut world = World::new(Settings::default());
+    /// let tail = Collider::new(Shape::rectangle(0.2, 1.0)).at([0.0, -0.5]);
+    /// let arrow = world.add(Body::dynamic(Shape::circle(0.3)).with(tail).at([3.0, 2.0]))?;
+    /// for collider in world.body(arrow).unwrap().colliders() {
+    ///     println!("{:?} at {:?}", collider.shape(), collider.pose());
+    /// }
+    /// # Ok::<(), BodyError>(())
+    /// ```
+    #[must_use]
+    pub fn with(mut self, collider: Collider) -> Self {
+        self.further.push(collider);
+        self
+    }
+
     /// Which bodies it collides with. Default: all.
     #[must_use]
     pub fn filter(mut self, filter: Filter) -> Self {
@@ -293,7 +312,7 @@ impl Body {
         &self.shape
     }
 
-    /// Place of the centre of mass, m.
+    /// Place of its own shape, m: its centre of mass, if it has only that.
     pub fn get_position(&self) -> Point {
         self.center
     }
@@ -373,104 +392,88 @@ impl Body {
         self.user_data
     }
 
-    /// Whether the body can turn.
+    /// The shapes that it has beside its own.
+    pub fn get_colliders(&self) -> &[Collider] {
+        &self.further
+    }
+
+    /// All its shapes, its own first.
+    pub(crate) fn parts(&self) -> Vec<Part> {
+        let Self { shape, material, role, .. } = *self;
+        let own = Part { shape, at: Vec2::ZERO, angle: 0.0, material, role, user_data: 0 };
+        let further = self.further.iter().map(|collider| collider.on(material, role.filter));
+        std::iter::once(own).chain(further).collect()
+    }
+
+    /// Whether the body can turn: not if one of its shapes never does.
     pub(crate) fn can_turn(&self) -> bool {
-        self.shape.can_rotate() && !self.fixed_rotation
+        self.can_be_turned() && !self.fixed_rotation
     }
 
-    /// Where the body is; an axis-aligned box is never turned.
+    /// Whether the body can have an angle.
+    pub(crate) fn can_be_turned(&self) -> bool {
+        self.shape.can_rotate() && self.further.iter().all(|collider| collider.shape.can_rotate())
+    }
+
+    /// Where the centre of mass is; a body with an axis-aligned box is never turned.
     pub(crate) fn pose(&self) -> Pose {
-        if self.shape.can_rotate() { Pose::new(self.center, self.angle) } else { Pose::at(self.center) }
+        let frame =
+            if self.can_be_turned() { Pose::new(self.center, self.angle) } else { Pose::at(self.center) };
+        if self.further.is_empty() {
+            return frame;
+        }
+        Pose { center: frame.to_world(self.masses().center), ..frame }
     }
 
-    /// Mass (kg) and moment of inertia (kg m²) of the body, were it free to move and turn.
-    pub(crate) fn mass_properties(&self) -> MassProperties {
-        let by_density = self.shape.mass_properties(self.material.density);
+    /// Mass and moment of inertia of the body, were it free to move and turn; and its centre of mass in the frame that it is
+    /// described in: what contacts do not move turns about its own shape.
+    pub(crate) fn masses(&self) -> Masses {
+        let by_density = if self.further.is_empty() {
+            let of_shape = self.shape.mass_properties(self.material.density);
+            Masses { mass: of_shape.mass, inertia: of_shape.inertia, center: Vec2::ZERO }
+        } else {
+            self.masses_of_all()
+        };
         match self.mass {
             None => by_density,
-            Some(mass) => MassProperties {
-                mass,
-                inertia: self.shape.mass_properties(1.0).inertia * (mass / self.shape.area()),
-            },
+            Some(mass) if self.further.is_empty() => {
+                let inertia = self.shape.mass_properties(1.0).inertia * (mass / self.shape.area());
+                Masses { mass, inertia, ..by_density }
+            }
+            Some(mass) => {
+                Masses { mass, inertia: by_density.inertia * (mass / by_density.mass), ..by_density }
+            }
         }
+    }
+
+    fn masses_of_all(&self) -> Masses {
+        let of_all = Masses::of(&self.parts());
+        let is_dynamic = self.body_type == BodyType::Dynamic;
+        Masses { center: if is_dynamic { of_all.center } else { Vec2::ZERO }, ..of_all }
     }
 
     /// Checks every number of the description.
     pub(crate) fn validate(&self) -> Result<(), BodyError> {
-        self.shape.validate()?;
         check_place(self.center)?;
         check_strength("the angle", self.angle, "rad")?;
         check_vector("the velocity", self.velocity, "m/s")?;
         check_strength("the angular velocity", self.angular_velocity, "rad/s")?;
         // What does not move may weigh nothing.
         let is_dynamic = self.body_type == BodyType::Dynamic;
-        let least_density = if is_dynamic { 1e-12 } else { 0.0 };
-        check_range("the density", f64::from(self.material.density), [least_density, 1e12], "kg/m²")?;
+        for part in self.parts() {
+            part.validate(is_dynamic)?;
+        }
         if let Some(mass) = self.mass {
             check_range("the mass", f64::from(mass), MASSES, "kg")?;
         }
-        check_friction(self.material.friction)?;
-        check_restitution(self.material.restitution)?;
         check_gravity_scale(self.gravity_scale)?;
         check_damping("the linear damping", self.linear_damping)?;
         check_damping("the angular damping", self.angular_damping)?;
-        check_surface_speed(self.role.surface_speed)?;
-        check_one_way(self.role.one_way)?;
         if is_dynamic {
-            let MassProperties { mass, inertia } = self.mass_properties();
+            let Masses { mass, inertia, .. } = self.masses();
             check_range("the mass", f64::from(mass), MASSES, "kg")?;
             check_range("the moment of inertia", f64::from(inertia), INERTIAS, "kg m²")?;
         }
         Ok(())
     }
-}
-
-pub(crate) fn check_place(center: Point) -> Result<(), BodyError> {
-    check_range("the x of the position", center.x, [-FARTHEST, FARTHEST], "m")?;
-    check_range("the y of the position", center.y, [-FARTHEST, FARTHEST], "m")
-}
-
-/// Checks that the two numbers are cosine and sine of an angle.
-pub(crate) fn check_rotation(Rot { c, s }: Rot) -> Result<(), BodyError> {
-    let square = f64::from(c) * f64::from(c) + f64::from(s) * f64::from(s);
-    check_range("the c² + s² of the rotation", square, [0.999, 1.001], "")
-}
-
-pub(crate) fn check_strength(
-    quantity: &'static str,
-    value: f32,
-    unit: &'static str,
-) -> Result<(), BodyError> {
-    check_range(quantity, f64::from(value), [-STRONGEST, STRONGEST], unit)
-}
-
-pub(crate) fn check_vector(quantity: &'static str, value: Vec2, unit: &'static str) -> Result<(), BodyError> {
-    check_strength(quantity, value.x, unit)?;
-    check_strength(quantity, value.y, unit)
-}
-
-pub(crate) fn check_friction(friction: f32) -> Result<(), BodyError> {
-    check_range("the friction", f64::from(friction), [0.0, LARGEST_FACTOR], "")
-}
-
-pub(crate) fn check_restitution(restitution: f32) -> Result<(), BodyError> {
-    check_range("the restitution", f64::from(restitution), [0.0, 1.0], "")
-}
-
-pub(crate) fn check_surface_speed(speed: f32) -> Result<(), BodyError> {
-    check_range("the surface speed", f64::from(speed), [-LARGEST_FACTOR, LARGEST_FACTOR], "m/s")
-}
-
-/// Checks that a direction, if there is one, has a length: 1, or what is none.
-pub(crate) fn check_one_way(direction: Option<Vec2>) -> Result<(), BodyError> {
-    let length = direction.map_or(1.0, |direction| f64::from(direction.length()));
-    check_range("the length of the one-way direction", length, [1e-6, 1e6], "")
-}
-
-pub(crate) fn check_gravity_scale(scale: f32) -> Result<(), BodyError> {
-    check_range("the gravity scale", f64::from(scale), [-LARGEST_FACTOR, LARGEST_FACTOR], "")
-}
-
-pub(crate) fn check_damping(quantity: &'static str, damping: f32) -> Result<(), BodyError> {
-    check_range(quantity, f64::from(damping), [0.0, LARGEST_FACTOR], "1/s")
 }

@@ -1,18 +1,24 @@
-//! What a body is: its description ([`Body`]), its material, and how the engine keeps many of them.
+//! What a body is: its description ([`Body`], and [`Collider`] for further shapes), its material, and how the engine keeps many of them.
 //!
 //! Data is split by how often it is touched. Hot: `BodyState`, 32 bytes, one row per awake body, read and written
 //! several times per substep. Warm: `Motion`, pose and mass, 64 bytes, touched a few times per step by each contact;
 //! `Forcing`, what acts on the body, touched once; `RestWatch`, touched once where a body is slow. Cold: `Record`, touched when somebody asks or a contact begins.
+//!
+//! A body of several shapes has a slot for itself and one for each of its shapes, see [`compound`].
 
 mod bodies;
-pub(crate) mod description;
+mod collider;
+mod compound;
+mod description;
 mod error;
 mod filter;
+pub(crate) mod limits;
 mod material;
 mod rest;
 mod role;
 
 pub(crate) use bodies::{Bodies, Forcing, Motion, NONE, Record};
+pub use collider::{Collider, ColliderId};
 pub use description::{Body, BodyType};
 pub use error::BodyError;
 pub(crate) use error::Number;

@@ -115,12 +115,14 @@ impl Roles {
         }
     }
 
-    /// Whether the roles of two bodies let them collide.
+    /// Whether the roles of two shapes, of these bodies, let them collide.
     #[inline(always)]
-    pub(crate) fn may_collide(&self, a: u32, b: u32) -> bool {
-        let is_sensor = |slot: u32| self.of(slot).is_sensor;
+    pub(crate) fn may_collide(&self, colliders: [u32; 2], bodies: [u32; 2]) -> bool {
         let are_usual = self.by_slot.is_empty() && self.parted.is_empty();
-        are_usual || self.may_meet(a, b) && !is_sensor(a) && !is_sensor(b)
+        bodies[0] != bodies[1]
+            && (are_usual
+                || self.may_meet(colliders, bodies)
+                    && !colliders.into_iter().any(|slot| self.of(slot).is_sensor))
     }
 
     /// Whether one of two bodies is a one-way floor.
@@ -141,9 +143,11 @@ impl Roles {
         (speed != 0.0).then_some(speed)
     }
 
-    /// Whether two bodies are anything to each other: by their filters, and as they were not parted.
-    pub(crate) fn may_meet(&self, a: u32, b: u32) -> bool {
-        self.of(a).filter.collides_with(self.of(b).filter) && !self.are_parted(a, b)
+    /// Whether two shapes, of these bodies, are anything to each other: by their filters, and as the bodies were not parted.
+    pub(crate) fn may_meet(&self, [a, b]: [u32; 2], bodies: [u32; 2]) -> bool {
+        bodies[0] != bodies[1]
+            && self.of(a).filter.collides_with(self.of(b).filter)
+            && !self.are_parted(bodies[0], bodies[1])
     }
 }
 

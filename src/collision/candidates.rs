@@ -1,4 +1,4 @@
-//! Pairs of bodies whose boxes overlap, but which have not been in reach of each other: nothing needs to be known of them
+//! Pairs of shapes whose boxes overlap, but which have not been in reach of each other: nothing needs to be known of them
 //! but who they are. In a drum, whose bodies all move and have long boxes, they are half of all pairs or more.
 //!
 //! A pair that comes within reach gets a contact, and keeps it until the boxes part.

@@ -1,4 +1,4 @@
-//! Contacts: one per pair of bodies whose fat boxes overlap, kept across steps.
+//! Contacts: one per pair of shapes of two bodies whose fat boxes overlap, kept across steps.
 //!
 //! A contact holds the manifold with the impulses of the last substep, which warm start the next one. Each
 //! body heads a doubly linked list of its contacts, threaded through the contacts themselves, so that a body
@@ -45,8 +45,8 @@ struct Link {
 #[repr(C, align(64))]
 #[derive(Clone, Debug)]
 pub(crate) struct Contact {
-    /// Slots of a and b; a is the smaller.
-    pub(crate) slots: [u32; 2],
+    /// Slots of the shapes of a and b; that of a is the smaller.
+    pub(crate) colliders: [u32; 2],
     /// Whether the bodies touched at the end of the last step.
     pub(crate) is_touching: bool,
     /// Whether the bodies hardly move against each other: its manifold was kept under load, or they are slow. A load that it
@@ -80,6 +80,8 @@ pub(crate) struct Contact {
     /// Where the bodies were when the manifold was found; `None` where it is not kept, or a body was moved by hand since.
     pub(crate) frozen: Option<Frozen>,
     links: [Link; 2],
+    /// Slots of the bodies a and b.
+    pub(crate) slots: [u32; 2],
 }
 
 const _: () = assert!(size_of::<Option<Contact>>() == 3 * LINE);
@@ -154,11 +156,11 @@ impl Contact {
     }
 }
 
-/// Width of the thinner of two bodies, m, and whether one is a circle that the other does not find flat.
-fn sizes(bodies: &Bodies, slots: [u32; 2]) -> (f32, bool) {
-    let [a, b] = slots.map(|slot| &bodies.motions[slot as usize]);
-    let is_flat = is_flat([a, b].map(|motion| (motion.is_round, motion.extent)));
-    (a.thickness.min(b.thickness), (a.is_round || b.is_round) && !is_flat)
+/// Width of the thinner of two shapes, m, and whether one is a circle that the other does not find flat.
+fn sizes(bodies: &Bodies, colliders: [u32; 2]) -> (f32, bool) {
+    let [a, b] = colliders.map(|slot| &bodies.motions[slot as usize]);
+    let is_flat = is_flat([a, b].map(|motion| (motion.is_circle, motion.extent)));
+    (a.thickness.min(b.thickness), (a.is_circle || b.is_circle) && !is_flat)
 }
 
 /// Some contacts, each of them once.
@@ -169,7 +171,7 @@ impl ChosenContacts<'_> {
     #[inline(always)]
     pub(crate) fn prefetch_ahead(&self, bodies: &Bodies, place: usize) {
         if let Some(contact) = self.get(place + AHEAD) {
-            for slot in contact.slots {
+            for slot in contact.colliders {
                 prefetch(&bodies.motions, slot as usize);
             }
             if !contact.manifold.points().is_empty() {
@@ -179,7 +181,7 @@ impl ChosenContacts<'_> {
                 }
                 // What was kept, and likely will be, needs no shapes; of circles and boxes the first line is all that is read.
                 if contact.has_circle || !contact.holds_still {
-                    for slot in contact.slots {
+                    for slot in contact.colliders {
                         prefetch_lines(&bodies.shapes, slot as usize, FIRST_LINE);
                     }
                 }
@@ -223,17 +225,19 @@ impl core::ops::IndexMut<u32> for Contacts {
 }
 
 impl Contacts {
-    /// Begins a contact between two bodies, without points yet and asleep; returns its index.
+    /// Begins a contact between shapes of two bodies, without points yet and asleep; returns its index.
     pub(crate) fn begin(
         &mut self,
         bodies: &mut Bodies,
-        slots: [u32; 2],
+        colliders: [u32; 2],
         friction: f32,
         restitution: f32,
     ) -> u32 {
+        let slots = bodies.bodies_of(colliders);
         let first = slots.map(|slot| bodies.records[slot].first_contact);
-        let (thickness, has_circle) = sizes(bodies, slots);
+        let (thickness, has_circle) = sizes(bodies, colliders);
         let key = self.all.insert(Contact {
+            colliders,
             slots,
             manifold: Manifold::default(),
             frozen: None,
@@ -247,7 +251,7 @@ impl Contacts {
             follows: false,
             has_circle,
             followed_steps: 0,
-            one_way: bodies.roles.are_one_way(slots).then_some(OneWay::Apart),
+            one_way: bodies.roles.are_one_way(colliders).then_some(OneWay::Apart),
             awake_place: NONE,
             links: first.map(|next| Link { previous: NONE, next }),
         });
@@ -266,7 +270,7 @@ impl Contacts {
     pub(crate) fn prefetch_beginning(&self, bodies: &Bodies, pairs: &[(u32, u32)], place: usize) {
         if let Some(&(a, b)) = pairs.get(place + AHEAD) {
             self.all.prefetch_free(AHEAD);
-            for slot in [a, b] {
+            for slot in bodies.bodies_of([a, b]) {
                 // None has the greatest index.
                 self.all.prefetch(bodies.records[slot].first_contact);
             }
@@ -375,7 +379,7 @@ impl Contacts {
     #[inline(always)]
     pub(crate) fn prefetch_solved(&self, bodies: &Bodies, list: &[u32], place: usize) {
         if let Some(&index) = list.get(place + AHEAD_SOLVED) {
-            for slot in self[index].slots {
+            for slot in self[index].colliders {
                 prefetch(&bodies.motions, slot as usize);
             }
         }
@@ -402,7 +406,7 @@ impl Contacts {
         let mut index = bodies.records[slot].first_contact;
         while index != NONE {
             let contact = &mut self[index];
-            contact.one_way = bodies.roles.are_one_way(contact.slots).then_some(OneWay::Apart);
+            contact.one_way = bodies.roles.are_one_way(contact.colliders).then_some(OneWay::Apart);
             index = contact.links[contact.side(slot)].next;
         }
     }
@@ -410,13 +414,13 @@ impl Contacts {
     /// Takes note that a body of the contact, which is in no graph, has another shape or mass: its manifold is to be found
     /// anew, and only a share of what it bears is left.
     pub(crate) fn fit_to_bodies(&mut self, bodies: &Bodies, index: u32, share: f32) {
-        let (thickness, has_circle) = sizes(bodies, self[index].slots);
+        let (thickness, has_circle) = sizes(bodies, self[index].colliders);
         let contact = &mut self[index];
         if contact.has_circle != has_circle {
             contact.manifold = Manifold::default();
         }
         (contact.thickness, contact.has_circle) = (thickness, has_circle);
-        let are_one_way = bodies.roles.are_one_way(contact.slots);
+        let are_one_way = bodies.roles.are_one_way(contact.colliders);
         contact.one_way = are_one_way.then(|| contact.one_way.unwrap_or(OneWay::Apart));
         (contact.frozen, contact.follows, contact.holds_still, contact.followed_steps) =
             (None, false, false, 0);
@@ -459,6 +463,11 @@ impl Contacts {
         if let Some(&moved) = self.awake.get(place as usize) {
             self[moved].awake_place = place;
         }
+    }
+
+    /// The contact of two shapes, if they have one.
+    pub(crate) fn between(&self, bodies: &Bodies, colliders: [u32; 2]) -> Option<u32> {
+        self.of_body(bodies, bodies.body_of(colliders[0])).find(|&index| self[index].colliders == colliders)
     }
 
     /// Indices of the contacts of the body in `slot`, latest first.

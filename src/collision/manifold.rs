@@ -67,7 +67,8 @@ impl Corner {
 /// One point at which two shapes touch or are about to.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct ManifoldPoint {
-    /// The contact point from a's centre, turned as the world is, m. It lies halfway between the two surfaces, or on
+    /// The contact point from a's centre, turned as the world is, m: that of a shape for [`detect`](crate::collision::detect), that
+    /// of mass of a body in a world. It lies halfway between the two surfaces, or on
     /// that of a circle that touches something else.
     pub anchor_a: Vec2,
     /// The same point from b's centre, m.
@@ -139,6 +140,15 @@ impl Manifold {
     #[inline(always)]
     pub fn points_mut(&mut self) -> &mut [ManifoldPoint] {
         &mut self.points[..self.count as usize]
+    }
+
+    /// Has the anchors count from elsewhere: by so much more, m.
+    #[inline]
+    pub(crate) fn move_anchors(&mut self, [by_a, by_b]: [Vec2; 2]) {
+        for point in self.points_mut() {
+            point.anchor_a += by_a;
+            point.anchor_b += by_b;
+        }
     }
 
     /// The manifold as b sees it: a and b exchanged, and with them the order of the points.

@@ -41,16 +41,16 @@ pub(crate) enum OneWay {
 /// Decides what the contact does, and takes its points away where the body passes.
 pub(super) fn decide(contact: &mut Contact, before: OneWay, bodies: &Bodies) {
     let gap = contact.manifold.points().iter().map(|point| point.separation).fold(f32::INFINITY, f32::min);
-    let [a, b] = contact.slots.map(|slot| Vec2::from(bodies.state(slot).velocity));
+    let [a, b] = contact.colliders.map(|slot| Vec2::from(bodies.state(slot).velocity));
     let bears = match before {
         _ if contact.manifold.points().is_empty() => return contact.one_way = Some(OneWay::Apart),
         // What has slid off another floor of this height came by its end, and is on the surface now.
         OneWay::Passes if gap <= 0.0 => {
-            is_on_free_side(bodies, contact.slots, &contact.manifold, b - a)
-                && leans(bodies, contact.slots, &contact.manifold).all(|(_, up)| !rises(up, b - a))
+            is_on_free_side(bodies, contact.colliders, &contact.manifold, b - a)
+                && leans(bodies, contact.colliders, &contact.manifold).all(|(_, up)| !rises(up, b - a))
         }
-        OneWay::Bears => leans(bodies, contact.slots, &contact.manifold).all(|(lean, _)| lean > 0.0),
-        _ => is_on_free_side(bodies, contact.slots, &contact.manifold, b - a),
+        OneWay::Bears => leans(bodies, contact.colliders, &contact.manifold).all(|(lean, _)| lean > 0.0),
+        _ => is_on_free_side(bodies, contact.colliders, &contact.manifold, b - a),
     };
     if !bears {
         contact.clear();
@@ -58,14 +58,19 @@ pub(super) fn decide(contact: &mut Contact, before: OneWay, bodies: &Bodies) {
     contact.one_way = Some(if bears { OneWay::Bears } else { OneWay::Passes });
 }
 
-/// Whether two bodies with this manifold, of which b moves with `velocity` against a, m/s, are on the free sides of those of
+/// Whether two shapes with this manifold, of which the body of b moves with `velocity` against a, m/s, are on the free sides of those of
 /// them that are one-way floors, or come from there.
-pub(crate) fn is_on_free_side(bodies: &Bodies, slots: [u32; 2], manifold: &Manifold, velocity: Vec2) -> bool {
+pub(crate) fn is_on_free_side(
+    bodies: &Bodies,
+    colliders: [u32; 2],
+    manifold: &Manifold,
+    velocity: Vec2,
+) -> bool {
     let gap = manifold.points().iter().map(|point| point.separation).fold(f32::INFINITY, f32::min);
-    let [a, b] = slots.map(|slot| bodies.motions[slot as usize].thickness);
+    let [a, b] = colliders.map(|slot| bodies.motions[slot as usize].thickness);
     let is_outside = gap >= -ON_SURFACE * a.min(b);
     is_outside
-        && leans(bodies, slots, manifold)
+        && leans(bodies, colliders, manifold)
             .all(|(lean, up)| lean >= FACE || lean >= FREE_SIDE && !rises(up, velocity))
 }
 
@@ -78,10 +83,10 @@ fn rises(up: Vec2, velocity: Vec2) -> bool {
 /// the direction in which b moves against a when the other body moves along it.
 fn leans<'a>(
     bodies: &'a Bodies,
-    slots: [u32; 2],
+    colliders: [u32; 2],
     manifold: &'a Manifold,
 ) -> impl Iterator<Item = (f32, Vec2)> + 'a {
-    slots.into_iter().zip([1.0, -1.0]).filter_map(move |(slot, sign)| {
+    colliders.into_iter().zip([1.0, -1.0]).filter_map(move |(slot, sign)| {
         let direction = bodies.roles.of(slot).one_way?;
         let up = bodies.motions[slot as usize].pose.rotation.rotate(direction) * sign;
         Some((up.dot(manifold.normal), up))

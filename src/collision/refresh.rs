@@ -29,6 +29,7 @@ use crate::collision::refresh::circle::move_to;
 use crate::collision::{
     Contact, Frozen, Manifold, ManifoldPoint, Offset, Swept, Touch, detect_flat, detect_from, is_flat, sweep,
 };
+use crate::compute::{BodyState, GROUND_ROW};
 use crate::math::{Rot, Vec2};
 use crate::shape::Shape;
 
@@ -72,7 +73,7 @@ pub(crate) fn refresh(contact: &mut Contact, bodies: &Bodies, settings: Refresh)
 
 #[inline(always)]
 fn bring_up_to_date(contact: &mut Contact, bodies: &Bodies, settings: Refresh) {
-    let pair = Pair::new(contact.slots, bodies, settings.dt);
+    let pair = Pair::new(contact.colliders, bodies, settings.dt);
     if pair.is_out_of_reach() {
         return contact.clear();
     }
@@ -105,13 +106,13 @@ fn bring_up_to_date(contact: &mut Contact, bodies: &Bodies, settings: Refresh) {
     };
     contact.approach_speed = predicted.closing(touch.normal) / settings.dt;
     contact.holds_still = pair.is_slow(predicted);
-    move_to(touch, contact);
+    move_to(pair.seen_by_bodies(touch), contact);
 }
 
-/// Whether the circles around two bodies stay apart within a step of `dt` seconds.
+/// Whether the circles around two shapes stay apart within a step of `dt` seconds.
 #[inline(always)]
-pub(crate) fn are_out_of_reach(bodies: &Bodies, slots: [u32; 2], dt: f32) -> bool {
-    Pair::new(slots, bodies, dt).is_out_of_reach()
+pub(crate) fn are_out_of_reach(bodies: &Bodies, colliders: [u32; 2], dt: f32) -> bool {
+    Pair::new(colliders, bodies, dt).is_out_of_reach()
 }
 
 /// How a manifold is brought up to date.
@@ -125,13 +126,16 @@ enum ManifoldUpdate {
     FindAnew(PredictedMotion),
 }
 
-/// The two bodies of a contact as the narrow phase sees them: from the centre of a.
+/// The two shapes of a contact as the narrow phase sees them: from the centre of a. That is the centre of mass of its body, if
+/// this has no other shape.
 ///
 /// Most contacts keep their manifold or are out of reach, and need little of what there is to know: the rest is found
 /// when it is asked for.
 struct Pair<'a> {
     bodies: &'a Bodies,
-    slots: [u32; 2],
+    colliders: [u32; 2],
+    /// Their centres from the centres of mass of their bodies, m, where they are not there.
+    arms: Option<[Vec2; 2]>,
     motion_a: &'a Motion,
     motion_b: &'a Motion,
     shape_a: &'a Shape,
@@ -172,12 +176,13 @@ struct Since {
 
 impl<'a> Pair<'a> {
     #[inline(always)]
-    fn new(slots: [u32; 2], bodies: &'a Bodies, dt: f32) -> Self {
-        let [a, b] = slots.map(|slot| slot as usize);
+    fn new(colliders: [u32; 2], bodies: &'a Bodies, dt: f32) -> Self {
+        let [a, b] = colliders.map(|slot| slot as usize);
         let (motion_a, motion_b) = (&bodies.motions[a], &bodies.motions[b]);
         Self {
             bodies,
-            slots,
+            colliders,
+            arms: bodies.arms(colliders),
             motion_a,
             motion_b,
             shape_a: &bodies.shapes[a],
@@ -189,22 +194,65 @@ impl<'a> Pair<'a> {
         }
     }
 
+    /// Velocity of the centre of b against that of a, m/s.
+    #[inline(always)]
+    fn velocity(&self) -> Vec2 {
+        let [state_a, state_b] = self.states();
+        let velocity = Vec2::from(state_b.velocity - state_a.velocity);
+        self.arms.map_or(velocity, |[arm_a, arm_b]| {
+            velocity + arm_b.perp() * state_b.angular_velocity - arm_a.perp() * state_a.angular_velocity
+        })
+    }
+
     /// Translation of b against a that is expected within the step, m.
     #[inline(always)]
     fn motion(&self) -> Vec2 {
-        let [state_a, state_b] = self.slots.map(|slot| self.bodies.state(slot));
-        Vec2::from(state_b.velocity - state_a.velocity) * self.dt
+        self.velocity() * self.dt
+    }
+
+    #[inline(always)]
+    fn states(&self) -> [&BodyState; 2] {
+        self.colliders.map(|slot| self.bodies.state(slot))
     }
 
     #[inline(always)]
     fn predicted_motion(&self) -> PredictedMotion {
-        let [state_a, state_b] = self.slots.map(|slot| self.bodies.state(slot));
+        let [state_a, state_b] = self.states();
         let turning = |motion: &Motion, w: f32| (w.abs() * self.dt).min(2.0) * motion.extent;
         PredictedMotion {
             motion: self.motion(),
             turning: turning(self.motion_a, state_a.angular_velocity)
-                + turning(self.motion_b, state_b.angular_velocity),
+                + turning(self.motion_b, state_b.angular_velocity)
+                + self.bend(),
         }
+    }
+
+    /// How far the ways of the two centres bend within the step at most, m, as each turns about the centre of mass of its body:
+    /// on a circle of radius r by r θ²/2 for the angle θ, and never by more than its width.
+    #[inline(always)]
+    fn bend(&self) -> f32 {
+        let Some(arms) = self.arms else { return 0.0 };
+        let bend = |(arm, state): (Vec2, &BodyState)| {
+            let angle = state.angular_velocity * self.dt;
+            (0.5 * angle * angle).min(2.0) * arm.length()
+        };
+        arms.into_iter().zip(self.states()).map(bend).sum()
+    }
+
+    /// Whether one of the centres goes round the centre of mass of its body as this turns.
+    fn goes_round(&self) -> bool {
+        let may_turn = [self.motion_a, self.motion_b].map(|motion| motion.row != GROUND_ROW);
+        self.arms.is_some_and(|arms| (0..2).any(|side| may_turn[side] && arms[side] != Vec2::ZERO))
+    }
+
+    /// What touches, with anchors from the centres of mass in the place of those of the shapes.
+    #[inline(always)]
+    fn seen_by_bodies(&self, mut touch: Touch) -> Touch {
+        if let Some([arm_a, arm_b]) = self.arms {
+            touch.anchor_a += arm_a;
+            touch.anchor_b += arm_b;
+        }
+        touch
     }
 
     /// Points this far apart are kept between bodies at rest, m.
@@ -228,14 +276,14 @@ impl<'a> Pair<'a> {
             return false;
         }
         // Turning does not bring the circles closer.
-        let reach = reach + self.near() + self.motion().length();
+        let reach = reach + self.near() + self.motion().length() + self.bend();
         // In f32 the distance from the middle of a planet is none.
         distance_squared > reach * reach && !self.is_flat()
     }
 
     /// Whether one of the two is a circle that the other finds flat.
     fn is_flat(&self) -> bool {
-        is_flat([self.motion_a, self.motion_b].map(|motion| (motion.is_round, motion.extent)))
+        is_flat([self.motion_a, self.motion_b].map(|motion| (motion.is_circle, motion.extent)))
     }
 
     /// How far the bodies may move against each other before their manifold is found anew, m.
@@ -272,7 +320,7 @@ impl<'a> Pair<'a> {
                 && let Some(touch) = self.find_on_face(predicted)
             {
                 ManifoldUpdate::MoveAlong(predicted, touch)
-            } else if self.is_slow(predicted) {
+            } else if self.is_slow(predicted) && !self.goes_round() {
                 ManifoldUpdate::FindHalfway(predicted)
             } else {
                 ManifoldUpdate::FindAnew(predicted)
@@ -300,10 +348,9 @@ impl<'a> Pair<'a> {
         if turned.c <= 0.0 {
             return f32::INFINITY;
         }
-        let [state_a, state_b] = self.slots.map(|slot| self.bodies.state(slot));
+        let [state_a, state_b] = self.states();
         let turning = state_b.angular_velocity - state_a.angular_velocity;
-        let velocity = Vec2::from(state_b.velocity - state_a.velocity)
-            - self.offset.near.perp() * state_a.angular_velocity;
+        let velocity = self.velocity() - self.offset.near.perp() * state_a.angular_velocity;
         (offset - offset_then).length()
             + velocity.length() * self.dt
             + (turned.s.abs() + turning.abs() * self.dt) * self.motion_b.extent
@@ -335,6 +382,9 @@ impl<'a> Pair<'a> {
     /// Takes over a manifold that was found anew; impulses stay with their feature.
     fn take_over(&self, mut manifold: Manifold, contact: &mut Contact) {
         contact.followed_steps = 0;
+        if let Some(arms) = self.arms {
+            manifold.move_anchors(arms);
+        }
         for point in manifold.points_mut() {
             let same = |old: &&ManifoldPoint| old.feature == point.feature;
             if let Some(old) = contact.manifold.points().iter().find(same) {
@@ -375,8 +425,9 @@ impl<'a> Pair<'a> {
     /// The manifold of the moment in which the bodies first touch, if they do within the step; separations
     /// are those of now along its normal.
     fn find_where_they_meet(&self, motion: Vec2, margin: f32) -> Option<Manifold> {
-        let a = Swept { shape: self.shape_a, rotation: self.rotation_a, spin: 0.0 };
-        let b = Swept { shape: self.shape_b, rotation: self.rotation_b, spin: 0.0 };
+        let still = |shape, rotation| Swept { shape, rotation, spin: 0.0, arm: Vec2::ZERO };
+        let a = still(self.shape_a, self.rotation_a);
+        let b = still(self.shape_b, self.rotation_b);
         let fraction = sweep(a, b, self.offset.near, motion, 1.0, 0.0)?;
         let advance = motion * fraction;
         let mut manifold = self.detect_at(self.offset.near + advance, margin)?;

@@ -93,7 +93,7 @@ impl DirectSolver {
                 if movers.contains(&None) || slot == contact.slots[0] {
                     let rows = &mut self.newton.rows;
                     let points = 0..contact.manifold.points().len();
-                    let speed = bodies.roles.surface_speed(contact.slots).unwrap_or(0.0);
+                    let speed = bodies.roles.surface_speed(contact.colliders).unwrap_or(0.0);
                     self.points
                         .extend(points.map(|point| ContactPoint::new(home, point, movers, speed, rows)));
                 }

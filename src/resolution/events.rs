@@ -91,69 +91,79 @@ impl EventScene<'_> {
         bounce_threshold(self.scheme.restitution_threshold, acceleration, self.h())
     }
 
-    /// Coefficients of friction and restitution between the bodies in two slots.
-    fn mixed(&self, slots: [u32; 2]) -> (f32, f32) {
-        self.mixes.of(self.bodies, slots)
+    /// Coefficients of friction and restitution between two shapes.
+    fn mixed(&self, colliders: [u32; 2]) -> (f32, f32) {
+        self.mixes.of(self.bodies, colliders)
     }
 
-    /// Index of the contact between the bodies in two slots, if they have one.
-    fn contact_of(&self, [a, b]: [u32; 2]) -> Option<u32> {
-        self.contacts.of_body(self.bodies, a).find(|&index| self.contacts[index].other(a) == b)
+    /// Index of the contact between two shapes, if they have one.
+    fn contact_of(&self, colliders: [u32; 2]) -> Option<u32> {
+        self.contacts.between(self.bodies, colliders)
     }
 
-    /// The place of the contact between the bodies in two slots in the graph, if it is there.
-    fn home(&self, slots: [u32; 2]) -> Option<GraphIndex> {
-        self.graph.home(self.contact_of(slots)?)
+    /// The place of the contact between two shapes in the graph, if it is there.
+    fn home(&self, colliders: [u32; 2]) -> Option<GraphIndex> {
+        self.graph.home(self.contact_of(colliders)?)
     }
 
-    /// Whether a contact between the bodies in two slots bears load.
-    fn is_loaded(&self, slots: [u32; 2]) -> bool {
-        self.home(slots).is_some_and(|home| self.graph.is_loaded(home))
+    /// Whether a contact between two shapes bears load.
+    fn is_loaded(&self, colliders: [u32; 2]) -> bool {
+        self.home(colliders).is_some_and(|home| self.graph.is_loaded(home))
     }
 
-    /// Whether two bodies that touch in these states pass through each other, as one is a one-way floor.
-    fn is_passing(&self, slots: [u32; 2], [a, b]: &[BodyState; 2]) -> bool {
-        if !self.bodies.roles.are_one_way(slots) {
+    /// Whether two shapes that touch in these states of their bodies pass through each other, as one is a one-way floor.
+    fn is_passing(&self, colliders: [u32; 2], [a, b]: &[BodyState; 2]) -> bool {
+        if !self.bodies.roles.are_one_way(colliders) {
             return false;
         }
-        match self.contact_of(slots).and_then(|index| self.contacts[index].one_way) {
+        match self.contact_of(colliders).and_then(|index| self.contacts[index].one_way) {
             Some(OneWay::Bears) => false,
             Some(OneWay::Passes) => true,
             _ => {
-                let manifold = manifold_in(slots, self.bodies, [a, b]);
-                !is_on_free_side(self.bodies, slots, &manifold, (b.velocity - a.velocity).into())
+                let manifold = manifold_in(colliders, self.bodies, [a, b]);
+                !is_on_free_side(self.bodies, colliders, &manifold, (b.velocity - a.velocity).into())
             }
         }
     }
 
-    /// Whether the contact between the bodies in two slots is left to the sweeps of [`Continuous`]: one of them is off course
-    /// and may meet others before, and they may come much nearer.
-    fn is_swept(&self, slots: [u32; 2]) -> bool {
-        let is_off = |slot: u32| self.courses.is_off(self.bodies, self.bodies.motions[slot as usize].row);
-        let states = self.states(slots.map(|slot| self.bodies.motions[slot as usize].row));
-        slots.into_iter().any(is_off) && self.may_come_much_nearer(slots, &states, self.h())
+    /// Rows of the bodies of two shapes.
+    fn rows(&self, colliders: [u32; 2]) -> [u32; 2] {
+        colliders.map(|slot| self.bodies.motions[slot as usize].row)
     }
 
-    /// Whether the bodies in two slots, in these states, may come much nearer within a step, if so in each of its substeps
-    /// within a time, s.
-    fn may_come_much_nearer(&self, slots: [u32; 2], states: &[BodyState; 2], time: f32) -> bool {
-        let motions = slots.map(|slot| &self.bodies.motions[slot as usize]);
-        let rim_speeds = [0, 1].map(|index| {
-            let extent = if motions[index].is_round { 0.0 } else { motions[index].extent };
-            states[index].angular_velocity.abs() * extent
-        });
+    /// Whether the contact between two shapes is left to the sweeps of [`Continuous`]: one of their bodies is off course and
+    /// may meet others before, and they may come much nearer.
+    fn is_swept(&self, colliders: [u32; 2]) -> bool {
+        let rows = self.rows(colliders);
+        rows.into_iter().any(|row| self.courses.is_off(self.bodies, row))
+            && self.may_come_much_nearer(colliders, &self.states(rows), self.h())
+    }
+
+    /// Whether two shapes, with their bodies in these states, may come much nearer within a step, if so in each of its
+    /// substeps within a time, s.
+    fn may_come_much_nearer(&self, colliders: [u32; 2], states: &[BodyState; 2], time: f32) -> bool {
+        let motions = colliders.map(|slot| &self.bodies.motions[slot as usize]);
+        let rim_speeds =
+            [0, 1].map(|side| states[side].angular_velocity.abs() * self.bodies.swing(colliders[side]));
         let speed =
             Vec2::from(states[1].velocity - states[0].velocity).norm_1() + rim_speeds[0] + rim_speeds[1];
         speed * time * self.scheme.substeps as f32
             > MUCH_NEARER * motions[0].thickness.min(motions[1].thickness)
     }
 
-    /// Lets the bodies in two slots collide that meet at a time within the substep, s, and moves those of them that contacts move by what
-    /// their drift will miss.
-    fn collide(&mut self, slots: [u32; 2], moved: [bool; 2], meeting: &Meeting, restitution: f32, time: f32) {
-        let rows = slots.map(|slot| self.bodies.motions[slot as usize].row);
+    /// Lets the bodies of two shapes collide that meet at a time within the substep, s, and moves those of them that contacts
+    /// move by what their drift will miss.
+    fn collide(
+        &mut self,
+        colliders: [u32; 2],
+        moved: [bool; 2],
+        meeting: &Meeting,
+        restitution: f32,
+        time: f32,
+    ) {
+        let rows = self.rows(colliders);
         let mut after = self.states(rows);
-        meeting.collide(restitution, self.bodies.roles.surface_speed(slots), &mut after);
+        meeting.collide(restitution, self.bodies.roles.surface_speed(colliders), &mut after);
         let moved = rows.into_iter().zip(after).zip(moved);
         for ((row, mut after), _) in moved.filter(|&(_, is_moved)| is_moved) {
             let state = &mut self.bodies.states[row as usize];

@@ -18,18 +18,32 @@ use crate::resolution::moving_geometry::MovingGeometry;
 /// Far enough that the nearest points of two bodies are found wherever they are, m.
 const ANY_DISTANCE: f32 = 1e9;
 
-/// The manifold of the bodies in two slots, in the given states; empty where they cannot be told apart from bodies that do
+/// The manifold of two shapes, with their bodies in the given states and anchors from their centres of mass; empty where they cannot be told apart from bodies that do
 /// not touch.
-pub(crate) fn manifold_in(slots: [u32; 2], bodies: &Bodies, [a, b]: [&BodyState; 2]) -> Manifold {
-    let [slot_a, slot_b] = slots.map(|slot| slot as usize);
+pub(crate) fn manifold_in(colliders: [u32; 2], bodies: &Bodies, [a, b]: [&BodyState; 2]) -> Manifold {
+    let [slot_a, slot_b] = colliders.map(|slot| slot as usize);
     let (pose_a, pose_b) = (bodies.motions[slot_a].pose, bodies.motions[slot_b].pose);
     let turned = |state: &BodyState, rotation: Rot| {
         Rot { c: state.delta_rotation.c, s: state.delta_rotation.s } * rotation
     };
-    let offset = (pose_b.center - pose_a.center) + Vec2::from(b.delta_position - a.delta_position);
+    let mut offset = (pose_b.center - pose_a.center) + Vec2::from(b.delta_position - a.delta_position);
+    let arms = bodies.arms(colliders);
+    if let Some(arms) = arms {
+        offset += swung(arms[1], b) - swung(arms[0], a);
+    }
     let rotations = [turned(a, pose_a.rotation), turned(b, pose_b.rotation)];
     let shapes = [&bodies.shapes[slot_a], &bodies.shapes[slot_b]];
-    detect_within(shapes[0], rotations[0], shapes[1], rotations[1], offset, ANY_DISTANCE).unwrap_or_default()
+    let found = detect_within(shapes[0], rotations[0], shapes[1], rotations[1], offset, ANY_DISTANCE);
+    let mut manifold = found.unwrap_or_default();
+    if let Some(arms) = arms {
+        manifold.move_anchors([arms[0] + swung(arms[0], a), arms[1] + swung(arms[1], b)]);
+    }
+    manifold
+}
+
+/// How far the end of an arm, m, has swung as its body turned within the step.
+fn swung(arm: Vec2, state: &BodyState) -> Vec2 {
+    state.delta_rotation.displacement(arm.into()).into()
 }
 
 /// The constraint of a contact at a place of the graph with its bodies in the given states, and the separation of its first
@@ -41,7 +55,7 @@ pub(crate) fn constraint_in(
     graph: &ConstraintGraph,
     [a, b]: &[BodyState; 2],
 ) -> Option<(ContactConstraint<f32>, f32)> {
-    let manifold = manifold_in(contact.slots, bodies, [a, b]).restricted_to(&contact.manifold)?;
+    let manifold = manifold_in(contact.colliders, bodies, [a, b]).restricted_to(&contact.manifold)?;
     let mut constraint = graph.constraint(home);
     constraint.set_manifold_in(&manifold, a, b);
     Some((constraint, manifold.points()[0].separation))

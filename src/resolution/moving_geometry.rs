@@ -62,17 +62,19 @@ impl MovingGeometry<f32> {
     /// The contact, whose manifold is that of now, if it is one of two circles, of a circle on a face or the corners at its
     /// ends, or of a corner under load on a face. A circle must not get over the next face within a step of `dt` seconds.
     pub(crate) fn new(contact: &Contact, bodies: &Bodies, dt: f32) -> Option<Self> {
-        let motions = contact.slots.map(|slot| &bodies.motions[slot as usize]);
+        let motions = contact.colliders.map(|slot| &bodies.motions[slot as usize]);
         let offset = motions[1].pose.center - motions[0].pose.center;
-        match motions.map(|motion| motion.is_round) {
-            [true, true] => Some(Self::of_circles(contact, motions, offset)),
+        let arms = bodies.arms(contact.colliders).unwrap_or_default();
+        match motions.map(|motion| motion.is_circle) {
+            [true, true] => Some(Self::of_circles(contact, motions, arms, offset)),
             [false, false] => Self::of_corner(contact),
             round => Self::of_circle_on_hull(contact, bodies, usize::from(round[1]), offset, dt),
         }
     }
 
-    fn of_circles(contact: &Contact, [a, b]: [&Motion; 2], offset: Vec2) -> Self {
-        let pair = TouchingPair { apart: offset.into(), radius: a.extent, ..TouchingPair::default() };
+    fn of_circles(contact: &Contact, [a, b]: [&Motion; 2], arms: [Vec2; 2], offset: Vec2) -> Self {
+        let (parts, apart) = (arms.map(LaneVec2::from), offset.into());
+        let pair = TouchingPair { parts, apart, radius: a.extent, ..TouchingPair::default() };
         Self {
             // For circles with one centre, whose line has no direction.
             normal: contact.manifold.normal.into(),
@@ -92,7 +94,8 @@ impl MovingGeometry<f32> {
         offset: Vec2,
         dt: f32,
     ) -> Option<Self> {
-        let [circle_slot, face_slot] = [contact.slots[circle], contact.slots[1 - circle]];
+        let [circle_slot, face_slot] = [contact.colliders[circle], contact.colliders[1 - circle]];
+        let [circle_arm, face_arm] = [circle_slot, face_slot].map(|slot| bodies.arm(slot));
         let face_motion = &bodies.motions[face_slot as usize];
         let shape = &bodies.shapes[face_slot as usize];
         let (hull, rotation) = (shape.hull()?, shape.rotation_at(face_motion.pose.rotation));
@@ -106,7 +109,8 @@ impl MovingGeometry<f32> {
         let ends = hull.ends_from(face, center);
         let [round, flat] = [circle_slot, face_slot].map(|slot| bodies.state(slot));
         let speed = Vec2::from(round.velocity - flat.velocity).length()
-            + flat.angular_velocity.abs() * to_circle.length();
+            + flat.angular_velocity.abs() * (to_circle + face_arm).length()
+            + round.angular_velocity.abs() * circle_arm.length();
         let way = speed * dt;
         let stays_off_last = ends[0] < -way || along(hull.previous(face), 0) < -way;
         let stays_off_next = ends[1] > way || along(hull.next(face), 1) > way;
@@ -128,7 +132,8 @@ impl MovingGeometry<f32> {
             Some(end) => (rotation.rotate(center - corners[end]), ends.map(|other| other - ends[end])),
         };
         let mut parts = [LaneVec2::default(); 2];
-        parts[1 - circle] = (to_circle - apart).into();
+        parts[circle] = circle_arm.into();
+        parts[1 - circle] = (face_arm + to_circle - apart).into();
         let sign = if circle == 1 { 1.0 } else { -1.0 };
         let radius = bodies.motions[circle_slot as usize].extent;
         let stays_with_b = circle as f32;

@@ -98,7 +98,7 @@ impl World {
     fn apply_held_forces(&mut self, tick: f64) {
         let mut held = std::mem::take(&mut self.held_forces);
         held.next_tick(tick, |force| {
-            if self.bodies.records.get(force.body.0).is_some() {
+            if self.bodies.has(force.body) {
                 self.add_force_to(force);
             }
         });

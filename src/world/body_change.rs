@@ -97,7 +97,7 @@ impl World {
             self.type_changed(slot, old_type);
         }
         // Contacts begin with the impulses they had: those that bore a heavy body would throw a light one.
-        let share = (body.mass_properties().mass / old_mass).min(1.0);
+        let share = (body.masses().mass / old_mass).min(1.0);
         for index in contacts {
             let slots = self.contacts[index].slots;
             if slots.iter().any(|&slot| self.bodies.is_dynamic(slot)) {
@@ -118,14 +118,16 @@ impl World {
     fn type_changed(&mut self, slot: u32, old_type: BodyType) {
         let is_movable = |body_type| body_type != BodyType::Fixed;
         let body_type = self.bodies.records[slot].body_type;
-        if is_movable(body_type) == is_movable(old_type) {
-            self.broad_phase.mark_moved(slot);
-        } else {
-            self.broad_phase.remove(slot);
-            self.broad_phase.add(slot, is_movable(body_type), self.bodies.aabb(slot));
+        for collider in self.bodies.colliders(slot) {
+            if is_movable(body_type) == is_movable(old_type) {
+                self.broad_phase.mark_moved(collider);
+            } else {
+                self.broad_phase.remove(collider);
+                self.broad_phase.add(collider, is_movable(body_type), self.bodies.aabb(collider));
+            }
+            self.candidates.note_removed(collider);
         }
         self.update_box(slot);
-        self.candidates.note_removed(slot);
         if body_type != BodyType::Dynamic {
             self.graph.set_tier(slot, Tier::Swept);
             self.tiers.forget(slot);

@@ -1,6 +1,6 @@
 //! A view of a body of a world, to read it and to change how it moves.
 
-use crate::body::description::{
+use crate::body::limits::{
     check_damping, check_friction, check_gravity_scale, check_place, check_restitution, check_rotation,
     check_strength, check_vector,
 };
@@ -120,6 +120,12 @@ impl<'a> BodyMut<'a> {
         &mut self.world.bodies.motions[slot as usize]
     }
 
+    /// The record of the body's own shape.
+    fn own_record_mut(&mut self) -> &mut Record {
+        let own = self.world.bodies.own_collider(self.slot());
+        &mut self.world.bodies.records[own]
+    }
+
     fn forcing_mut(&mut self) -> &mut Forcing {
         let slot = self.slot();
         &mut self.world.bodies.forcings[slot as usize]
@@ -203,7 +209,7 @@ impl<'a> BodyMut<'a> {
     /// Puts the body somewhere, without a way there, and lets box and neighbours know.
     fn put(&mut self, center: Option<Point>, rotation: Option<Rot>) {
         let slot = self.slot();
-        let rotation = rotation.filter(|_| self.shape().can_rotate());
+        let rotation = rotation.filter(|_| self.world.bodies.can_be_turned(slot));
         if center.is_none() && rotation.is_none() {
             return;
         }
@@ -411,7 +417,7 @@ impl<'a> BodyMut<'a> {
     /// [`BodyError`], if it is negative, not finite or beyond 10⁶.
     pub fn set_friction(&mut self, friction: f32) -> Result<(), BodyError> {
         check_friction(friction)?;
-        self.record_mut().material.friction = friction;
+        self.own_record_mut().material.friction = friction;
         self.surface_changed();
         Ok(())
     }
@@ -422,7 +428,7 @@ impl<'a> BodyMut<'a> {
     /// [`BodyError`], if it is not from 0 to 1.
     pub fn set_restitution(&mut self, restitution: f32) -> Result<(), BodyError> {
         check_restitution(restitution)?;
-        self.record_mut().material.restitution = restitution;
+        self.own_record_mut().material.restitution = restitution;
         self.surface_changed();
         Ok(())
     }

@@ -6,7 +6,7 @@ use crate::body::{Body, BodyId, BodyType, Filter, Forcing, Material, Motion, NON
 use crate::compute::BodyState;
 use crate::math::{Aabb, Point, Pose, Rot, Vec2};
 use crate::shape::Shape;
-use crate::world::{Tier, World};
+use crate::world::{ColliderRef, Tier, World};
 
 /// A read-only view of a body.
 #[derive(Clone, Copy)]
@@ -18,7 +18,7 @@ pub struct BodyRef<'a> {
 impl<'a> BodyRef<'a> {
     /// The view of a body that is there.
     pub(in crate::world) fn new(world: &'a World, id: BodyId) -> Self {
-        debug_assert!(world.bodies.records.get(id.0).is_some(), "{id:?} is not there");
+        debug_assert!(world.bodies.has(id), "{id:?} is not there");
         Self { world, id }
     }
 
@@ -38,8 +38,17 @@ impl<'a> BodyRef<'a> {
         &self.world.bodies.forcings[self.slot() as usize]
     }
 
+    /// The slot of its own shape.
+    fn own(&self) -> u32 {
+        self.world.bodies.own_collider(self.slot())
+    }
+
+    fn own_material(&self) -> Material {
+        self.world.bodies.records[self.own()].material
+    }
+
     fn role(&self) -> Role {
-        self.world.bodies.roles.of(self.slot())
+        self.world.bodies.roles.of(self.own())
     }
 
     fn state(&self) -> &'a BodyState {
@@ -140,34 +149,46 @@ impl<'a> BodyRef<'a> {
         self.record().body_type == BodyType::Dynamic
     }
 
-    /// Its shape.
+    /// Its shape; the first, if it has [several](Self::colliders).
     pub fn shape(&self) -> &'a Shape {
-        &self.world.bodies.shapes[self.slot() as usize]
+        &self.world.bodies.shapes[self.own() as usize]
+    }
+
+    /// Its shapes, each with its own place, material, filter and role: most bodies have one.
+    pub fn colliders(&self) -> impl Iterator<Item = ColliderRef<'a>> {
+        let world = self.world;
+        world.bodies.colliders(self.slot()).map(move |slot| ColliderRef::new(world, slot))
+    }
+
+    /// Where the middle of the frame is that its shapes were described in, m: the centre of its own shape, which is its
+    /// [position](Self::position) too, if it has no other.
+    pub fn origin(&self) -> Point {
+        self.world.bodies.place_of_frame(self.slot())
     }
 
     /// The smallest axis-aligned box around it, m, rounded outward.
     pub fn aabb(&self) -> Aabb {
-        self.world.bodies.aabb(self.slot())
+        self.world.bodies.aabb_of_all(self.slot())
     }
 
     /// Density, friction and restitution.
     pub fn material(&self) -> Material {
-        self.record().material
+        self.own_material()
     }
 
     /// Mass per area of its material, kg/m².
     pub fn density(&self) -> f32 {
-        self.record().material.density
+        self.own_material().density
     }
 
     /// Coefficient of friction of its material.
     pub fn friction(&self) -> f32 {
-        self.record().material.friction
+        self.own_material().friction
     }
 
     /// Coefficient of restitution of its material.
     pub fn restitution(&self) -> f32 {
-        self.record().material.restitution
+        self.own_material().restitution
     }
 
     /// Factor on the world's forces.
@@ -222,7 +243,8 @@ impl<'a> BodyRef<'a> {
 
     /// Whether the place lies in the body, its outline included.
     pub fn contains(&self, place: impl Into<Point>) -> bool {
-        self.shape().contains(self.motion().pose, place.into())
+        let place = place.into();
+        self.colliders().any(|collider| collider.shape().contains(collider.pose(), place))
     }
 
     /// The description of the body as it is now, from which another like it can be added.

@@ -1,6 +1,6 @@
 //! Which bodies collide: by their filters, and pair by pair; from which side they pass; and how fast their surfaces go.
 
-use crate::body::description::{check_one_way, check_surface_speed};
+use crate::body::limits::{check_one_way, check_surface_speed};
 use crate::body::{BodyError, BodyId, Filter};
 use crate::math::Vec2;
 use crate::world::{BodyMut, World};
@@ -15,10 +15,11 @@ impl BodyMut<'_> {
         let direction = direction.into().map(|direction| direction.normalized().unwrap_or(direction));
         check_one_way(direction)?;
         let slot = self.slot();
-        let mut role = self.world.bodies.roles.of(slot);
+        let own = self.world.bodies.own_collider(slot);
+        let mut role = self.world.bodies.roles.of(own);
         if role.one_way != direction {
             role.one_way = direction;
-            self.world.bodies.roles.set(slot, role);
+            self.world.bodies.roles.set(own, role);
             self.world.wake_slot(slot);
             self.world.wake_neighbours(slot);
             self.world.contacts.decide_anew(&self.world.bodies, slot);
@@ -34,10 +35,11 @@ impl BodyMut<'_> {
             return self.refuse(error);
         }
         let slot = self.slot();
-        let mut role = self.world.bodies.roles.of(slot);
+        let own = self.world.bodies.own_collider(slot);
+        let mut role = self.world.bodies.roles.of(own);
         if role.surface_speed != speed {
             role.surface_speed = speed;
-            self.world.bodies.roles.set(slot, role);
+            self.world.bodies.roles.set(own, role);
             self.world.wake_slot(slot);
             self.world.wake_neighbours(slot);
         }
@@ -48,10 +50,11 @@ impl BodyMut<'_> {
     /// wakes.
     pub fn set_filter(&mut self, filter: Filter) {
         let slot = self.slot();
-        let mut role = self.world.bodies.roles.of(slot);
+        let own = self.world.bodies.own_collider(slot);
+        let mut role = self.world.bodies.roles.of(own);
         if role.filter != filter {
             role.filter = filter;
-            self.world.bodies.roles.set(slot, role);
+            self.world.bodies.roles.set(own, role);
             self.world.collisions_changed(slot);
         }
     }
@@ -83,10 +86,12 @@ impl World {
         self.wake_slot(b);
         if collide {
             self.bodies.roles.join(a, b);
-            self.broad_phase.mark_moved(a);
+            for collider in self.bodies.colliders(a) {
+                self.broad_phase.mark_moved(collider);
+            }
         } else {
             self.bodies.roles.part(a, b);
-            self.end_pair([a.min(b), a.max(b)]);
+            self.end_pairs([a, b]);
         }
         Some(collided)
     }
@@ -95,24 +100,30 @@ impl World {
     /// [`set_collision`](Self::set_collision). `None` if one was removed, or they are the same.
     pub fn may_collide(&self, a: BodyId, b: BodyId) -> Option<bool> {
         let [a, b] = self.slots_of_pair([a, b])?;
-        Some(self.bodies.may_collide(a, b))
+        let bodies = &self.bodies;
+        let collide = |a: u32| bodies.colliders(b).any(|b| bodies.may_collide(a, b));
+        Some(bodies.colliders(a).any(collide))
     }
 
     /// The slots of two bodies that are there, and not the same.
     fn slots_of_pair(&self, ids: [BodyId; 2]) -> Option<[u32; 2]> {
-        self.bodies.records.get(ids[0].0).and(self.bodies.records.get(ids[1].0))?;
         let [a, b] = ids.map(|id| id.0.index());
-        (a != b).then_some([a, b])
+        let are_there = ids.into_iter().all(|id| self.bodies.has(id));
+        (are_there && a != b).then_some([a, b])
     }
 
-    /// Ends whatever there is between two bodies (a < b) that do not collide any more.
-    fn end_pair(&mut self, [a, b]: [u32; 2]) {
-        let contact =
-            self.contacts.of_body(&self.bodies, a).find(|&index| self.contacts[index].other(a) == b);
-        if let Some(index) = contact {
+    /// Ends whatever there is between two bodies that do not collide any more.
+    pub(in crate::world) fn end_pairs(&mut self, [a, b]: [u32; 2]) {
+        let is_between = |&index: &u32| self.contacts[index].other(a) == b;
+        let contacts: Vec<u32> = self.contacts.of_body(&self.bodies, a).filter(is_between).collect();
+        for index in contacts {
             self.end_contact(index);
-        } else {
-            self.candidates.remove([(a, b)].into_iter());
+        }
+        let bodies = &self.bodies;
+        let pairs =
+            || bodies.colliders(a).flat_map(|a| bodies.colliders(b).map(move |b| (a.min(b), a.max(b))));
+        self.candidates.remove(pairs());
+        for (a, b) in pairs() {
             self.broad_phase.forget_pair(a, b);
         }
     }
@@ -123,7 +134,7 @@ impl World {
         self.wake_neighbours(slot);
         let bodies = &self.bodies;
         let ends = |&index: &u32| {
-            let [a, b] = self.contacts[index].slots;
+            let [a, b] = self.contacts[index].colliders;
             !bodies.may_collide(a, b)
         };
         let ending: Vec<u32> = self.contacts.of_body(bodies, slot).filter(ends).collect();
@@ -131,7 +142,9 @@ impl World {
             self.end_contact(index);
         }
         self.sensors.note_edit();
-        self.candidates.note_removed(slot);
-        self.broad_phase.mark_moved(slot);
+        for collider in self.bodies.colliders(slot) {
+            self.candidates.note_removed(collider);
+            self.broad_phase.mark_moved(collider);
+        }
     }
 }

@@ -53,15 +53,14 @@ impl World {
     }
 
     fn dynamic_bodies(&self) -> impl Iterator<Item = Moving<'_>> {
-        self.bodies.records.iter().filter(|(_, record)| record.body_type == BodyType::Dynamic).map(
-            |(key, record)| Moving {
-                mass: f64::from(record.mass),
-                inertia: f64::from(record.inertia),
-                motion: &self.bodies.motions[key.index() as usize],
-                forcing: &self.bodies.forcings[key.index() as usize],
-                state: self.bodies.state(key.index()),
-            },
-        )
+        let all = self.bodies.ids().map(|id| (id.0.index(), &self.bodies.records[id.0.index()]));
+        all.filter(|(_, record)| record.body_type == BodyType::Dynamic).map(|(slot, record)| Moving {
+            mass: f64::from(record.mass),
+            inertia: f64::from(record.inertia),
+            motion: &self.bodies.motions[slot as usize],
+            forcing: &self.bodies.forcings[slot as usize],
+            state: self.bodies.state(slot),
+        })
     }
 }
 

@@ -2,7 +2,7 @@
 
 use core::fmt;
 
-use crate::body::BodyId;
+use crate::body::{BodyId, ColliderId};
 use crate::collision::{Contact, Manifold, ManifoldPoint};
 use crate::math::{Point, Vec2};
 use crate::world::World;
@@ -40,7 +40,7 @@ impl World {
     /// # Ok::<(), BodyError>(())
     /// ```
     pub fn contacts_of(&self, body: BodyId) -> impl Iterator<Item = ContactRef<'_>> {
-        let slot = self.bodies.records.get(body.0).map(|_| body.0.index());
+        let slot = self.bodies.has(body).then(|| body.0.index());
         let indices = slot.into_iter().flat_map(|slot| self.contacts.of_body(&self.bodies, slot));
         indices.filter_map(|index| ContactRef::new(self, index, &self.contacts[index]))
     }
@@ -48,7 +48,9 @@ impl World {
     /// The contact with points of two bodies, whichever is named first; `None` where they are not about to touch, or one was
     /// removed. It takes time for the bodies that are close to the one that fewer are close to.
     pub fn contact_between(&self, one: BodyId, other: BodyId) -> Option<ContactRef<'_>> {
-        self.bodies.records.get(one.0).and(self.bodies.records.get(other.0))?;
+        if !self.bodies.has(one) || !self.bodies.has(other) {
+            return None;
+        }
         let [one, other] = [one, other].map(|id| id.0.index());
         // Their contact is in the lists of both: it is found when the shorter one is through, or there is none.
         let of_both =
@@ -78,6 +80,11 @@ impl<'a> ContactRef<'a> {
     /// The body that the normal points to.
     pub fn b(&self) -> BodyId {
         BodyId(self.world.bodies.records.key_at(self.contact.slots[1]))
+    }
+
+    /// The shapes of a and b that touch.
+    pub fn colliders(&self) -> [ColliderId; 2] {
+        self.contact.colliders.map(|slot| ColliderId(self.world.bodies.records.key_at(slot)))
     }
 
     /// The body that `body` is in contact with; `None` if `body` is neither of the two.

@@ -18,18 +18,26 @@ impl World {
         let id = self.bodies.insert(&body);
         let slot = id.0.index();
         self.cut_velocity(slot);
-        self.broad_phase.add(slot, body.body_type != BodyType::Fixed, self.bodies.aabb(slot));
+        for collider in self.bodies.colliders(slot) {
+            let is_movable = body.body_type != BodyType::Fixed;
+            self.broad_phase.add(collider, is_movable, self.bodies.aabb(collider));
+        }
         self.update_box(slot);
         Ok(id)
     }
 
-    /// Lets the fat box of a body follow an edit of its pose or velocity: it must hold where the body will be
-    /// after the next step, or what is fast would pass through what is near.
+    /// Lets the fat boxes of a body follow an edit of its pose or velocity: they must hold where its shapes will be after the
+    /// next step, or what is fast would pass through what is near.
     pub(in crate::world) fn update_box(&mut self, slot: u32) {
-        let motion = Vec2::from(self.bodies.state(slot).velocity) * self.settings.tick_seconds() as f32;
-        self.bodies.motions[slot as usize].room = 0.0;
+        let dt = self.settings.tick_seconds() as f32;
+        self.bodies.motions[slot as usize].room =
+            if self.bodies.is_compound(slot) { f32::INFINITY } else { 0.0 };
         self.sensors.note_edit();
-        self.broad_phase.update(slot, self.bodies.aabb(slot), motion);
+        self.bodies.place_colliders(slot);
+        for collider in self.bodies.colliders(slot) {
+            let motion = self.bodies.velocity_of_shape(collider) * dt;
+            self.broad_phase.update(collider, self.bodies.aabb(collider), motion);
+        }
     }
 
     /// Cuts the velocities of a body that were set by hand, so that all that is computed with them is finite.
@@ -41,7 +49,9 @@ impl World {
     /// Removes a body and returns its description as of now, or `None` if it was removed before. Other ids
     /// stay valid; what it touched wakes.
     pub fn remove(&mut self, id: BodyId) -> Option<Body> {
-        self.bodies.records.get(id.0)?;
+        if !self.bodies.has(id) {
+            return None;
+        }
         let slot = id.0.index();
         self.wake_slot(slot);
         self.wake_neighbours(slot);
@@ -50,8 +60,10 @@ impl World {
         for index in contacts {
             self.end_contact(index);
         }
-        self.candidates.note_removed(slot);
-        self.broad_phase.remove(slot);
+        for collider in self.bodies.colliders(slot) {
+            self.candidates.note_removed(collider);
+            self.broad_phase.remove(collider);
+        }
         self.graph.set_tier(slot, Tier::Swept);
         self.tiers.forget(slot);
         let removed = self.bodies.remove(id.0);
@@ -88,15 +100,15 @@ impl World {
     pub(in crate::world) fn end_contact(&mut self, index: u32) {
         self.graph.leave(&self.contacts, index);
         let contact = self.contacts.end(&mut self.bodies, index);
-        let [a, b] = contact.slots;
+        let [a, b] = contact.colliders;
         self.broad_phase.forget_pair(a, b);
         if contact.is_touching {
-            let [a, b] = [a, b].map(|slot| BodyId(self.bodies.records.key_at(slot)));
+            let [a, b] = contact.slots.map(|slot| BodyId(self.bodies.records.key_at(slot)));
             self.events.ended_by_edit.push(ContactEvent { a, b });
         }
     }
 
-    /// Coefficients of friction and restitution of a contact between the bodies in two slots.
+    /// Coefficients of friction and restitution of a contact between two shapes.
     pub(in crate::world) fn mixed(&self, a: u32, b: u32) -> (f32, f32) {
         self.settings.mixes().of(&self.bodies, [a, b])
     }
@@ -104,7 +116,7 @@ impl World {
     /// Mixes the coefficients of the contacts with these indices anew.
     fn mix(&mut self, indices: Vec<u32>) {
         for index in indices {
-            let [a, b] = self.contacts[index].slots;
+            let [a, b] = self.contacts[index].colliders;
             let (friction, restitution) = self.mixed(a, b);
             let contact = &mut self.contacts[index];
             (contact.friction, contact.restitution) = (friction, restitution);

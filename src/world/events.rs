@@ -1,6 +1,6 @@
 //! What happened in the last step.
 
-use crate::body::{BodyError, BodyId};
+use crate::body::{BodyError, BodyId, ColliderId};
 use crate::joint::{JointError, JointId};
 
 /// Two bodies began or ceased to touch.
@@ -43,8 +43,10 @@ impl HitEvent {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct SensorEvent {
-    /// The sensor.
+    /// The body of the sensor.
     pub sensor: BodyId,
+    /// Which of its shapes is the sensor.
+    pub collider: ColliderId,
     /// The body, which may be a sensor too. The id of one that was removed meanwhile is stale.
     pub body: BodyId,
 }
@@ -218,7 +220,9 @@ impl Events {
         self.began[began..].sort_unstable_by_key(|event| (event.a, event.b));
         self.ended[ended..].sort_unstable_by_key(|event| (event.a, event.b));
         self.hits[hits..].sort_unstable_by_key(|event| (event.a, event.b));
-        self.sensor_began[sensor_began..].sort_unstable_by_key(|event| (event.sensor, event.body));
-        self.sensor_ended[sensor_ended..].sort_unstable_by_key(|event| (event.sensor, event.body));
+        self.sensor_began[sensor_began..]
+            .sort_unstable_by_key(|event| (event.sensor, event.collider, event.body));
+        self.sensor_ended[sensor_ended..]
+            .sort_unstable_by_key(|event| (event.sensor, event.collider, event.body));
     }
 }

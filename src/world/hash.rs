@@ -10,7 +10,7 @@ impl World {
     /// does.
     pub fn state_hash(&self) -> u64 {
         let mut hash = Fnv::new();
-        for (key, _) in self.bodies.records.iter() {
+        for key in self.bodies.ids().map(|id| id.0) {
             let (motion, state) =
                 (&self.bodies.motions[key.index() as usize], self.bodies.state(key.index()));
             let pose = motion.pose;
@@ -22,15 +22,17 @@ impl World {
             {
                 hash.write(u64::from(value.to_bits()));
             }
-            let role = self.bodies.roles.of(key.index());
-            if role != Role::default() {
-                hash.write_role(role);
+            for collider in self.bodies.colliders(key.index()) {
+                let role = self.bodies.roles.of(collider);
+                if role != Role::default() {
+                    hash.write_role(role);
+                }
             }
         }
         for (a, b) in self.bodies.roles.parted() {
             hash.write(u64::from(a) << 32 | u64::from(b));
         }
-        for (sensor, body) in self.sensors.overlaps() {
+        for (_, sensor, body) in self.sensors.overlaps() {
             hash.write(sensor.0.to_bits());
             hash.write(body.0.to_bits());
         }

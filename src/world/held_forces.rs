@@ -65,7 +65,7 @@ impl HeldForces {
     pub(in crate::world) fn take(&mut self, bodies: &mut Bodies, forced: &mut Vec<Forced>, earlier: f64) {
         self.earlier_time = earlier;
         for Forced { body, wakes } in forced.drain(..) {
-            if bodies.records.get(body.0).is_none() {
+            if !bodies.has(body) {
                 continue;
             }
             // The second time that a body is met there is nothing left to take.

@@ -19,7 +19,7 @@ impl World {
 
     /// Checks a description against the bodies there are.
     pub(in crate::world) fn validate_joint(&self, joint: &Joint) -> Result<(), JointError> {
-        let is_there = |id: BodyId| self.bodies.records.get(id.0).is_some();
+        let is_there = |id: BodyId| self.bodies.has(id);
         if !is_there(joint.a) {
             return Err(JointError::NoBody { which: "first" });
         }
@@ -56,7 +56,7 @@ impl World {
 
     /// The joints of a body, by their ids; none if it has been removed.
     pub fn joints_of(&self, body: BodyId) -> Vec<JointId> {
-        if self.bodies.records.get(body.0).is_some() { self.joints.ids_of(body) } else { Vec::new() }
+        if self.bodies.has(body) { self.joints.ids_of(body) } else { Vec::new() }
     }
 
     /// Removes a joint and returns its description, or `None` if it was removed before. Its bodies wake, and touch each other
@@ -114,22 +114,13 @@ impl World {
         }
         if !self.joints.part(a, b) {
             // What moves is found by what it meets.
-            for slot in [a, b] {
-                if self.bodies.is_dynamic(slot) {
-                    self.broad_phase.mark_moved(slot);
+            for slot in [a, b].into_iter().filter(|&slot| self.bodies.is_dynamic(slot)) {
+                for collider in self.bodies.colliders(slot) {
+                    self.broad_phase.mark_moved(collider);
                 }
             }
             return;
         }
-        let of_pair = |&index: &u32| self.contacts[index].other(a) == b;
-        let contact = self.contacts.of_body(&self.bodies, a).find(of_pair);
-        if let Some(index) = contact {
-            self.end_contact(index);
-        }
-        let pair = (a.min(b), a.max(b));
-        if self.candidates.iter().any(|candidate| candidate == pair) {
-            self.candidates.remove(core::iter::once(pair));
-            self.broad_phase.forget_pair(pair.0, pair.1);
-        }
+        self.end_pairs([a, b]);
     }
 }

@@ -5,6 +5,7 @@ mod attractor;
 mod body_change;
 mod body_mut;
 mod body_view;
+mod collider_view;
 mod collisions;
 mod conserved;
 mod contact_view;
@@ -29,6 +30,7 @@ pub use crate::resolution::Tier;
 pub use attractor::{Attractor, AttractorError, AttractorId};
 pub use body_mut::BodyMut;
 pub use body_view::BodyRef;
+pub use collider_view::ColliderRef;
 pub use contact_view::ContactRef;
 pub use events::{ContactEvent, Events, HitEvent, JointRefusal, Refusal, SensorEvent};
 pub use force::{Force, ForceError, ForceId};
@@ -241,24 +243,22 @@ impl World {
 
     /// The body with this id, or `None` if it has been removed.
     pub fn body(&self, id: BodyId) -> Option<BodyRef<'_>> {
-        self.bodies.records.get(id.0)?;
-        Some(BodyRef::new(self, id))
+        self.bodies.has(id).then(|| BodyRef::new(self, id))
     }
 
     /// The body with this id, for changing it, or `None` if it has been removed. Changes wake the body.
     pub fn body_mut(&mut self, id: BodyId) -> Option<BodyMut<'_>> {
-        self.bodies.records.get(id.0)?;
-        Some(BodyMut::new(self, id))
+        if self.bodies.has(id) { Some(BodyMut::new(self, id)) } else { None }
     }
 
     /// Every body, by ascending place; a removed body's place is used again.
     pub fn bodies(&self) -> impl Iterator<Item = (BodyId, BodyRef<'_>)> {
-        self.bodies.records.iter().map(|(key, _)| (BodyId(key), BodyRef::new(self, BodyId(key))))
+        self.bodies.ids().map(|id| (id, BodyRef::new(self, id)))
     }
 
     /// How many bodies there are.
     pub fn body_count(&self) -> usize {
-        self.bodies.records.len()
+        self.bodies.count()
     }
 
     /// What happened in the last [`step`](Self::step), or in all ticks of the last [`advance`](Self::advance).
@@ -324,8 +324,8 @@ impl World {
         let mut seen = BitSet::default();
         let mut islands = Vec::new();
         let all = Connections { contacts: &self.contacts, joints: Some(&self.joints) };
-        for (key, _) in self.bodies.records.iter() {
-            let slot = key.index();
+        for id in self.bodies.ids() {
+            let slot = id.0.index();
             if self.bodies.is_dynamic(slot) && !seen.contains(slot) {
                 let mut slots = Vec::new();
                 find_connected(slot, &self.bodies, all, &mut seen, &mut slots, |_, _| ());

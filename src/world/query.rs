@@ -32,6 +32,7 @@ impl World {
             true
         });
         found.sort_unstable();
+        found.dedup();
         found
     }
 
@@ -51,6 +52,7 @@ impl World {
             true
         });
         found.sort_unstable();
+        found.dedup();
         found
     }
 
@@ -71,7 +73,8 @@ impl World {
         detect(&region, Pose::at([0.5 * (left + right), 0.5 * (bottom + top)]), shape, pose).is_some()
     }
 
+    /// The id of the body that the shape in `slot` is of.
     pub(in crate::world) fn id_of(&self, slot: u32) -> BodyId {
-        BodyId(self.bodies.records.key_at(slot))
+        BodyId(self.bodies.records.key_at(self.bodies.body_of(slot)))
     }
 }

@@ -8,10 +8,10 @@
 //! Cost: nothing where there are no sensors, or neither an awake body nor an edit; else a question to the trees per sensor, a
 //! narrow phase per body whose box meets it, and a comparison per awake body.
 
-use crate::body::BodyId;
+use crate::body::{BodyId, ColliderId};
 use crate::collision::{Swept, sweep};
 use crate::compute::GROUND_ROW;
-use crate::math::Pose;
+use crate::math::{Pose, Vec2};
 use crate::world::events::{Events, SensorEvent};
 use crate::world::{BodyMut, World};
 
@@ -19,8 +19,8 @@ use crate::world::{BodyMut, World};
 /// anything in its way that is not thinner than the rest of it.
 const SWEPT_FROM: f32 = 0.5;
 
-/// A sensor, and a body that it overlaps.
-type Overlap = (BodyId, BodyId);
+/// The body of a sensor, the shape that is the sensor, and a body that it overlaps.
+type Overlap = (BodyId, ColliderId, BodyId);
 
 /// What sensors overlap.
 #[derive(Debug, Default)]
@@ -56,7 +56,7 @@ impl Sensors {
     /// Reports what of the overlaps found now is new, and what is gone; goes on with those of now.
     fn report(&mut self, events: &mut Events) {
         let (before, now) = (&self.overlaps, &self.found);
-        let event = |&(sensor, body): &Overlap| SensorEvent { sensor, body };
+        let event = |&(sensor, collider, body): &Overlap| SensorEvent { sensor, collider, body };
         let is_new = |overlap: &&Overlap| before.binary_search(overlap).is_err();
         let is_gone = |overlap: &&Overlap| now.binary_search(overlap).is_err();
         events.sensor_began.extend(now.iter().filter(is_new).map(event));
@@ -76,10 +76,11 @@ impl BodyMut<'_> {
     /// wakes.
     pub fn set_sensor(&mut self, is_sensor: bool) {
         let slot = self.slot();
-        let mut role = self.world.bodies.roles.of(slot);
+        let own = self.world.bodies.own_collider(slot);
+        let mut role = self.world.bodies.roles.of(own);
         if role.is_sensor != is_sensor {
             role.is_sensor = is_sensor;
-            self.world.bodies.roles.set(slot, role);
+            self.world.bodies.roles.set(own, role);
             self.world.collisions_changed(slot);
         }
     }
@@ -101,9 +102,15 @@ impl World {
     /// ```
     pub fn sensor_overlaps(&self, sensor: BodyId) -> impl Iterator<Item = BodyId> {
         let overlaps = self.sensors.overlaps();
-        let first = overlaps.partition_point(|&(of, _)| of < sensor);
-        let of_sensor = overlaps[first..].iter().take_while(move |&&(of, _)| of == sensor);
-        of_sensor.map(|&(_, body)| body).filter(|body| self.bodies.records.get(body.0).is_some())
+        let first = overlaps.partition_point(|&(of, ..)| of < sensor);
+        let of_sensor = &overlaps[first..];
+        let of_sensor = &of_sensor[..of_sensor.partition_point(|&(of, ..)| of == sensor)];
+        // What several shapes of the sensor overlap is told once.
+        let is_told = move |&(_, shape, body): &Overlap| {
+            of_sensor.iter().take_while(|&&(_, other, _)| other < shape).any(|&(.., other)| other == body)
+        };
+        let once = of_sensor.iter().filter(move |&overlap| !is_told(overlap));
+        once.map(|&(.., body)| body).filter(|&body| self.bodies.has(body))
     }
 
     /// How much there is to do about sensors: nothing if nothing has moved.
@@ -124,6 +131,7 @@ impl World {
             self.find_overlaps_of(slot, &mut found);
         }
         found.sort_unstable();
+        found.dedup();
         if !self.bodies.roles.sensors().is_empty() {
             self.find_passed(&mut passed);
         }
@@ -136,9 +144,10 @@ impl World {
     fn find_overlaps_of(&self, slot: u32, found: &mut Vec<Overlap>) {
         let (shape, pose) = (&self.bodies.shapes[slot as usize], self.bodies.motions[slot as usize].pose);
         self.broad_phase.query(self.bodies.aabb(slot), |other| {
-            let meets = other != slot && self.bodies.roles.may_meet(slot, other);
+            let pair = [slot, other];
+            let meets = self.bodies.roles.may_meet(pair, self.bodies.bodies_of(pair));
             if meets && self.overlaps_body(shape, pose, other) {
-                found.push((self.id_of(slot), self.id_of(other)));
+                found.push((self.id_of(slot), self.collider_id(slot), self.id_of(other)));
             }
             true
         });
@@ -147,8 +156,8 @@ impl World {
     /// Appends sensors and bodies of which one has gone through the other in this step, and some that overlap now or did.
     fn find_passed(&self, passed: &mut Vec<Overlap>) {
         let (bodies, roles) = (&self.bodies, &self.bodies.roles);
-        for row in GROUND_ROW as usize + 1..bodies.row_count() {
-            let slot = bodies.slot_of_row(row);
+        let rows = GROUND_ROW as usize + 1..bodies.row_count();
+        for slot in rows.flat_map(|row| bodies.colliders(bodies.slot_of_row(row))) {
             let (motion, previous) = (&bodies.motions[slot as usize], bodies.previous_pose(slot));
             let moved = motion.pose.center - previous.center;
             if moved.length() <= SWEPT_FROM * motion.thickness {
@@ -158,11 +167,12 @@ impl World {
             let way = shape.bounding_box(previous).union(shape.bounding_box(motion.pose));
             self.broad_phase.query(way, |other| {
                 let is_seen = [slot, other].map(|slot| roles.of(slot).is_sensor);
-                let meets = other != slot && is_seen.contains(&true) && roles.may_meet(slot, other);
-                if meets && self.have_met([slot, other]) {
-                    let ids = [slot, other].map(|slot| self.id_of(slot));
+                let pair = [slot, other];
+                let meets = is_seen.contains(&true) && roles.may_meet(pair, bodies.bodies_of(pair));
+                if meets && self.have_met(pair) {
+                    let ids = pair.map(|slot| self.id_of(slot));
                     for (index, _) in is_seen.into_iter().enumerate().filter(|&(_, is_sensor)| is_sensor) {
-                        passed.push((ids[index], ids[1 - index]));
+                        passed.push((ids[index], self.collider_id(pair[index]), ids[1 - index]));
                     }
                 }
                 true
@@ -177,7 +187,8 @@ impl World {
         let swept = |index: usize| {
             let (before, now): (Pose, Pose) = poses[index];
             let spin = (now.rotation * before.rotation.inverse()).angle();
-            Swept { shape: &self.bodies.shapes[slots[index] as usize], rotation: before.rotation, spin }
+            let shape = &self.bodies.shapes[slots[index] as usize];
+            Swept { shape, rotation: before.rotation, spin, arm: Vec2::ZERO }
         };
         let [moved_a, moved_b] = poses.map(|(before, now)| now.center - before.center);
         let offset = poses[1].0.center - poses[0].0.center;

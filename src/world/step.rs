@@ -2,10 +2,11 @@
 
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-use crate::body::description::FARTHEST;
+use crate::body::limits::FARTHEST;
 use crate::body::{Bodies, BodyId, BodyType, Motion, NONE, RestRule, RestWatch};
+use crate::collision::broad_phase::BroadPhase;
 use crate::collision::{AHEAD, Refresh, are_out_of_reach, refresh};
-use crate::compute::{BodyState, Chosen, Executor};
+use crate::compute::{BodyState, Chosen, Executor, GROUND_ROW};
 use crate::math::{Rot, Vec2};
 use crate::resolution::{
     Encounter, Impact, SolveTables, StepResidual, TierTables, begins_at_rest, rescale, solve,
@@ -83,7 +84,7 @@ impl World {
         self.give_back_memory();
     }
 
-    /// Takes up each new pair of bodies whose fat boxes overlap.
+    /// Takes up each new pair of shapes of two bodies whose fat boxes overlap.
     pub(in crate::world) fn find_pairs(&mut self) {
         // A new body may have the place of one that was removed.
         self.candidates.forget_removed(&mut self.broad_phase);
@@ -92,7 +93,8 @@ impl World {
         let accept = |slots: [u32; 2], is_fast: [bool; 2]| {
             // Pairs of a fast body that is awake are looked for again in the next step.
             let comes_again = (0..2).any(|index| is_fast[index] && bodies.is_awake(slots[index]));
-            let may_meet = bodies.may_collide(slots[0], slots[1]) && !joints.part(slots[0], slots[1]);
+            let [a, b] = bodies.bodies_of(slots);
+            let may_meet = bodies.may_collide(slots[0], slots[1]) && !joints.part(a, b);
             may_meet && !(comes_again && are_out_of_reach(bodies, slots, dt))
         };
         self.broad_phase.find_pairs(&self.pool, accept, &mut pairs);
@@ -100,7 +102,7 @@ impl World {
             for (sleeper, other) in [(a, b), (b, a)] {
                 // A sleeper does not move: something fixed was put beside it.
                 if !self.bodies.is_awake(sleeper) && self.is_fixed(other) {
-                    self.wake_slot(sleeper);
+                    self.wake_slot(self.bodies.body_of(sleeper));
                 }
             }
             self.candidates.add((a, b));
@@ -109,7 +111,7 @@ impl World {
         self.new_pairs = pairs;
     }
 
-    /// Begins a contact for each pair of bodies that come within reach of each other, or sleep.
+    /// Begins a contact for each pair of shapes that come within reach of each other, or whose bodies sleep.
     pub(in crate::world) fn begin_contacts(&mut self) {
         // Some leave the bounds in the step in which others fall asleep.
         self.candidates.forget_removed(&mut self.broad_phase);
@@ -125,11 +127,11 @@ impl World {
         self.new_pairs = pairs;
     }
 
-    /// Begins the contact of two bodies; returns its index.
-    fn begin_contact(&mut self, slots: [u32; 2]) -> u32 {
-        let [a, b] = slots;
+    /// Begins the contact of two shapes; returns its index.
+    fn begin_contact(&mut self, colliders: [u32; 2]) -> u32 {
+        let [a, b] = colliders;
         let (friction, restitution) = self.mixed(a, b);
-        let index = self.contacts.begin(&mut self.bodies, slots, friction, restitution);
+        let index = self.contacts.begin(&mut self.bodies, colliders, friction, restitution);
         self.loads.begin_contact(index);
         if self.bodies.is_awake(a) || self.bodies.is_awake(b) {
             self.contacts.set_awake(index);
@@ -154,7 +156,7 @@ impl World {
                 contacts.prefetch_ahead(bodies, place);
                 let index = contacts.index(place);
                 let contact = contacts.get_mut(place);
-                let [a, b] = contact.slots;
+                let [a, b] = contact.colliders;
                 refresh(contact, bodies, how);
                 let has_points = !contact.manifold.points().is_empty();
                 // Bodies with points are, whatever their boxes say, which may part meanwhile. Pairs of fast ones come again.
@@ -195,7 +197,7 @@ impl World {
     /// Asks for what it takes to end contacts further on in a list than `place`: those whose bodies are not close.
     fn prefetch_ending(&self, changed: &[(u32, bool)], place: usize) {
         if let Some(&(index, false)) = changed.get(place + AHEAD) {
-            self.broad_phase.prefetch_pair(self.contacts[index].slots);
+            self.broad_phase.prefetch_pair(self.contacts[index].colliders);
             self.contacts.prefetch_neighbours(index);
         }
         if let Some(&(index, false)) = changed.get(place + 2 * AHEAD) {
@@ -279,7 +281,11 @@ impl World {
                     move_on(motion, state);
                     let aabb = |motion: &Motion| shapes[slot as usize].bounding_box(motion.pose);
                     if motion.room > ahead.norm_1() {
-                        debug_assert!(!broad_phase.leaves_box(slot, aabb(motion), ahead), "{slot} had room");
+                        debug_assert!(
+                            motion.room == f32::INFINITY
+                                || !broad_phase.leaves_box(slot, aabb(motion), ahead),
+                            "{slot} had room"
+                        );
                         *leaves_box = false;
                         continue;
                     }
@@ -294,14 +300,37 @@ impl World {
         let slots = bodies.awake.iter().zip(leaves_box);
         leaving.clear();
         leaving.extend(slots.filter(|(_, leaves_box)| **leaves_box).map(|(&slot, _)| slot));
+        if !bodies.compounds.is_empty() {
+            Self::move_colliders(bodies, broad_phase, dt, leaving);
+        }
+        Self::give_boxes(bodies, broad_phase, dt, leaving);
+    }
+
+    /// Gives the shapes that have left their box another.
+    fn give_boxes(bodies: &Bodies, broad_phase: &mut BroadPhase, dt: f32, leaving: &[u32]) {
         for (place, &slot) in leaving.iter().enumerate() {
             broad_phase.prefetch_leaf(leaving, place);
             if let Some(&next) = leaving.get(place + AHEAD) {
                 bodies.prefetch_box(next);
             }
-            let ahead = Vec2::from(bodies.state(slot).velocity) * dt;
-            let is_alone = bodies.records[slot].first_contact == NONE;
+            let ahead = bodies.velocity_of_shape(slot) * dt;
+            let is_alone = bodies.records[bodies.body_of(slot)].first_contact == NONE;
             broad_phase.give_box(slot, bodies.aabb(slot), ahead, is_alone);
+        }
+    }
+
+    /// Lets the shapes of bodies with several follow their bodies, and finds those that have left their box.
+    fn move_colliders(bodies: &mut Bodies, broad_phase: &BroadPhase, dt: f32, leaving: &mut Vec<u32>) {
+        for row in GROUND_ROW as usize + 1..bodies.row_count() {
+            let slot = bodies.slot_of_row(row);
+            if bodies.is_compound(slot) {
+                bodies.place_colliders(slot);
+                let leaves_box = |&collider: &u32| {
+                    let ahead = bodies.velocity_of_shape(collider) * dt;
+                    broad_phase.leaves_box(collider, bodies.aabb(collider), ahead)
+                };
+                leaving.extend(bodies.colliders(slot).filter(leaves_box));
+            }
         }
     }
 

@@ -1,6 +1,6 @@
 //! Checks that all tables of a world agree with each other: for tests.
 
-use crate::body::{BodyType, Forcing, NONE};
+use crate::body::{BodyType, Forcing, Motion, NONE};
 use crate::compute::{BodyState, GROUND_ROW};
 use crate::math::Vec2;
 use crate::world::World;
@@ -25,8 +25,9 @@ impl World {
             return Err("the ground moves".into());
         }
         let mut rows = 1;
-        for (key, record) in bodies.records.iter() {
-            let slot = key.index();
+        for id in bodies.ids() {
+            let slot = id.0.index();
+            let record = &bodies.records[slot];
             let motion = &bodies.motions[slot as usize];
             let state = bodies.state(slot);
             let is_finite = motion.pose.center.is_finite()
@@ -51,8 +52,8 @@ impl World {
             if Vec2::from(state.delta_position) != Vec2::from(at_rest) {
                 return Err(format!("body {slot} has motion that was not added to its pose"));
             }
-            if !self.broad_phase.fat_aabb(slot).contains(bodies.aabb(slot)) {
-                return Err(format!("the box of body {slot} does not hold it"));
+            for collider in bodies.colliders(slot) {
+                self.validate_shape(collider, slot)?;
             }
         }
         if rows != bodies.row_count() || rows != bodies.previous.len() {
@@ -68,9 +69,27 @@ impl World {
         Ok(())
     }
 
+    /// What the shape in a slot knows of the body in another must be so.
+    fn validate_shape(&self, collider: u32, slot: u32) -> Result<(), String> {
+        let bodies = &self.bodies;
+        let [of_shape, of_body] = [collider, slot].map(|slot| &bodies.motions[slot as usize]);
+        let known = |motion: &Motion| (motion.row, motion.inverse_mass, motion.inverse_inertia);
+        if bodies.body_of(collider) != slot || known(of_shape) != known(of_body) {
+            return Err(format!("shape {collider} does not know its body {slot}"));
+        }
+        if of_shape.pose != bodies.pose_in(collider, of_body.pose) {
+            return Err(format!("shape {collider} is not where its body {slot} is"));
+        }
+        if !self.broad_phase.fat_aabb(collider).contains(bodies.aabb(collider)) {
+            return Err(format!("the box of shape {collider} does not hold it"));
+        }
+        Ok(())
+    }
+
     /// A force that no list knows of would not be that of a frame, and one on what does not move would wait for ever.
     fn validate_forces(&self) -> Result<(), String> {
-        for (key, _) in self.bodies.records.iter() {
+        for id in self.bodies.ids() {
+            let key = id.0;
             let Forcing { force, torque, .. } = self.bodies.forcings[key.index() as usize];
             let is_none = force == Vec2::ZERO && torque == 0.0;
             let is_known = || self.forced.iter().any(|forced| forced.body.0 == key);
@@ -84,8 +103,8 @@ impl World {
 
     fn validate_contacts(&self) -> Result<(), String> {
         let mut links = 0;
-        for (key, _) in self.bodies.records.iter() {
-            links += self.contacts.of_body(&self.bodies, key.index()).count();
+        for id in self.bodies.ids() {
+            links += self.contacts.of_body(&self.bodies, id.0.index()).count();
         }
         if links != 2 * self.contacts.len() {
             return Err(format!("{} contacts are in {links} lists of bodies", self.contacts.len()));
@@ -97,13 +116,16 @@ impl World {
             if !self.bodies.may_collide(a, b) {
                 return Err(format!("{a} and {b} do not collide, but are watched"));
             }
-            if self.contacts.of_body(&self.bodies, a).any(|index| self.contacts[index].other(a) == b) {
+            if self.contacts.between(&self.bodies, [a, b]).is_some() {
                 return Err(format!("{a} and {b} are out of reach and have a contact"));
             }
         }
         for (index, contact) in self.contacts.iter() {
             let [a, b] = contact.slots;
-            if !self.bodies.may_collide(a, b) {
+            if self.bodies.bodies_of(contact.colliders) != contact.slots {
+                return Err(format!("contact {index} does not know whose shapes touch"));
+            }
+            if !self.bodies.may_collide(contact.colliders[0], contact.colliders[1]) {
                 return Err(format!("{a} and {b} do not collide, but have a contact"));
             }
             let is_awake = self.bodies.is_awake(a) || self.bodies.is_awake(b);

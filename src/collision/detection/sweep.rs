@@ -28,6 +28,8 @@ pub(crate) struct Swept<'a> {
     pub(crate) rotation: Rot,
     /// rad/s. The outline of a circle does not turn.
     pub(crate) spin: f32,
+    /// Its centre from that about which it turns, as it begins, m.
+    pub(crate) arm: Vec2,
 }
 
 impl Swept<'_> {
@@ -36,14 +38,24 @@ impl Swept<'_> {
         if self.spin == 0.0 { self.rotation } else { Rot::from_angle(self.spin * time) * self.rotation }
     }
 
+    /// How far its centre has gone round after `time`, s, m.
+    fn swung_after(&self, time: f32) -> Vec2 {
+        if self.spin == 0.0 || self.arm == Vec2::ZERO {
+            return Vec2::ZERO;
+        }
+        Rot::from_angle(self.spin * time).rotate(self.arm) - self.arm
+    }
+
     /// How fast its outline may come closer along any direction by turning, m/s.
     fn rim_speed(&self) -> f32 {
-        if matches!(self.shape, Shape::Circle(_)) { 0.0 } else { self.spin.abs() * self.shape.extent() }
+        let extent = if matches!(self.shape, Shape::Circle(_)) { 0.0 } else { self.shape.extent() };
+        self.spin.abs() * (extent + self.arm.length())
     }
 }
 
 /// When two shapes first come within `target`, m, of each other, s, if not later than `until`: the centre of b starts at
-/// `offset`, m, from that of a, and moves with `velocity`, m/s, against it. 0 where they already are.
+/// `offset`, m, from that of a, and what b turns about moves with `velocity`, m/s, against what a turns about. 0 where they
+/// already are.
 ///
 /// A negative target asks for an overlap of that depth. Never late: at the time returned the distance is the target or, by
 /// rounding and the tolerance of what turns, a little more; more than that where 40 steps were not enough.
@@ -60,7 +72,7 @@ pub(crate) fn sweep(
         if rim_speed == 0.0 { 0.0 } else { TOLERANCE * a.shape.thickness().min(b.shape.thickness()) };
     let mut time = 0.0;
     for _ in 0..MAX_STEPS {
-        let place = offset + velocity * time;
+        let place = offset + velocity * time + (b.swung_after(time) - a.swung_after(time));
         let gap = gap_of(a.shape, a.rotation_after(time), b.shape, b.rotation_after(time), place)?;
         let left = gap.distance - target;
         if left <= noise_of(place) + tolerance {

@@ -3,7 +3,7 @@
 use crate::body::Motion;
 use crate::collision::refresh::{Pair, PredictedMotion};
 use crate::collision::{Contact, Touch, touch};
-use crate::compute::{GROUND_ROW, LaneRot};
+use crate::compute::{BodyState, GROUND_ROW, LaneRot};
 use crate::math::{Rot, Vec2};
 
 /// A contact with a circle holds still within a step in which its bodies move against each other by less than this, m, or
@@ -29,16 +29,16 @@ impl Pair<'_> {
     /// Where the circle touches halfway through the step; with the separation of now along the normal of then. `None` where
     /// the bodies do not meet within the step.
     pub(super) fn find_halfway(&self, predicted: PredictedMotion) -> Option<Touch> {
-        let half_turn = |motion: &Motion, slot: u32| {
+        let half_turn = |motion: &Motion, state: &BodyState| {
             if motion.is_round {
                 return Rot::IDENTITY;
             }
-            let angle = 0.5 * self.dt * self.bodies.state(slot).angular_velocity;
+            let angle = 0.5 * self.dt * state.angular_velocity;
             // Slow bodies turn by less than 1/80: the next terms of cosine and sine are below the last digit of a gap.
             Rot { c: 1.0 - 0.5 * angle * angle, s: angle }
         };
-        let [slot_a, slot_b] = self.slots;
-        let [half_a, half_b] = [half_turn(self.motion_a, slot_a), half_turn(self.motion_b, slot_b)];
+        let [state_a, state_b] = self.states();
+        let [half_a, half_b] = [half_turn(self.motion_a, state_a), half_turn(self.motion_b, state_b)];
         let moved = 0.5 * predicted.motion;
         let (rotation_a, rotation_b) = (half_a * self.rotation_a, half_b * self.rotation_b);
         let near = self.offset.near + moved;
@@ -52,10 +52,10 @@ impl Pair<'_> {
         self.meets(predicted, then.normal, separation).then_some(Touch { separation, ..then })
     }
 
-    /// Whether what a circle touches does not move.
+    /// Whether one is a circle around its centre of mass, and what it touches does not move.
     pub(super) fn is_on_ground(&self) -> bool {
         let ground = if self.motion_b.is_round { self.motion_a } else { self.motion_b };
-        ground.row == GROUND_ROW
+        (self.motion_a.is_round || self.motion_b.is_round) && ground.row == GROUND_ROW
     }
 
     /// Where a circle touches a face over which it will stay within the step. Where that does not move, only the gap changes

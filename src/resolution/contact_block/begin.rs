@@ -88,7 +88,7 @@ impl ContactBlock {
         from: Beginning<'_>,
     ) {
         let bodies = from.bodies;
-        let motions = contact.slots.map(|slot| &bodies.motions[slot as usize]);
+        let motions = contact.colliders.map(|slot| &bodies.motions[slot as usize]);
         let [a, b] = motions;
         (rows_a[place], rows_b[place]) = (a.row, b.row);
         let constraint = ContactConstraint::new(&contact.manifold, contact.friction, motions);
@@ -108,7 +108,7 @@ impl ContactBlock {
         self.marks.cold.set(place, second.normal_k > 0.0 && has_friction && is_unloaded);
         self.marks.bouncy.set(place, contact.restitution > 0.0);
         self.marks.on_ground.set(place, is_circle_on_ground(motions));
-        if let Some(speed) = bodies.roles.surface_speed(contact.slots) {
+        if let Some(speed) = bodies.roles.surface_speed(contact.colliders) {
             self.set_surface_speed(place, speed);
         }
         if contact.follows {

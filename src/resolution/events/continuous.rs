@@ -5,6 +5,8 @@
 //! and friction, and goes on from there with the rest of the substep; both bodies are then swept anew. This goes on in the
 //! order of time until nothing meets any more.
 //!
+//! Of a body of several shapes each is swept: the slots of pairs are here those of shapes.
+//!
 //! What has touched before is for the sweeps of the solver, which know the whole heap: a pair under load, or without
 //! restitution, is met again only if it would go deeper by a good part of its width.
 //!
@@ -223,17 +225,22 @@ impl Continuous {
         });
         self.ways.query(way, |other| {
             if other != slot && before.is_none_or(|before| index_of(other) as usize > before) {
-                near.push(other);
+                near.extend(scene.bodies.colliders(other));
             }
             true
         });
-        let is_moved = scene.bodies.states[row as usize].is_moving();
-        for other in near.drain(..) {
-            let may_meet = scene.bodies.may_collide(slot, other) && !scene.joints.part(slot, other);
-            if may_meet && (is_moved || scene.bodies.is_awake(other)) {
-                self.expect([slot.min(other), slot.max(other)], 0.0, scene);
+        let bodies = &*scene.bodies;
+        let is_moved = bodies.states[row as usize].is_moving();
+        for own in bodies.colliders(slot) {
+            for &other in &near {
+                let may_meet =
+                    bodies.may_collide(own, other) && !scene.joints.part(slot, bodies.body_of(other));
+                if may_meet && (is_moved || bodies.is_awake(other)) {
+                    self.expect([own.min(other), own.max(other)], 0.0, scene);
+                }
             }
         }
+        near.clear();
         self.near = near;
     }
 
@@ -249,9 +256,13 @@ impl Continuous {
             rotation: Rot { c: state.delta_rotation.c, s: state.delta_rotation.s }
                 * bodies.motions[slot as usize].pose.rotation,
             spin: state.angular_velocity,
+            arm: arm_in(bodies.arm(slot), state),
         };
         let moved = Vec2::from(b.delta_position - a.delta_position);
-        let offset = (bodies.center(slots[1]) - bodies.center(slots[0])) + moved;
+        let mut offset = (bodies.center(slots[1]) - bodies.center(slots[0])) + moved;
+        if let Some(arms) = bodies.arms(slots) {
+            offset += (arm_in(arms[1], b) - arms[1]) - (arm_in(arms[0], a) - arms[0]);
+        }
         ([of(slots[0], a), of(slots[1], b)], offset, (b.velocity - a.velocity).into())
     }
 
@@ -263,10 +274,12 @@ impl Continuous {
         let motions = slots.map(|slot| &scene.bodies.motions[slot as usize]);
         let ([a, b], offset, velocity) = Self::swept(scene, slots, &pair);
         // What finds a circle flat has its contact, as the box of that is all around.
-        if is_flat(motions.map(|motion| (motion.is_round, motion.extent))) {
+        if is_flat(motions.map(|motion| (motion.is_circle, motion.extent))) {
             return;
         }
-        if !circles_meet(offset, velocity * (h - from), motions[0].extent + motions[1].extent) {
+        // What goes round its body leaves the straight way by no more than its arm twice.
+        let reach = |side: usize| motions[side].extent + 2.0 * [a, b][side].arm.length();
+        if !circles_meet(offset, velocity * (h - from), reach(0) + reach(1)) {
             return;
         }
         if !scene.may_come_much_nearer(slots, &pair, h - from) && scene.contact_of(slots).is_some() {
@@ -436,6 +449,11 @@ struct Met {
     meeting: Meeting,
     /// Whether they approach fast enough to bounce.
     is_fast: bool,
+}
+
+/// An arm, m, of a body that has turned within the step.
+fn arm_in(arm: Vec2, state: &BodyState) -> Vec2 {
+    Rot { c: state.delta_rotation.c, s: state.delta_rotation.s }.rotate(arm)
 }
 
 /// Whether a point that starts at `offset` and moves by `motion`, m, comes within a distance of `reach`, m, of the origin.

@@ -153,8 +153,8 @@ impl Impacts {
         let earliest = rows.iter().fold(0.0, |last: f32, &row| last.max(scene.strikes.last(row)));
         let time = first.max(earliest);
         // What is off course may meet others before, unless it meets at once.
-        let slots = scene.contacts[scene.graph.contact_at(contact)].slots;
-        if time <= h && (time == earliest || !scene.is_swept(slots)) {
+        let colliders = scene.contacts[scene.graph.contact_at(contact)].colliders;
+        if time <= h && (time == earliest || !scene.is_swept(colliders)) {
             let impacts_before = impacts_of(rows, scene);
             self.queue.push(Expected { time, contact, impacts_before, looks_in_vain: 0 });
         }
@@ -191,7 +191,7 @@ impl Impacts {
         let (index, rows) = (scene.graph.contact_at(home), scene.graph.rows(home));
         let contact = &scene.contacts[index];
         let there = scene.bent_states_at(rows, time);
-        let manifold = manifold_in(contact.slots, scene.bodies, [&there[0], &there[1]]);
+        let manifold = manifold_in(contact.colliders, scene.bodies, [&there[0], &there[1]]);
         let mut constraint = scene.graph.constraint(home);
         constraint.set_manifold_in(&manifold, &there[0], &there[1]);
         let gained = manifold.normal.dot(scene.acceleration(rows)) * (time - 0.5 * scene.h());
@@ -202,7 +202,7 @@ impl Impacts {
         if !meeting.is_now() {
             // The surfaces have turned away from each other since: they meet later.
             let later = time + meeting.gap / meeting.fastest;
-            let may_look_again = looks_in_vain < LOOKS_IN_VAIN && !scene.is_swept(contact.slots);
+            let may_look_again = looks_in_vain < LOOKS_IN_VAIN && !scene.is_swept(contact.colliders);
             if later <= scene.h() && may_look_again {
                 self.queue.push(Expected { time: later, looks_in_vain: looks_in_vain + 1, ..expected });
             }
@@ -210,7 +210,7 @@ impl Impacts {
         }
         self.impacts.push(Impact { contact: index, speed: meeting.speed() });
         let are_moved = scene.graph.moved_rows(home).map(|row| row != GROUND_ROW);
-        scene.collide(contact.slots, are_moved, &meeting, contact.restitution, time);
+        scene.collide(contact.colliders, are_moved, &meeting, contact.restitution, time);
         if manifold.has_features_of(&contact.manifold) {
             scene.graph.set_geometry(home, &constraint);
         } else if let Some(manifold) = manifold.restricted_to(&contact.manifold) {

@@ -192,8 +192,8 @@ impl Piece {
         let Some(meeting) = meeting.filter(Meeting::is_now) else { return false };
         self.be_ahead(false, scene.graph);
         let are_moved = scene.graph.moved_rows(home).map(|row| row != GROUND_ROW);
-        let slots = contact.slots;
-        scene.collide(slots, are_moved, &meeting, 0.0, time);
+        let colliders = contact.colliders;
+        scene.collide(colliders, are_moved, &meeting, 0.0, time);
         true
     }
 }

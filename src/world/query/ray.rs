@@ -1,6 +1,6 @@
 //! What is on the way of a ray.
 
-use crate::body::BodyId;
+use crate::body::{BodyId, ColliderId};
 use crate::math::{Point, Vec2};
 use crate::world::{QueryFilter, World};
 
@@ -10,12 +10,21 @@ use crate::world::{QueryFilter, World};
 pub struct RayHit {
     /// The body.
     pub body: BodyId,
+    /// Which of its shapes.
+    pub collider: ColliderId,
     /// Where on the outline, m.
     pub point: Point,
     /// Normal of the outline there, length 1; zero where the ray began inside the body.
     pub normal: Vec2,
     /// How far along the ray, as a fraction of its length, 0 to 1.
     pub fraction: f32,
+}
+
+impl RayHit {
+    /// The nearer comes first, and of equals the smaller ids.
+    fn rank(&self) -> (f32, (BodyId, ColliderId)) {
+        (self.fraction, (self.body, self.collider))
+    }
 }
 
 impl World {
@@ -42,7 +51,7 @@ impl World {
                 return max_fraction;
             };
             // Among equals the smallest id, whatever order the tree is searched in.
-            if nearest.is_none_or(|best| (hit.fraction, hit.body) < (best.fraction, best.body)) {
+            if nearest.is_none_or(|best| hit.rank() < best.rank()) {
                 nearest = Some(hit);
             }
             just_beyond(hit.fraction).min(max_fraction)
@@ -50,7 +59,8 @@ impl World {
         nearest
     }
 
-    /// All bodies but sensors on the way from `origin` (m) along `translation` (m), nearest first. None where the ray is
+    /// All bodies but sensors on the way from `origin` (m) along `translation` (m), nearest first; one of several shapes once
+    /// for each of them. None where the ray is
     /// not finite or has no length.
     pub fn ray_cast_all(&self, origin: impl Into<Point>, translation: impl Into<Vec2>) -> Vec<RayHit> {
         self.ray_cast_all_with(origin, translation, &QueryFilter::new())
@@ -69,7 +79,7 @@ impl World {
             true
         });
         hits.sort_unstable_by(|one, other| {
-            one.fraction.total_cmp(&other.fraction).then(one.body.cmp(&other.body))
+            one.fraction.total_cmp(&other.fraction).then(one.rank().1.cmp(&other.rank().1))
         });
         hits
     }
@@ -117,7 +127,8 @@ impl World {
         let (pose, shape) = (self.bodies.motions[slot as usize].pose, &self.bodies.shapes[slot as usize]);
         let hit = shape.ray_cast(pose, origin, translation, max_fraction)?;
         let point = origin + translation * hit.fraction;
-        let hit = RayHit { body: self.id_of(slot), point, normal: hit.normal, fraction: hit.fraction };
+        let (body, collider) = (self.id_of(slot), self.collider_id(slot));
+        let hit = RayHit { body, collider, point, normal: hit.normal, fraction: hit.fraction };
         self.satisfies(filter, slot).then_some(hit)
     }
 }

@@ -1,6 +1,6 @@
 //! What a shape would touch: where it is, or on a way; and what is nearest to a place.
 
-use crate::body::BodyId;
+use crate::body::{BodyId, ColliderId};
 use crate::collision::{Swept, detect, detect_within, sweep};
 use crate::math::{Point, Pose, Vec2};
 use crate::shape::Shape;
@@ -20,6 +20,8 @@ const FLAT_WITHIN: f32 = 1e-3;
 pub struct ShapeHit {
     /// The body.
     pub body: BodyId,
+    /// Which of its shapes.
+    pub collider: ColliderId,
     /// Where they touch, m; between the ends where they touch along an edge. The centre of the shape where it began within
     /// the body.
     pub point: Point,
@@ -35,6 +37,8 @@ pub struct ShapeHit {
 pub struct ClosestHit {
     /// The body.
     pub body: BodyId,
+    /// Which of its shapes.
+    pub collider: ColliderId,
     /// Its nearest point, m: the place itself where that lies in the body.
     pub point: Point,
     /// How far away that is, m; 0 within the body.
@@ -81,7 +85,8 @@ impl World {
                 return max_fraction;
             };
             // Among equals the smallest id, whatever order the tree is searched in.
-            if nearest.is_none_or(|best| (hit.fraction, hit.body) < (best.fraction, best.body)) {
+            let rank = |hit: &ShapeHit| (hit.fraction, hit.body, hit.collider);
+            if nearest.is_none_or(|best| rank(&hit) < rank(&best)) {
                 nearest = Some(hit);
             }
             just_beyond(hit.fraction).min(max_fraction)
@@ -112,10 +117,12 @@ impl World {
             true
         });
         found.sort_unstable();
+        found.dedup();
         found
     }
 
-    /// Calls `visit` with each of the bodies that [`overlaps`](Self::overlaps) finds, until it returns false. They come in the
+    /// Calls `visit` with each of the bodies that [`overlaps`](Self::overlaps) finds, one of several shapes for each that
+    /// overlaps, until it returns false. They come in the
     /// same order in every run. It allocates nothing.
     pub fn overlaps_each(
         &self,
@@ -163,10 +170,12 @@ impl World {
             }
             let pose = self.bodies.motions[slot as usize].pose;
             let point = self.bodies.shapes[slot as usize].closest_point(pose, place);
-            let (distance, body) = (place.distance(point), self.id_of(slot));
-            let is_nearer = nearest.is_none_or(|(best, hit)| (distance, body) < (best, hit.body));
+            let (distance, body, collider) =
+                (place.distance(point), self.id_of(slot), self.collider_id(slot));
+            let is_nearer =
+                nearest.is_none_or(|(best, hit)| (distance, body, collider) < (best, hit.body, hit.collider));
             if distance <= limit && is_nearer && self.satisfies(filter, slot) {
-                nearest = Some((distance, ClosestHit { body, point, distance: distance as f32 }));
+                nearest = Some((distance, ClosestHit { body, collider, point, distance: distance as f32 }));
                 return distance;
             }
             limit
@@ -196,7 +205,8 @@ impl World {
             self.bodies.motions[slot as usize].pose,
             max_fraction,
         )?;
-        let hit = ShapeHit { body: self.id_of(slot), point, normal, fraction: time as f32 };
+        let (body, collider) = (self.id_of(slot), self.collider_id(slot));
+        let hit = ShapeHit { body, collider, point, normal, fraction: time as f32 };
         self.satisfies(filter, slot).then_some(hit)
     }
 }
@@ -222,6 +232,7 @@ impl Caster<'_> {
             shape,
             rotation: pose.rotation,
             spin: 0.0,
+            arm: Vec2::ZERO,
         });
         let left = sweep(a, b, pose.center - start, -self.translation, until as f32, 0.0)?;
         let time = from + f64::from(left);

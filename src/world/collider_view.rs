@@ -1,0 +1,119 @@
+//! A view of one of the shapes of a body, to read it.
+
+use core::fmt;
+
+use crate::body::{BodyId, Collider, ColliderId, Filter, Material};
+use crate::math::{Aabb, Point, Pose, Vec2};
+use crate::shape::Shape;
+use crate::world::World;
+
+/// A read-only view of one of the shapes of a body.
+#[derive(Clone, Copy)]
+pub struct ColliderRef<'a> {
+    world: &'a World,
+    slot: u32,
+}
+
+impl World {
+    /// The shape of a body with this id, or `None` if its body has been removed.
+    pub fn collider(&self, id: ColliderId) -> Option<ColliderRef<'_>> {
+        let slot = id.0.index();
+        self.bodies.records.get(id.0).filter(|_| !self.bodies.is_compound(slot))?;
+        Some(ColliderRef::new(self, slot))
+    }
+
+    pub(in crate::world) fn collider_id(&self, slot: u32) -> ColliderId {
+        ColliderId(self.bodies.records.key_at(slot))
+    }
+}
+
+impl<'a> ColliderRef<'a> {
+    pub(in crate::world) fn new(world: &'a World, slot: u32) -> Self {
+        Self { world, slot }
+    }
+
+    /// Its id.
+    pub fn id(&self) -> ColliderId {
+        self.world.collider_id(self.slot)
+    }
+
+    /// The body that it is a shape of.
+    pub fn body(&self) -> BodyId {
+        self.world.id_of(self.slot)
+    }
+
+    /// Its geometry.
+    pub fn shape(&self) -> &'a Shape {
+        &self.world.bodies.shapes[self.slot as usize]
+    }
+
+    /// Where its centre is, and how it is turned.
+    pub fn pose(&self) -> Pose {
+        self.world.bodies.motions[self.slot as usize].pose
+    }
+
+    /// The pose before the last tick, as [`BodyRef::previous_pose`](crate::BodyRef::previous_pose) tells.
+    pub fn previous_pose(&self) -> Pose {
+        self.world.bodies.previous_pose(self.slot)
+    }
+
+    /// Where to draw it: `alpha` of the way from the pose before the last tick to the pose now, as
+    /// [`BodyRef::interpolated_pose`](crate::BodyRef::interpolated_pose) tells.
+    pub fn interpolated_pose(&self, alpha: f32) -> Pose {
+        let body = self.world.bodies.body_of(self.slot);
+        let [before, now] =
+            [self.world.bodies.previous_pose(body), self.world.bodies.motions[body as usize].pose];
+        self.world.bodies.pose_in(self.slot, before.lerp(now, alpha))
+    }
+
+    /// The smallest axis-aligned box around it, m, rounded outward.
+    pub fn aabb(&self) -> Aabb {
+        self.world.bodies.aabb(self.slot)
+    }
+
+    /// Density, friction and restitution.
+    pub fn material(&self) -> Material {
+        self.world.bodies.records[self.slot].material
+    }
+
+    /// What it collides with.
+    pub fn filter(&self) -> Filter {
+        self.world.bodies.roles.of(self.slot).filter
+    }
+
+    /// Whether it is a sensor, which only takes note of what overlaps it.
+    pub fn is_sensor(&self) -> bool {
+        self.world.bodies.roles.of(self.slot).is_sensor
+    }
+
+    /// The direction, in its frame and of length 1, in which bodies pass it, if it is a one-way floor.
+    pub fn one_way(&self) -> Option<Vec2> {
+        self.world.bodies.roles.of(self.slot).one_way
+    }
+
+    /// Speed of its surface against the body, m/s.
+    pub fn surface_speed(&self) -> f32 {
+        self.world.bodies.roles.of(self.slot).surface_speed
+    }
+
+    /// The caller's own number.
+    pub fn user_data(&self) -> u64 {
+        self.world.bodies.records[self.slot].user_data
+    }
+
+    /// Whether the place lies in it, its outline included.
+    pub fn contains(&self, place: impl Into<Point>) -> bool {
+        self.shape().contains(self.pose(), place.into())
+    }
+
+    /// Its description, in the frame that the body was described in.
+    pub fn describe(&self) -> Collider {
+        self.world.bodies.describe_collider(self.slot)
+    }
+}
+
+impl fmt::Debug for ColliderRef<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_tuple("ColliderRef").field(&self.id()).field(&self.describe()).finish()
+    }
+}
