@@ -139,7 +139,9 @@ async fn play(beginning: Game) {
         draw_sling(&game, pull);
         // 6. Ticks and frames are not in step: bodies are drawn between their last two poses.
         for (id, body) in game.world.bodies() {
-            draw_body(body.shape(), body.interpolated_pose(game.world.alpha()), color(&game, id, body));
+            for part in body.colliders() {
+                draw_shape(part.shape(), part.interpolated_pose(game.world.alpha()), color(&game, id, body));
+            }
         }
         mq::set_default_camera();
         mq::draw_text(game.message(), 20.0, 36.0, 28.0, mq::LIGHTGRAY);
@@ -177,7 +179,7 @@ fn color(game: &Game, id: BodyId, body: BodyRef<'_>) -> mq::Color {
 }
 
 /// A circle, or a polygon as triangles round its first corner.
-fn draw_body(shape: &Shape, pose: Pose, color: mq::Color) {
+fn draw_shape(shape: &Shape, pose: Pose, color: mq::Color) {
     if let Some(radius) = shape.radius() {
         mq::draw_circle(pose.center.x as f32, pose.center.y as f32, radius, color);
     }

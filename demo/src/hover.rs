@@ -28,7 +28,8 @@ pub(crate) fn rows(world: &World, id: BodyId, name: Option<&str>) -> Option<Vec<
         world.contacts().filter(|contact| contact.is_touching() && (contact.a() == id || contact.b() == id));
     let material = body.material();
     let named = theme::MATERIALS.iter().find(|(other, ..)| other.density == material.density);
-    let shape = crate::overlay::shape_name(body.shape());
+    let is_compound = body.colliders().nth(1).is_some();
+    let shape = if is_compound { "several shapes" } else { crate::overlay::shape_name(body.shape()) };
     let state = if body.is_sleeping() { "asleep" } else { kind };
     let finite = |value: f32, unit| {
         if value.is_finite() { without_prefix(f64::from(value), unit) } else { "infinite".to_owned() }

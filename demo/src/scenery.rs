@@ -1,7 +1,7 @@
 //! The world as triangles: grid and bodies.
 
 use macroquad::math::Rect;
-use rustycs::{Attractor, Pose, Rot, Shape, Vec2, World};
+use rustycs::{Attractor, BodyRef, ColliderRef, Pose, Rot, Shape, Vec2, World};
 
 use crate::batch::Batch;
 use crate::camera::Camera;
@@ -26,12 +26,38 @@ impl Scenery {
     /// each other's.
     pub(crate) fn draw_bodies(&mut self, batch: &mut Batch, run: &Run, paint: &Paint, camera: Camera) {
         for (id, body, pose) in run.bodies() {
-            let shape = body.shape();
-            if !camera.sees(shape.bounding_box(pose)) {
+            let is_seen = |collider: ColliderRef<'_>| {
+                camera.sees(collider.shape().bounding_box(collider.pose_on(pose)))
+            };
+            if !body.colliders().any(is_seen) {
                 continue;
             }
             let style = theme::style_of(&body, paint.get(id));
-            self.draw_shape(batch, shape, pose, style, camera);
+            if body.colliders().nth(1).is_none() {
+                self.draw_shape(batch, body.shape(), pose, style, camera);
+            } else {
+                self.draw_compound(batch, &body, pose, style, camera);
+            }
+        }
+    }
+
+    /// A body of several shapes, with one outline around all of them. Sensors are left away.
+    fn draw_compound(
+        &mut self,
+        batch: &mut Batch,
+        body: &BodyRef<'_>,
+        pose: Pose,
+        BodyStyle { fill, outline }: BodyStyle,
+        camera: Camera,
+    ) {
+        let solid = || body.colliders().filter(|collider| !collider.is_sensor());
+        for collider in solid() {
+            self.trace(collider.shape(), collider.pose_on(pose), camera);
+            batch.polygon(&self.outer, outline.rgba(255));
+        }
+        for collider in solid().filter(|part| part.shape().thickness() * camera.scale() >= 3.0 * OUTLINE) {
+            self.trace(collider.shape(), collider.pose_on(pose), camera);
+            batch.polygon(&self.inner, fill.rgba(255));
         }
     }
 

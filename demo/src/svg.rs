@@ -2,7 +2,7 @@
 
 use std::fmt::{self, Write};
 
-use rustycs::{BodyRef, Vec2, World};
+use rustycs::{BodyRef, Pose, Shape, Vec2, World};
 use rustycs_scenes::{Scene, View};
 
 use crate::overlay::{Overlays, Paint};
@@ -71,7 +71,9 @@ fn write_bodies(out: &mut String, world: &World, scene: &Scene) -> fmt::Result {
         let BodyStyle { fill, outline } = group[0].0;
         writeln!(out, r#"<g fill="{fill}" stroke="{outline}">"#)?;
         for (_, body) in group {
-            write_body(out, body)?;
+            for collider in body.colliders() {
+                write_shape(out, collider.shape(), collider.pose())?;
+            }
         }
         writeln!(out, "</g>")?;
     }
@@ -92,10 +94,9 @@ fn write_grid(out: &mut String, view: View, pixel: f32) -> fmt::Result {
     writeln!(out, r#""/>"#)
 }
 
-/// A body: a circle with the radius that shows how it is turned, or a polygon.
-fn write_body(out: &mut String, body: &BodyRef<'_>) -> fmt::Result {
-    let pose = body.pose();
-    if let Some(radius) = body.shape().radius() {
+/// A shape: a circle with the radius that shows how it is turned, or a polygon.
+fn write_shape(out: &mut String, shape: &Shape, pose: Pose) -> fmt::Result {
+    if let Some(radius) = shape.radius() {
         let (center, rim) = (pose.center, pose.to_world(Vec2::new(radius, 0.0)));
         return writeln!(
             out,
@@ -104,7 +105,7 @@ fn write_body(out: &mut String, body: &BodyRef<'_>) -> fmt::Result {
         );
     }
     out.write_str(r#"<path d=""#)?;
-    for (index, &vertex) in body.shape().vertices().iter().enumerate() {
+    for (index, &vertex) in shape.vertices().iter().enumerate() {
         let corner = pose.to_world(vertex);
         write!(out, "{}{:.3} {:.3}", if index == 0 { 'M' } else { 'L' }, corner.x, corner.y)?;
     }

@@ -57,13 +57,17 @@ impl<'a> ColliderRef<'a> {
         self.world.bodies.previous_pose(self.slot)
     }
 
+    /// Where it is while its body is in a pose: to draw a body elsewhere than it is.
+    pub fn pose_on(&self, body: Pose) -> Pose {
+        self.world.bodies.pose_in(self.slot, body)
+    }
+
     /// Where to draw it: `alpha` of the way from the pose before the last tick to the pose now, as
     /// [`BodyRef::interpolated_pose`](crate::BodyRef::interpolated_pose) tells.
     pub fn interpolated_pose(&self, alpha: f32) -> Pose {
         let body = self.world.bodies.body_of(self.slot);
-        let [before, now] =
-            [self.world.bodies.previous_pose(body), self.world.bodies.motions[body as usize].pose];
-        self.world.bodies.pose_in(self.slot, before.lerp(now, alpha))
+        let now = self.world.bodies.motions[body as usize].pose;
+        self.pose_on(self.world.bodies.previous_pose(body).lerp(now, alpha))
     }
 
     /// The smallest axis-aligned box around it, m, rounded outward.

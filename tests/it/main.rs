@@ -3,6 +3,7 @@
 mod allocation;
 mod bad_input;
 mod closed_worlds;
+mod compounds;
 mod continuous;
 mod determinism;
 mod golden;

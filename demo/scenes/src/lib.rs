@@ -25,6 +25,7 @@ pub mod cradle;
 pub mod dominoes;
 pub mod friction_ramp;
 pub mod galaxy;
+pub mod letters;
 mod mark;
 pub mod mass_ratio;
 pub mod materials;
@@ -203,6 +204,7 @@ pub fn all() -> &'static [Scene] {
         platforms::SCENE,
         attractor::SCENE,
         polygons::SCENE,
+        letters::SCENE,
         solar_system::SCENE,
         sandbox::SCENE,
         tower::SCENE,

@@ -17,6 +17,8 @@ struct Member {
     density: f32,
     friction: f32,
     restitution: f32,
+    /// Further shapes: each with its place on the body, and its angle, rad.
+    further: Vec<(Outline, [f32; 2], f32)>,
 }
 
 #[derive(Clone, Debug)]
@@ -137,6 +139,7 @@ fn member(random: &mut Xoshiro256PlusPlus, speed: f32, radius: f32, masses: f32,
         friction,
         restitution,
         outline,
+        further: Vec::new(),
     }
 }
 
@@ -169,6 +172,35 @@ impl ClosedWorld {
         Self { members, settings: settings_at_first, changes, ticks }
     }
 
+    /// The world of a seed, in which most bodies have several shapes, no farther out than their first.
+    pub(super) fn of_compounds(seed: u64) -> Self {
+        let mut world = Self::new(seed);
+        let random = &mut Xoshiro256PlusPlus::seed_from_u64(!seed);
+        for member in &mut world.members {
+            // What never turns has its shapes along the axes of every view.
+            if matches!(member.outline, Outline::Aabb(..)) {
+                continue;
+            }
+            let reach = member.reach() as f32;
+            for _ in 0..random.random_range(0..4) {
+                let size = reach * random.random_range(0.2_f32..0.5);
+                let outline = match random.random_range(0..3) {
+                    0 => Outline::Circle(0.5 * size),
+                    1 => Outline::Obb(0.7 * size, 0.5 * size),
+                    _ => Outline::Polygon(vec![
+                        [0.5 * size, 0.0],
+                        [-0.3 * size, 0.4 * size],
+                        [-0.2 * size, -0.4 * size],
+                    ]),
+                };
+                let Rot { c, s } = Rot::from_angle(random.random_range(-3.0..3.0));
+                let out = reach - 0.5 * size;
+                member.further.push((outline, [out * c, out * s], random.random_range(-3.0..3.0)));
+            }
+        }
+        world
+    }
+
     /// Whether every body can be turned. What holds one that cannot takes angular momentum.
     pub(super) fn all_turn(&self) -> bool {
         self.members.iter().all(|member| member.turns && !matches!(member.outline, Outline::Aabb(..)))
@@ -196,6 +228,26 @@ impl ClosedWorld {
     }
 }
 
+impl Outline {
+    fn shape(&self, view: View) -> Shape {
+        let sides = |width: f32, height: f32| {
+            if view == View::Turned { (height, width) } else { (width, height) }
+        };
+        match self {
+            Self::Circle(radius) => Shape::circle(*radius),
+            Self::Aabb(width, height) => {
+                let (width, height) = sides(*width, *height);
+                Shape::aabb(width, height)
+            }
+            Self::Obb(width, height) => Shape::obb(*width, *height),
+            Self::Polygon(corners) => {
+                let seen = corners.iter().map(|&[x, y]| [view.handed(x), y]);
+                Shape::polygon(seen.collect::<Vec<_>>()).expect("convex corners")
+            }
+        }
+    }
+}
+
 impl Member {
     /// No point of the outline is farther from the centre, m.
     fn reach(&self) -> f64 {
@@ -208,22 +260,12 @@ impl Member {
     }
 
     fn body(&self, view: View) -> Body {
-        let sides = |width: f32, height: f32| {
-            if view == View::Turned { (height, width) } else { (width, height) }
-        };
-        let shape = match &self.outline {
-            Outline::Circle(radius) => Shape::circle(*radius),
-            Outline::Aabb(width, height) => {
-                let (width, height) = sides(*width, *height);
-                Shape::aabb(width, height)
-            }
-            Outline::Obb(width, height) => Shape::obb(*width, *height),
-            Outline::Polygon(corners) => {
-                let seen = corners.iter().map(|&[x, y]| [view.handed(x), y]);
-                Shape::polygon(seen.collect::<Vec<_>>()).expect("corners on an ellipse")
-            }
-        };
-        Body::dynamic(shape)
+        let further = self.further.iter().map(|(outline, [x, y], angle)| {
+            // Polygons are about their centres of mass.
+            Collider::new(outline.shape(view)).at([view.handed(*x), *y]).angle(view.handed(*angle))
+        });
+        further
+            .fold(Body::dynamic(self.outline.shape(view)), Body::with)
             .at(view.place(self.center))
             .angle(view.angle(self.angle))
             .velocity(view.see(self.velocity))

@@ -135,8 +135,10 @@ fn body_with(
     let surface = (factor(), narrow(0.0, 1.0), prop_oneof![magnitude(-1.0, 1.0), magnitude(-12.0, 12.0)]);
     let options =
         (prop::option::weighted(0.2, magnitude(-12.0, 15.0)), any::<[bool; 2]>(), factor(), factor());
-    (shape(length).prop_flat_map(body_of), motion, surface, options).prop_map(
-        |(body, motion, surface, options)| {
+    let further = further_shapes(length.clone());
+    (shape(length).prop_flat_map(body_of), motion, surface, options, further).prop_map(
+        |(body, motion, surface, options, further)| {
+            let body = further.into_iter().fold(body, Body::with);
             let (at, angle, velocity, spin) = motion;
             let (friction, restitution, density) = surface;
             let (mass, [fixed_rotation, may_sleep], scale, damping) = options;
@@ -147,6 +149,23 @@ fn body_with(
             if let Some(mass) = mass { body.mass(mass) } else { body }
         },
     )
+}
+
+/// The further shapes of a body: of three bodies in four none.
+fn further_shapes(
+    length: impl Strategy<Value = f32> + Clone + 'static,
+) -> impl Strategy<Value = Vec<Collider>> {
+    let place =
+        (length.clone(), narrow(-1.0, 1.0), narrow(-1.0, 1.0)).prop_map(|(size, x, y)| [size * x, size * y]);
+    let surface = (prop::option::of(factor()), any::<[bool; 2]>(), narrow(-3.0, 3.0));
+    let collider =
+        (shape(length), place, narrow(-4.0, 4.0), surface).prop_map(|(shape, at, angle, surface)| {
+            let (friction, [is_sensor, moves], speed) = surface;
+            let collider = Collider::new(shape).at(at).angle(angle).sensor(is_sensor && moves);
+            let collider = if moves { collider.surface_speed(speed) } else { collider };
+            if let Some(friction) = friction { collider.friction(friction) } else { collider }
+        });
+    prop_oneof![3 => Just(Vec::new()), 1 => prop::collection::vec(collider, 1..4)]
 }
 
 /// A body as games have it, somewhere in a pool of 10 m.
@@ -161,13 +180,15 @@ pub(crate) fn usual_body() -> impl Strategy<Value = Body> {
     let materials =
         [Material::DEFAULT, Material::RUBBER, Material::PLASTIC, Material::STONE, Material::METAL];
     let motion = ([between(-4.0, 4.0), between(0.5, 6.0)], narrow(-3.0, 3.0), narrow(-5.0, 5.0));
-    (shape, prop::sample::select(materials.to_vec()), motion, 0..10_u8).prop_map(
-        |(shape, material, (at, angle, speed), kind)| {
+    let further = further_shapes(size());
+    (shape, prop::sample::select(materials.to_vec()), motion, 0..10_u8, further).prop_map(
+        |(shape, material, (at, angle, speed), kind, further)| {
             let body = match kind {
                 0 => Body::fixed(shape),
                 1 => Body::kinematic(shape),
                 _ => Body::dynamic(shape),
             };
+            let body = further.into_iter().fold(body, Body::with);
             body.at(at).angle(angle).velocity([speed, 0.0]).angular_velocity(-speed).material(material)
         },
     )

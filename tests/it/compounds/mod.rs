@@ -1,0 +1,6 @@
+//! Bodies of several shapes: what they weigh, how they move and meet, and what each shape is for itself.
+
+mod edits;
+mod laws;
+mod parts;
+mod thrown;
