@@ -2,6 +2,7 @@
 
 use crate::body::collider::Masses;
 use crate::body::compound::Compounds;
+use crate::body::exposures::Exposures;
 use crate::body::{Body, BodyId, BodyType, Material, Mixes, RestRule, RestWatch, Roles};
 use crate::compute::{BodyState, COLUMN, DistinctIndices, GROUND_ROW, prefetch};
 use crate::math::{Aabb, Point, Pose, Rot, Vec2};
@@ -141,6 +142,7 @@ pub(crate) struct Bodies {
     pub(crate) shapes: Vec<Shape>,
     pub(crate) roles: Roles,
     pub(crate) compounds: Compounds,
+    pub(crate) exposures: Exposures,
     /// By row: the ground, then every awake body that can move; and rows at rest that are no body's, to whole columns.
     pub(crate) states: Vec<BodyState>,
     /// By row: the pose before the last tick, or since when the body is there; that of the ground has no meaning.
@@ -161,6 +163,7 @@ clone_into_buffers!(Bodies {
     shapes,
     roles,
     compounds,
+    exposures,
     states,
     previous,
     awake,
@@ -178,6 +181,7 @@ impl Default for Bodies {
             shapes: Vec::new(),
             roles: Roles::default(),
             compounds: Compounds::default(),
+            exposures: Exposures::default(),
             states: vec![BodyState::REST; COLUMN],
             previous: vec![Pose::default()],
             awake: DistinctIndices::default(),
@@ -268,6 +272,7 @@ impl Bodies {
         let description = self.describe(key.index());
         self.take_row(key.index());
         self.remove_colliders(key.index());
+        self.exposures.set(key.index(), None);
         self.roles.forget(key.index());
         self.records.remove(key);
         Some(description)
@@ -282,6 +287,7 @@ impl Bodies {
         self.shapes.truncate(slots);
         self.roles.trim(slots);
         self.compounds.trim(slots);
+        self.exposures.trim(slots);
         self.awake.trim();
         self.states.truncate(self.row_count().next_multiple_of(COLUMN));
     }

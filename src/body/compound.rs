@@ -262,6 +262,7 @@ impl Bodies {
         if self.is_compound(slot) {
             self.for_each_collider(slot, |bodies, collider| {
                 bodies.compounds.collider_count -= 1;
+                bodies.exposures.set(collider, None);
                 bodies.roles.forget(collider);
                 bodies.records.remove(bodies.records.key_at(collider));
             });

@@ -11,6 +11,7 @@ mod collider;
 mod compound;
 mod description;
 mod error;
+mod exposures;
 mod filter;
 pub(crate) mod limits;
 mod material;

@@ -5,6 +5,7 @@ pub(crate) mod broad_phase;
 mod candidates;
 mod contacts;
 mod detection;
+mod ghosts;
 mod manifold;
 mod one_way;
 mod refresh;
@@ -15,6 +16,7 @@ pub use detection::detect;
 pub(crate) use detection::{
     Offset, Swept, Touch, detect_flat, detect_from, detect_within, gap_between, is_flat, sweep, touch,
 };
+pub(crate) use ghosts::{Placed, without_ghosts};
 pub(crate) use manifold::Corner;
 pub use manifold::{FeatureId, Manifold, ManifoldPoint};
 pub(crate) use one_way::{OneWay, is_on_free_side};

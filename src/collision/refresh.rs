@@ -27,7 +27,8 @@ use crate::body::{Bodies, Motion};
 use crate::collision::one_way::decide;
 use crate::collision::refresh::circle::move_to;
 use crate::collision::{
-    Contact, Frozen, Manifold, ManifoldPoint, Offset, Swept, Touch, detect_flat, detect_from, is_flat, sweep,
+    Contact, Frozen, Manifold, ManifoldPoint, Offset, Placed, Swept, Touch, detect_flat, detect_from,
+    is_flat, sweep, without_ghosts,
 };
 use crate::compute::{BodyState, GROUND_ROW};
 use crate::math::{Rot, Vec2};
@@ -402,7 +403,9 @@ impl<'a> Pair<'a> {
     fn find_manifold(&self, predicted: PredictedMotion) -> Manifold {
         let PredictedMotion { motion, turning } = predicted;
         let margin = self.near() + motion.length() + turning;
-        let Some(manifold) = self.detect_at(self.offset.near, margin) else { return Manifold::default() };
+        let found =
+            self.detect_at(self.offset.near, margin).or_else(|| self.find_beyond_ghosts(motion, margin));
+        let Some(manifold) = found else { return Manifold::default() };
         let gap = manifold.points().iter().fold(f32::INFINITY, |gap, point| gap.min(point.separation));
         let closing = predicted.closing(manifold.normal);
         // What is flat has one normal, wherever they meet.
@@ -429,7 +432,24 @@ impl<'a> Pair<'a> {
         let a = still(self.shape_a, self.rotation_a);
         let b = still(self.shape_b, self.rotation_b);
         let fraction = sweep(a, b, self.offset.near, motion, 1.0, 0.0)?;
-        let advance = motion * fraction;
+        self.find_after(motion * fraction, margin)
+    }
+
+    /// The manifold of bodies that have met a ghost as the step begins, but come to meet what is exposed within it: as they first
+    /// touch, or where they are at its end.
+    fn find_beyond_ghosts(&self, motion: Vec2, margin: f32) -> Option<Manifold> {
+        self.bodies.exposures.of(self.colliders)?;
+        if let Some(meeting) = self.find_where_they_meet(motion, margin) {
+            return Some(meeting);
+        }
+        let manifold = self.find_after(motion, margin)?;
+        // What is far behind the face as the step begins has come through the ground.
+        let deepest = manifold.points().iter().map(|point| point.separation).fold(f32::INFINITY, f32::min);
+        (deepest >= -self.near()).then_some(manifold)
+    }
+
+    /// The manifold after b has advanced by so much, m; separations are those of now along its normal.
+    fn find_after(&self, advance: Vec2, margin: f32) -> Option<Manifold> {
         let mut manifold = self.detect_at(self.offset.near + advance, margin)?;
         let closed = manifold.normal.dot(advance);
         for point in manifold.points_mut() {
@@ -442,6 +462,16 @@ impl<'a> Pair<'a> {
     fn detect_at(&self, near: Vec2, margin: f32) -> Option<Manifold> {
         let offset = Offset { near, ..self.offset };
         let detect = if self.is_flat() { detect_flat } else { detect_from };
-        detect(self.shape_a, self.rotation_a, self.shape_b, self.rotation_b, offset, margin)
+        let found = detect(self.shape_a, self.rotation_a, self.shape_b, self.rotation_b, offset, margin)?;
+        match self.bodies.exposures.of(self.colliders) {
+            None => Some(found),
+            Some(exposures) => without_ghosts(found, exposures, self.placed(near, margin)),
+        }
+    }
+
+    /// The two shapes where the centre of b is `near` from that of a.
+    fn placed(&self, near: Vec2, margin: f32) -> Placed<'_> {
+        let (shapes, rotations) = ([self.shape_a, self.shape_b], [self.rotation_a, self.rotation_b]);
+        Placed { shapes, rotations, offset: near, margin }
     }
 }

@@ -6,7 +6,7 @@
 //! substep, unless the bodies hardly move, and an impact finds its manifold at its own time.
 
 use crate::body::Bodies;
-use crate::collision::{Contact, Contacts, Manifold, detect_within};
+use crate::collision::{Contact, Contacts, Manifold, Placed, detect_within, without_ghosts};
 use crate::compute::{BodyState, Executor, Lane, PairStates};
 use crate::math::{Rot, Vec2};
 use crate::resolution::constraint::ContactConstraint;
@@ -33,7 +33,11 @@ pub(crate) fn manifold_in(colliders: [u32; 2], bodies: &Bodies, [a, b]: [&BodySt
     }
     let rotations = [turned(a, pose_a.rotation), turned(b, pose_b.rotation)];
     let shapes = [&bodies.shapes[slot_a], &bodies.shapes[slot_b]];
-    let found = detect_within(shapes[0], rotations[0], shapes[1], rotations[1], offset, ANY_DISTANCE);
+    let mut found = detect_within(shapes[0], rotations[0], shapes[1], rotations[1], offset, ANY_DISTANCE);
+    if let Some(exposures) = bodies.exposures.of(colliders) {
+        let placed = Placed { shapes, rotations, offset, margin: ANY_DISTANCE };
+        found = found.and_then(|found| without_ghosts(found, exposures, placed));
+    }
     let mut manifold = found.unwrap_or_default();
     if let Some(arms) = arms {
         manifold.move_anchors([arms[0] + swung(arms[0], a), arms[1] + swung(arms[1], b)]);

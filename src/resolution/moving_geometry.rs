@@ -19,6 +19,7 @@ use crate::collision::{Contact, Corner, ManifoldPoint};
 use crate::compute::{BodyState, Lane, LaneVec2, columns};
 use crate::math::Vec2;
 use crate::resolution::constraint::Geometry;
+use crate::shape::{Exposure, Hull};
 
 /// What touches at one of the (at most two) points, as the step began.
 #[repr(C)]
@@ -102,11 +103,12 @@ impl MovingGeometry<f32> {
         // To the circle; first in the frame of the face's body.
         let to_circle = if circle == 1 { offset } else { -offset };
         let center = rotation.unrotate(to_circle);
-        let (gap, face) = hull.nearest_face(center);
+        let outward = if circle == 1 { contact.manifold.normal } else { -contact.manifold.normal };
+        let exposure = bodies.exposures.of([face_slot, face_slot]).and_then(|[of_face, _]| of_face);
+        let (gap, face, ends) = face_below(hull, exposure, center, rotation.unrotate(outward));
         let corners = [hull.vertices[face], hull.vertices[hull.next(face)]];
         // To an end of the face, along a face that meets there.
         let along = |other: usize, end: usize| hull.normals[other].perp().dot(corners[end] - center);
-        let ends = hull.ends_from(face, center);
         let [round, flat] = [circle_slot, face_slot].map(|slot| bodies.state(slot));
         let speed = Vec2::from(round.velocity - flat.velocity).length()
             + flat.angular_velocity.abs() * (to_circle + face_arm).length()
@@ -181,6 +183,24 @@ impl MovingGeometry<f32> {
             ..Self::default()
         })
     }
+}
+
+/// The face that a circle around `center`, m, is before, with the normal of their contact: its gap and index, and how far it goes
+/// on from there to both sides, m. Over neighbours that are flush it is as long as it takes until the next step finds these.
+fn face_below(
+    hull: &Hull,
+    exposure: Option<&Exposure>,
+    center: Vec2,
+    normal: Vec2,
+) -> (f32, usize, [f32; 2]) {
+    let (gap, nearest) = hull.nearest_face(center);
+    let Some(exposure) = exposure else { return (gap, nearest, hull.ends_from(nearest, center)) };
+    // The nearest may be covered, where the circle comes to lie on another within the step.
+    let face = Exposure::face_of(hull, normal).unwrap_or(nearest);
+    let [start, end] = hull.ends_from(face, center);
+    let [before, beyond] = exposure.goes_on(hull, face);
+    let ends = [if before { f32::NEG_INFINITY } else { start }, if beyond { f32::INFINITY } else { end }];
+    (hull.normals[face].dot(center) - hull.planes[face], face, ends)
 }
 
 impl<L: Lane> MovingGeometry<L> {

@@ -5,6 +5,7 @@
 //! What is precomputed here (corners, edge normals) is what detection reads at every step.
 
 mod error;
+mod exposure;
 mod hull;
 mod mass;
 mod polygon;
@@ -20,6 +21,7 @@ pub use mass::MassProperties;
 pub use polygon::Polygon;
 pub use query::OutlineHit;
 
+pub(crate) use exposure::{Exposure, Neighbour};
 pub(crate) use hull::Hull;
 
 use crate::math::{Aabb, Pose, Vec2};

@@ -89,6 +89,7 @@ impl World {
         for &index in &contacts {
             self.graph.leave(&self.contacts, index);
         }
+        self.note_ground(slot);
         let (old_type, old_mass) = (self.bodies.records[slot].body_type, self.bodies.records[slot].mass);
         self.bodies.redescribe(slot, body);
         if body.body_type == old_type {
@@ -96,6 +97,7 @@ impl World {
         } else {
             self.type_changed(slot, old_type);
         }
+        self.note_ground(slot);
         // Contacts begin with the impulses they had: those that bore a heavy body would throw a light one.
         let share = (body.masses().mass / old_mass).min(1.0);
         for index in contacts {

@@ -222,7 +222,7 @@ impl<'a> BodyMut<'a> {
         if let Some(previous) = self.world.bodies.previous_pose_mut(slot) {
             place(previous);
         }
-        self.world.update_box(slot);
+        self.world.update_place(slot);
         self.world.contacts.forget_moving(&self.world.bodies, slot);
         self.world.wake_neighbours(slot);
     }

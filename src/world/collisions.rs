@@ -23,6 +23,7 @@ impl BodyMut<'_> {
             self.world.wake_slot(slot);
             self.world.wake_neighbours(slot);
             self.world.contacts.decide_anew(&self.world.bodies, slot);
+            self.world.note_ground(slot);
         }
         Ok(())
     }
@@ -130,6 +131,7 @@ impl World {
 
     /// Has contacts and pairs of a body looked at anew: others may collide with it than before.
     pub(in crate::world) fn collisions_changed(&mut self, slot: u32) {
+        self.note_ground(slot);
         self.wake_slot(slot);
         self.wake_neighbours(slot);
         let bodies = &self.bodies;

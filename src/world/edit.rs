@@ -23,6 +23,7 @@ impl World {
             self.broad_phase.add(collider, is_movable, self.bodies.aabb(collider));
         }
         self.update_box(slot);
+        self.note_ground(slot);
         Ok(id)
     }
 
@@ -38,6 +39,13 @@ impl World {
             let motion = self.bodies.velocity_of_shape(collider) * dt;
             self.broad_phase.update(collider, self.bodies.aabb(collider), motion);
         }
+    }
+
+    /// The same of a body that may be ground, and was put elsewhere or is of other shapes.
+    pub(in crate::world) fn update_place(&mut self, slot: u32) {
+        self.note_ground(slot);
+        self.update_box(slot);
+        self.note_ground(slot);
     }
 
     /// Cuts the velocities of a body that were set by hand, so that all that is computed with them is finite.
@@ -56,6 +64,7 @@ impl World {
         self.wake_slot(slot);
         self.wake_neighbours(slot);
         self.remove_joints_of(id);
+        self.note_ground(slot);
         let contacts: Vec<u32> = self.contacts.of_body(&self.bodies, slot).collect();
         for index in contacts {
             self.end_contact(index);

@@ -12,6 +12,7 @@ mod contact_view;
 mod edit;
 mod events;
 mod force;
+mod ground;
 mod hash;
 mod held_forces;
 mod joint_view;

@@ -62,6 +62,7 @@ impl World {
             self.solver.impacts.clear();
             self.solver.joints.forget_broken();
         }
+        self.find_exposures();
         profile.run_stage(Stage::Pairs, self.broad_phase.moved_count(), || self.find_pairs());
         let pairs = self.candidates.len() + self.contacts.awake().len();
         profile.run_stage(Stage::Contacts, pairs, || self.refresh_contacts());

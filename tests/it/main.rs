@@ -7,6 +7,7 @@ mod compounds;
 mod continuous;
 mod determinism;
 mod golden;
+mod ground;
 mod house;
 mod interface;
 mod issues;

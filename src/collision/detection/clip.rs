@@ -93,6 +93,11 @@ pub(super) fn clip(reference: Reference, incident: Incident) -> Stretch {
 }
 
 impl Stretch {
+    /// Whether the edges lie past each other.
+    pub(super) fn is_empty(&self) -> bool {
+        self.is_empty
+    }
+
     /// Whether an end of the stretch is as near as the lines are, which are `separation` apart: if not, and
     /// there is a gap, the nearest points are corners outside of the stretch.
     #[inline(always)]

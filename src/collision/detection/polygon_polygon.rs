@@ -9,7 +9,7 @@
 //! normal are those between the corners.
 
 use crate::collision::Manifold;
-use crate::collision::detection::clip::{Incident, Reference, Tolerance, clip};
+use crate::collision::detection::clip::{Incident, Reference, Stretch, Tolerance, clip};
 use crate::collision::detection::closest::Closest;
 use crate::collision::detection::within;
 use crate::math::{Rot, Vec2};
@@ -41,6 +41,28 @@ pub(super) fn detect(
         let pair = Pair { a, rotation_a, b, rotation_b, offset };
         pair.face_contact(face_a, tolerance, margin)
     }
+}
+
+/// How far b is outside of a face of a, m, and their manifold on it, if its centre is in front of the face and the edge that faces
+/// it has a part there, not farther than `margin`, m.
+pub(in crate::collision) fn on_face(
+    a: &Hull,
+    rotation_a: Rot,
+    b: &Hull,
+    rotation_b: Rot,
+    offset: Vec2,
+    face: usize,
+    margin: f32,
+) -> Option<(f32, Manifold)> {
+    let (stretch, turn) = Pair { a, rotation_a, b, rotation_b, offset }.common_stretch(face);
+    let noise = Tolerance::new(a.inradius, b.inradius, offset).noise;
+    let center_gap = a.normals[face].dot(rotation_a.unrotate(offset)) - a.planes[face];
+    if stretch.is_empty() || center_gap <= 0.0 {
+        return None;
+    }
+    let manifold = stretch.manifold(rotation_a * turn, offset, noise, margin)?;
+    let separation = manifold.points().iter().map(|point| point.separation).fold(f32::INFINITY, f32::min);
+    Some((separation, manifold))
 }
 
 /// An edge of a hull and how far the other hull is outside of its line.
@@ -82,12 +104,24 @@ pub(super) struct Pair<'a> {
 impl Pair<'_> {
     #[inline(always)]
     fn face_contact(&self, face: Face, tolerance: Tolerance, margin: f32) -> Option<Manifold> {
+        let (stretch, turn) = self.common_stretch(face.index);
+        let Tolerance { noise, preference } = tolerance;
+        if face.separation > noise && !stretch.is_nearest(face.separation, preference) {
+            return self.corner_contact(noise, margin);
+        }
+        stretch.manifold(self.rotation_a * turn, self.offset, noise, margin)
+    }
+
+    /// The stretch that a face of a has in common with the edge of b that faces it, and the turn from the frame of the face into
+    /// a's.
+    #[inline(always)]
+    fn common_stretch(&self, face: usize) -> (Stretch, Rot) {
         let rotation = self.rotation_a.inverse() * self.rotation_b;
         let center = self.rotation_a.unrotate(self.offset);
-        let normal = self.a.normals[face.index];
+        let normal = self.a.normals[face];
         // From the frame of the face into a's: the turn that brings x to the normal.
         let turn = Rot { c: normal.x, s: normal.y };
-        let (i, next) = (face.index, self.a.next(face.index));
+        let (i, next) = (face, self.a.next(face));
         let along = normal.perp();
         let reference = Reference {
             plane: self.a.planes[i],
@@ -103,12 +137,7 @@ impl Pair<'_> {
             end: center + rotation.rotate(self.b.vertices[next]),
             vertices: [j as u8, next as u8],
         };
-        let stretch = clip(reference, incident);
-        let Tolerance { noise, preference } = tolerance;
-        if face.separation > noise && !stretch.is_nearest(face.separation, preference) {
-            return self.corner_contact(noise, margin);
-        }
-        stretch.manifold(self.rotation_a * turn, self.offset, noise, margin)
+        (clip(reference, incident), turn)
     }
 
     /// The one point between the two nearest corners.

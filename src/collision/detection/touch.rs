@@ -19,7 +19,7 @@ pub(crate) struct Touch {
 impl Touch {
     /// `anchor_a` from a's centre; b's centre is `offset` from a's.
     #[inline(always)]
-    pub(super) fn new(normal: Vec2, anchor_a: Vec2, offset: Vec2, separation: f32) -> Self {
+    pub(in crate::collision) fn new(normal: Vec2, anchor_a: Vec2, offset: Vec2, separation: f32) -> Self {
         Self { normal, anchor_a, anchor_b: anchor_a - offset, separation }
     }
 
@@ -30,7 +30,7 @@ impl Touch {
     }
 
     #[inline(always)]
-    pub(super) fn manifold(self) -> Manifold {
+    pub(in crate::collision) fn manifold(self) -> Manifold {
         let Self { normal, anchor_a, anchor_b, separation } = self;
         let feature = FeatureId::SINGLE;
         Manifold::of_one(

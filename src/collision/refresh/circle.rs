@@ -2,7 +2,7 @@
 
 use crate::body::Motion;
 use crate::collision::refresh::{Pair, PredictedMotion};
-use crate::collision::{Contact, Touch, touch};
+use crate::collision::{Contact, Touch, touch, without_ghosts};
 use crate::compute::{BodyState, GROUND_ROW, LaneRot};
 use crate::math::{Rot, Vec2};
 
@@ -43,6 +43,9 @@ impl Pair<'_> {
         let (rotation_a, rotation_b) = (half_a * self.rotation_a, half_b * self.rotation_b);
         let near = self.offset.near + moved;
         let then = touch(self.shape_a, rotation_a, self.shape_b, rotation_b, near, f32::INFINITY)?;
+        if let Some(exposures) = self.bodies.exposures.of(self.colliders) {
+            without_ghosts(then.manifold(), exposures, self.placed(near, f32::INFINITY))?;
+        }
         // n·(Δx + (1 - R_b⁻¹) r_b - (1 - R_a⁻¹) r_a), of which each term keeps its digits.
         let swung = |half: Rot, anchor: Vec2| -> Vec2 {
             Vec2::ZERO - Vec2::from(LaneRot { c: half.c, s: -half.s }.displacement(anchor.into()))

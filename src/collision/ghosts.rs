@@ -1,0 +1,85 @@
+//! Ghosts: contacts with what neighbours cover. A shape is met for itself first; then it is asked whether its [`Exposure`] allows
+//! the normal. If not, the contact is looked for on the faces that are exposed, and there is none where none of them is in front.
+//!
+//! It runs where a manifold is found with a shape that neighbours cover somewhere; others cost a comparison.
+
+use crate::collision::detection::on_face;
+use crate::collision::{Manifold, Touch};
+use crate::math::{Rot, Vec2};
+use crate::shape::{Exposure, Shape};
+
+/// Two shapes as detection sees them.
+#[derive(Clone, Copy)]
+pub(crate) struct Placed<'a> {
+    pub(crate) shapes: [&'a Shape; 2],
+    pub(crate) rotations: [Rot; 2],
+    /// Centre of b from that of a, m.
+    pub(crate) offset: Vec2,
+    /// Points farther apart than this are none, m.
+    pub(crate) margin: f32,
+}
+
+/// The manifold that was found, or what there is in its place if it is a ghost.
+pub(crate) fn without_ghosts(
+    found: Manifold,
+    exposures: [Option<&Exposure>; 2],
+    placed: Placed<'_>,
+) -> Option<Manifold> {
+    let is_ghost = |manifold: &Manifold, side: usize| {
+        exposures[side].is_some_and(|exposure| !is_allowed(manifold, side, exposure, placed))
+    };
+    let [of_a, of_b] = [0, 1].map(|side| is_ghost(&found, side));
+    if !of_a && !of_b {
+        return Some(found);
+    }
+    let (side, other) = if of_a { (0, 1) } else { (1, 0) };
+    let exposure = exposures[side]?;
+    let manifold = if placed.shapes[other].hull().is_some() {
+        on_exposed_face(side, exposure, placed)?
+    } else {
+        of_circle(&found, side, exposure, placed)?
+    };
+    // What is found for one is to be no ghost of the other.
+    (!is_ghost(&manifold, other)).then_some(manifold)
+}
+
+/// Whether the exposure of one of the two shapes allows a manifold.
+fn is_allowed(manifold: &Manifold, side: usize, exposure: &Exposure, placed: Placed<'_>) -> bool {
+    let shape = placed.shapes[side];
+    let Some(hull) = shape.hull() else { return true };
+    let rotation = shape.rotation_at(placed.rotations[side]);
+    let outward = if side == 0 { manifold.normal } else { -manifold.normal };
+    let places =
+        manifold.points().iter().map(|point| if side == 0 { point.anchor_a } else { point.anchor_b });
+    let is_of_circle = placed.shapes[1 - side].hull().is_none();
+    let places = places.map(|place| rotation.unrotate(place));
+    exposure.allows(hull, rotation.unrotate(outward), places, is_of_circle)
+}
+
+/// The manifold with the exposed face that is the farthest out in front, of one of the two shapes.
+fn on_exposed_face(side: usize, exposure: &Exposure, placed: Placed<'_>) -> Option<Manifold> {
+    let Placed { shapes, rotations, offset, margin } = placed;
+    let [own, other] = [side, 1 - side];
+    let (hull, other_hull) = (shapes[own].hull()?, shapes[other].hull()?);
+    let [rotation, other_rotation] = [own, other].map(|index| shapes[index].rotation_at(rotations[index]));
+    let offset = if side == 0 { offset } else { -offset };
+    let on = |face| on_face(hull, rotation, other_hull, other_rotation, offset, face, margin);
+    let farthest = exposure.exposed_faces().filter_map(on).max_by(|(one, _), (next, _)| one.total_cmp(next));
+    farthest.map(|(_, manifold)| if side == 0 { manifold } else { manifold.flipped() })
+}
+
+/// The manifold with a circle that is beyond an end of a face, over neighbours that do not fall away from it: with the plane of the
+/// face. There the neighbours are as high or higher, so that nothing is held up in the air.
+fn of_circle(found: &Manifold, side: usize, exposure: &Exposure, placed: Placed<'_>) -> Option<Manifold> {
+    let Placed { shapes, rotations, offset, margin } = placed;
+    let (hull, radius) = (shapes[side].hull()?, shapes[1 - side].radius()?);
+    let rotation = shapes[side].rotation_at(rotations[side]);
+    let outward = if side == 0 { found.normal } else { -found.normal };
+    let face = exposure.face_beyond(hull, rotation.unrotate(outward))?;
+    let offset = if side == 0 { offset } else { -offset };
+    let separation = hull.normals[face].dot(rotation.unrotate(offset)) - hull.planes[face] - radius;
+    let normal = rotation.rotate(hull.normals[face]);
+    let touch = Touch::new(normal, offset - normal * radius, offset, separation);
+    let manifold = (separation <= margin).then(|| touch.manifold())?;
+    Some(if side == 0 { manifold } else { manifold.flipped() })
+}

@@ -1,0 +1,297 @@
+//! Which parts of an outline its neighbours cover: where two tiles lie side by side, nothing can touch the faces between them.
+//!
+//! A contact with a covered face is a ghost. A box that slides over two tiles overlaps both a little, and taken for itself the
+//! second one has a side to run into. Taken together they have none: the ground is the union of its pieces, and a contact
+//! counts only if its normal is one of the union.
+//!
+//! - On a face it is, where a part of the face is exposed: no neighbour lies in front of it.
+//! - At a corner it is, between the normals of the two faces that meet there, as far as these are exposed there. Where one is
+//!   covered, the surface goes on along the neighbour's, and so does what is allowed, if that falls away.
+
+use crate::math::{Rot, Vec2};
+use crate::shape::{Hull, MAX_VERTICES};
+
+/// Neighbours are flush within this share of the width of the shape, no unit, but not more than [`LARGEST_GAP`]: less, and
+/// tiles that were placed by hand are not flush; more, and a small step does not hold anything.
+const GAP_OF_WIDTH: f32 = 1e-3;
+/// m.
+const LARGEST_GAP: f32 = 1e-3;
+
+/// The same of a circle, whose normal has all its digits.
+const ROUNDING: f32 = 1e-3;
+
+/// A body that is pressed against a block overlaps it by less than this share of the width of the floor, no unit: it still stands
+/// on the floor.
+const OVERLAP_OF_WIDTH: f32 = 0.05;
+
+/// Directions that differ by less than this, rad, are the same: what lies flat on a face leans by less as it trembles.
+const SAME_DIRECTION: f32 = 0.02;
+
+/// A neighbour, as it is in the frame of the shape.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Neighbour<'a> {
+    pub(crate) hull: &'a Hull,
+    pub(crate) rotation: Rot,
+    /// Its centre, m.
+    pub(crate) center: Vec2,
+}
+
+/// What neighbours leave of an outline.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Exposure {
+    /// By face: from where to where it is exposed, m along it; `None` where it is covered.
+    faces: [Option<[f32; 2]>; MAX_VERTICES],
+    /// By corner: the normals that are allowed there are between these two, counter-clockwise; `None` where none is.
+    cones: [Option<[Vec2; 2]>; MAX_VERTICES],
+    /// Neighbours are flush within this distance, m.
+    gap: f32,
+    /// What touches beyond the end of what is exposed by no more than this overlaps what covers the rest, m.
+    overlap: f32,
+}
+
+impl Neighbour<'_> {
+    /// Normal of a face and its distance from the centre of the shape, m.
+    fn face(&self, index: usize) -> (Vec2, f32) {
+        let normal = self.rotation.rotate(self.hull.normals[index]);
+        (normal, self.hull.planes[index] + normal.dot(self.center))
+    }
+
+    /// From where to where it covers a line that runs `along` with a `normal`, at a distance from the centre of the shape, m.
+    fn covers(&self, normal: Vec2, distance: f32, gap: f32) -> Option<[f32; 2]> {
+        let along = normal.perp();
+        // Just in front of the face, so that what lies beside it does not cover it; no farther, as what leans over it at a small
+        // angle, as in a finely divided curve, would seem to cover more.
+        let distance = distance + 0.1 * gap;
+        let (mut low, mut high) = (f32::NEG_INFINITY, f32::INFINITY);
+        for index in 0..self.hull.normals().len() {
+            let (face, plane) = self.face(index);
+            // Between the faces that are turned to each other there may be a gap.
+            let room = if face.dot(normal) < -0.9 { gap } else { 0.0 };
+            let (slope, left) = (face.dot(along), plane + room - distance * face.dot(normal));
+            if slope.abs() < 1e-6 {
+                if left < 0.0 {
+                    return None;
+                }
+            } else if slope > 0.0 {
+                high = high.min(left / slope);
+            } else {
+                low = low.max(left / slope);
+            }
+        }
+        (low < high).then_some([low, high])
+    }
+
+    /// The normals of its faces that go through a place, m.
+    fn faces_through(&self, place: Vec2, gap: f32) -> impl Iterator<Item = Vec2> {
+        (0..self.hull.normals().len()).filter_map(move |index| {
+            let (normal, plane) = self.face(index);
+            let local = self.rotation.unrotate(place - self.center);
+            let [start, end] = self.hull.ends_from(index, local);
+            let is_there = (normal.dot(place) - plane).abs() <= gap && start <= gap && end >= -gap;
+            is_there.then_some(normal)
+        })
+    }
+}
+
+impl Exposure {
+    /// What some neighbours leave of an outline; `None` where they leave all of it.
+    pub(crate) fn new(hull: &Hull, neighbours: &[Neighbour<'_>]) -> Option<Self> {
+        let gap = LARGEST_GAP.min(GAP_OF_WIDTH * hull.thickness());
+        let overlap = OVERLAP_OF_WIDTH * hull.thickness();
+        let mut exposure = Self { faces: [None; MAX_VERTICES], cones: [None; MAX_VERTICES], gap, overlap };
+        let mut is_covered = false;
+        for face in 0..hull.normals().len() {
+            let exposed = exposed_part(hull, face, neighbours, gap);
+            is_covered |= exposed != Some(ends(hull, face));
+            exposure.faces[face] = exposed;
+        }
+        if !is_covered {
+            return None;
+        }
+        for corner in 0..hull.vertices().len() {
+            exposure.cones[corner] = exposure.cone(hull, corner, neighbours);
+        }
+        Some(exposure)
+    }
+
+    /// The normals that are allowed at a corner.
+    fn cone(&self, hull: &Hull, corner: usize, neighbours: &[Neighbour<'_>]) -> Option<[Vec2; 2]> {
+        let (before, after) = (hull.previous(corner), corner);
+        let (first, second) = (hull.normals[before], hull.normals[after]);
+        let reach = 2.0 * self.gap;
+        let [begins, ends_there] = [ends(hull, after)[0], ends(hull, before)[1]];
+        let is_before_exposed = self.faces[before].is_some_and(|[_, high]| high >= ends_there - reach);
+        let is_after_exposed = self.faces[after].is_some_and(|[low, _]| low <= begins + reach);
+        let place = hull.vertices[corner];
+        let beyond = || neighbours.iter().flat_map(|neighbour| neighbour.faces_through(place, reach));
+        // Of the surfaces that go on from here, the one that falls away least is the next.
+        let next = |own: Vec2, falls: &dyn Fn(Vec2) -> f32| {
+            let falling = beyond().filter(|&other| falls(other) > SAME_DIRECTION && own.dot(other) > 0.0);
+            falling.max_by(|one, other| own.dot(*one).total_cmp(&own.dot(*other))).unwrap_or(own)
+        };
+        match (is_before_exposed, is_after_exposed) {
+            (true, true) => Some([first, second]),
+            (false, true) => Some([next(second, &|other| other.cross(second)), second]),
+            (true, false) => Some([first, next(first, &|other| first.cross(other))]),
+            (false, false) => None,
+        }
+    }
+
+    /// Whether a contact with the outline counts that has this normal, out of it, at places, m, all in the frame of the shape. The
+    /// normal of a contact with a circle is exact.
+    pub(crate) fn allows(
+        &self,
+        hull: &Hull,
+        normal: Vec2,
+        places: impl Iterator<Item = Vec2>,
+        is_of_circle: bool,
+    ) -> bool {
+        let (face, cosine) = most_along(hull, normal);
+        let least = if is_of_circle { ROUNDING } else { SAME_DIRECTION };
+        if cosine > 1.0 - 0.5 * least * least {
+            let along = hull.normals[face].perp();
+            let (low, high) = places
+                .map(|place| along.dot(place))
+                .fold((f32::INFINITY, f32::NEG_INFINITY), |(low, high), at| (low.min(at), high.max(at)));
+            return self.faces[face].is_some_and(|exposed| {
+                low <= exposed[1] + self.overlap && high >= exposed[0] - self.overlap
+            });
+        }
+        self.cones[farthest_corner(hull, normal)]
+            .is_some_and(|[first, second]| first.cross(normal) >= -least && normal.cross(second) >= -least)
+    }
+
+    /// The face whose plane goes on beyond the corner that a contact with a normal is at, and that the surface there does not fall
+    /// away from; `None` where there is none.
+    pub(crate) fn face_beyond(&self, hull: &Hull, normal: Vec2) -> Option<usize> {
+        let corner = farthest_corner(hull, normal);
+        let [first, second] = self.cones[corner]?;
+        [hull.previous(corner), corner].into_iter().find(|&face| [first, second] == [hull.normals[face]; 2])
+    }
+
+    /// The face that a contact with a normal, out of the outline and in its frame, is on; `None` where it is at a corner.
+    pub(crate) fn face_of(hull: &Hull, normal: Vec2) -> Option<usize> {
+        let (face, cosine) = most_along(hull, normal);
+        (cosine > 1.0 - 0.5 * ROUNDING * ROUNDING).then_some(face)
+    }
+
+    /// Whether the surface goes on beyond the start and the end of a face, along neighbours.
+    pub(crate) fn goes_on(&self, hull: &Hull, face: usize) -> [bool; 2] {
+        [face, hull.next(face)].map(|corner| {
+            let all = [hull.previous(corner), corner].map(|face| hull.normals[face]);
+            self.cones[corner] != Some(all)
+        })
+    }
+
+    /// The faces of which a part is exposed.
+    pub(crate) fn exposed_faces(&self) -> impl Iterator<Item = usize> {
+        (0..MAX_VERTICES).filter(|&face| self.faces[face].is_some())
+    }
+}
+
+/// Where a face begins and ends, m along it.
+fn ends(hull: &Hull, face: usize) -> [f32; 2] {
+    let along = hull.normals[face].perp();
+    [face, hull.next(face)].map(|corner| along.dot(hull.vertices[corner]))
+}
+
+/// The corner that is the farthest out in a direction.
+fn farthest_corner(hull: &Hull, direction: Vec2) -> usize {
+    let reaches = hull.vertices().iter().map(|&corner| direction.dot(corner)).enumerate();
+    reaches.max_by(|(_, one), (_, other)| one.total_cmp(other)).map_or(0, |(corner, _)| corner)
+}
+
+/// The face whose normal is the most like a direction, and the cosine between them.
+fn most_along(hull: &Hull, direction: Vec2) -> (usize, f32) {
+    let cosines = hull.normals().iter().map(|normal| normal.dot(direction)).enumerate();
+    cosines.max_by(|(_, one), (_, other)| one.total_cmp(other)).unwrap_or((0, 0.0))
+}
+
+/// From where to where parts of a face are exposed, m along it. What is shorter than a gap is none.
+fn exposed_part(hull: &Hull, face: usize, neighbours: &[Neighbour<'_>], gap: f32) -> Option<[f32; 2]> {
+    let [start, end] = ends(hull, face);
+    let cover = |neighbour: &Neighbour<'_>| neighbour.covers(hull.normals[face], hull.planes[face], gap);
+    let mut covered: Vec<[f32; 2]> = neighbours.iter().filter_map(cover).collect();
+    covered.sort_unstable_by(|one, other| one[0].total_cmp(&other[0]));
+    let (mut exposed, mut at): (Option<[f32; 2]>, f32) = (None, start);
+    for [low, high] in covered.into_iter().chain([[end, end]]) {
+        let until = low.min(end);
+        if until - at > gap {
+            exposed = Some([exposed.map_or(at, |[first, _]| first), until]);
+        }
+        at = at.max(high);
+    }
+    exposed
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn beside(hull: &Hull, center: [f32; 2]) -> Neighbour<'_> {
+        Neighbour { hull, rotation: Rot::IDENTITY, center: center.into() }
+    }
+
+    /// Whether a contact at a place counts, with a normal at an angle from upwards to the left, rad.
+    fn allows(exposure: &Exposure, hull: &Hull, angle: f32, place: [f32; 2]) -> bool {
+        let Rot { c, s } = Rot::from_angle(angle);
+        exposure.allows(hull, Vec2::new(-s, c), [place.into()].into_iter(), false)
+    }
+
+    const LEFT: f32 = core::f32::consts::FRAC_PI_2;
+
+    #[test]
+    fn between_tiles_nothing_can_be_touched_and_on_top_only_from_above() {
+        let tile = Hull::rectangle(Vec2::new(0.5, 0.5));
+        assert_eq!(Exposure::new(&tile, &[]), None);
+        assert_eq!(Exposure::new(&tile, &[beside(&tile, [-1.1, 0.0])]), None, "a gap of 10 cm");
+        let middle = Exposure::new(&tile, &[beside(&tile, [-1.0, 0.0]), beside(&tile, [1.0, 0.0])]).unwrap();
+        assert_eq!(middle.exposed_faces().collect::<Vec<_>>(), [0, 2]);
+        assert!(!allows(&middle, &tile, LEFT, [-0.5, 0.49]), "the side");
+        assert!(allows(&middle, &tile, 0.0, [-0.5, 0.5]) && allows(&middle, &tile, 0.01, [-0.5, 0.5]));
+        assert!(!allows(&middle, &tile, 0.3, [-0.5, 0.5]) && !allows(&middle, &tile, -0.3, [0.5, 0.5]));
+        let end = Exposure::new(&tile, &[beside(&tile, [1.0, 0.0])]).unwrap();
+        assert!(allows(&end, &tile, LEFT, [-0.5, 0.49]) && allows(&end, &tile, 0.7, [-0.5, 0.5]));
+        assert!(!allows(&end, &tile, -LEFT, [0.5, 0.49]));
+    }
+
+    #[test]
+    fn a_step_of_a_centimetre_has_a_side_and_one_of_less_than_a_gap_has_none() {
+        let tile = Hull::rectangle(Vec2::new(0.5, 0.5));
+        let above = |step: f32| Exposure::new(&tile, &[beside(&tile, [-1.0, -step])]).unwrap();
+        assert!(allows(&above(0.01), &tile, LEFT, [-0.5, 0.495]));
+        assert!(allows(&above(0.01), &tile, 0.7, [-0.5, 0.5]), "and a corner");
+        assert!(!allows(&above(0.01), &tile, LEFT, [-0.5, 0.3]), "but not below the step");
+        assert!(!allows(&above(0.0005), &tile, LEFT, [-0.5, 0.4999]));
+        // Where the neighbour stands higher, there is no corner to meet.
+        assert!(!allows(&above(-0.01), &tile, 0.7, [-0.5, 0.5]));
+    }
+
+    /// A floor under a block bears up to the block, however far that is overlapped there: both sides of it are exposed.
+    #[test]
+    fn the_floor_beside_a_block_bears_up_to_the_block() {
+        let (floor, block) = (Hull::rectangle(Vec2::new(10.0, 0.5)), Hull::rectangle(Vec2::new(1.0, 1.0)));
+        assert_eq!(Exposure::new(&floor, &[beside(&block, [3.0, 1.5])]), None);
+        let at_end = Exposure::new(&floor, &[beside(&block, [9.0, 1.5])]).unwrap();
+        for (at, bears) in [(-9.0, true), (7.9, true), (8.0005, true), (8.5, false)] {
+            assert_eq!(allows(&at_end, &floor, 0.0, [at, 0.5]), bears, "at {at} m");
+        }
+        let of_block = Exposure::new(&block, &[beside(&floor, [-3.0, -1.5])]).unwrap();
+        assert!(!allows(&of_block, &block, core::f32::consts::PI, [0.0, -1.0]), "below it is the floor");
+        assert!(allows(&of_block, &block, LEFT, [-1.0, -0.999]));
+    }
+
+    /// Where a slope falls away from a flat, the ridge may be met from between the two.
+    #[test]
+    fn a_ridge_is_met_from_between_its_slopes() {
+        let flat = Hull::rectangle(Vec2::new(2.0, 0.5));
+        let slope = Rot::from_angle(0.5);
+        // The upper right corner of the slope is the upper left one of the flat.
+        let center = Vec2::new(-2.0, 0.5) - slope.rotate(Vec2::new(2.0, 0.5));
+        let neighbour = Neighbour { hull: &flat, rotation: slope, center };
+        let exposure = Exposure::new(&flat, &[neighbour]).unwrap();
+        for (angle, counts) in [(0.0, true), (0.25, true), (0.5, true), (0.6, false), (LEFT, false)] {
+            assert_eq!(allows(&exposure, &flat, angle, [-2.0, 0.5]), counts, "{angle} rad");
+        }
+    }
+}

@@ -1,0 +1,85 @@
+//! Ground made of pieces: which parts of them neighbours cover, kept up to date with every edit.
+//!
+//! Runs at the begin of a step, on fixed shapes with other neighbours than before; the shapes of one body are neighbours too.
+
+use crate::body::BodyType;
+use crate::shape::{Exposure, Neighbour};
+use crate::world::World;
+
+/// Farther apart than this, m, no two shapes are flush.
+const NEAR: f32 = 4e-3;
+
+impl World {
+    /// Takes note that the body in `slot` is where it is now, or will cease to be: what lies beside it may be covered by it.
+    pub(in crate::world) fn note_ground(&mut self, slot: u32) {
+        let is_fixed = self.bodies.records[slot].body_type == BodyType::Fixed;
+        if !is_fixed && !self.bodies.is_compound(slot) {
+            return;
+        }
+        let Self { bodies, broad_phase, .. } = self;
+        let colliders: Vec<u32> = bodies.colliders(slot).collect();
+        for collider in colliders {
+            bodies.exposures.note_stale(collider);
+            if is_fixed {
+                let around = broad_phase.fat_aabb(collider).grown(NEAR);
+                broad_phase.query(around, |other| {
+                    if bodies.records[other].body_type == BodyType::Fixed {
+                        bodies.exposures.note_stale(other);
+                    }
+                    true
+                });
+            }
+        }
+    }
+
+    /// Finds what neighbours leave of the shapes whose neighbours have changed.
+    pub(in crate::world) fn find_exposures(&mut self) {
+        for slot in self.bodies.exposures.take_stale() {
+            let exposure = self.exposure_of(slot).map(Box::new);
+            self.bodies.exposures.set(slot, exposure);
+        }
+    }
+
+    /// What neighbours leave of the shape in `slot`; `None` where that is all, or there is no such shape.
+    fn exposure_of(&self, slot: u32) -> Option<Exposure> {
+        let bodies = &self.bodies;
+        let record = bodies.records.at(slot)?;
+        let hull = bodies.shapes[slot as usize].hull().filter(|_| !bodies.is_compound(slot))?;
+        let mut beside = Vec::new();
+        if record.body_type == BodyType::Fixed {
+            self.broad_phase.query(self.broad_phase.fat_aabb(slot).grown(NEAR), |other| {
+                if bodies.records[other].body_type == BodyType::Fixed {
+                    beside.push(other);
+                }
+                true
+            });
+        } else if bodies.body_of(slot) != slot {
+            beside.extend(bodies.colliders(bodies.body_of(slot)));
+        }
+        // Only what is met by all that this one is met by covers it.
+        let role = bodies.roles.of(slot);
+        beside.retain(|&other| {
+            let of_other = bodies.roles.of(other);
+            let is_alike = (of_other.filter, of_other.one_way) == (role.filter, role.one_way);
+            other != slot && is_alike && !of_other.is_sensor
+        });
+        beside.sort_unstable();
+        let pose = |slot: u32| {
+            let pose = bodies.motions[slot as usize].pose;
+            (pose.center, bodies.shapes[slot as usize].rotation_at(pose.rotation))
+        };
+        let (center, rotation) = pose(slot);
+        let neighbours: Vec<Neighbour<'_>> = beside
+            .into_iter()
+            .filter_map(|other| {
+                let (other_center, other_rotation) = pose(other);
+                Some(Neighbour {
+                    hull: bodies.shapes[other as usize].hull()?,
+                    rotation: rotation.inverse() * other_rotation,
+                    center: rotation.unrotate(other_center - center),
+                })
+            })
+            .collect();
+        Exposure::new(hull, &neighbours)
+    }
+}

@@ -1,0 +1,4 @@
+//! Ground made of pieces is one ground: what slides or rolls over it does not feel where the pieces meet.
+
+mod edges;
+mod seams;
