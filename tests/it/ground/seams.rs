@@ -51,15 +51,12 @@ fn unit_tiles() -> Vec<(f64, f32)> {
 fn mixed_tiles() -> Vec<(f64, f32)> {
     let widths = [1.0_f32, 0.25, 2.0, 0.5, 1.5, 0.75];
     let mut left = -6.0;
-    widths
-        .into_iter()
-        .cycle()
-        .map(|width| {
-            left += f64::from(width);
-            (left - 0.5 * f64::from(width), width)
-        })
-        .take_while(|&(middle, _)| middle < 55.0)
-        .collect()
+    let tiles = (0..72).map(|number| {
+        let width = widths[number % widths.len()];
+        left += f64::from(width);
+        (left - 0.5 * f64::from(width), width)
+    });
+    tiles.collect()
 }
 
 fn runs() -> impl Iterator<Item = Run> {
