@@ -2,6 +2,7 @@
 
 mod by_chance;
 mod drives;
+mod impacts;
 mod loads;
 mod pendulums;
 mod use_of_joints;
