@@ -16,7 +16,7 @@ pub(super) fn draw_joints(
     scale: &mut Scale,
     legend: &mut Legend,
 ) {
-    let acting = || world.joints().map(|(_, joint)| joint).filter(|joint| joint.is_enabled());
+    let acting = || world.joints().map(|(_, joint)| joint).filter(rustycs::JointRef::is_enabled);
     scale.follow(acting().map(|joint| joint.force().length()).fold(0.0, f32::max));
     let batch = canvas.batch();
     for joint in acting() {
