@@ -62,6 +62,7 @@ pub(crate) const FAT_BOX: Tone = Tone::hex(0x5b_6f96);
 pub(crate) const ATTRACTOR: Tone = Tone::hex(0xf2_c14e);
 pub(crate) const TREE: Tone = Tone::hex(0xd7_7fc0);
 pub(crate) const TANGENT: Tone = Tone::hex(0x8f_c9ff);
+pub(crate) const JOINT: Tone = Tone::hex(0xc8_d2e2);
 pub(crate) const DEEP: Tone = Tone::hex(0xff_5c5c);
 pub(crate) const VELOCITY: Tone = Tone::hex(0x9a_e08a);
 pub(crate) const SPIN: Tone = Tone::hex(0xe0_9ae0);

@@ -33,6 +33,7 @@ pub(crate) struct JointState {
     pub(crate) angle_gap: f32,
     /// Ratchet: the tooth it has passed, rad.
     pub(crate) tooth: f64,
+    pub(crate) pace: Pace,
 }
 
 impl JointState {
@@ -124,12 +125,11 @@ pub(crate) struct Joints {
     pub(crate) all: Slots<JointRecord>,
     /// By slot of a body, its first joint; shorter where no later slot ever had one.
     heads: Vec<u32>,
-    pub(crate) pace: Pace,
 }
 
-clone_into_buffers!(Joints { all, heads, pace });
+clone_into_buffers!(Joints { all, heads });
 
-/// How finely the bodies of joints are moved within a substep.
+/// How finely the bodies of a joint are moved within a substep.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Pace {
     /// Longest step, s; infinite where whole substeps do.

@@ -19,12 +19,16 @@ pub mod attractor;
 pub mod ball_pit;
 pub mod billiards;
 pub mod bounce;
+pub mod bridge;
+pub mod car;
 pub mod card_house;
 pub mod confined;
 pub mod cradle;
 pub mod dominoes;
+pub mod double_pendulum;
 pub mod friction_ramp;
 pub mod galaxy;
+mod joined;
 pub mod letters;
 mod mark;
 pub mod mass_ratio;
@@ -37,20 +41,28 @@ pub mod platforms;
 pub mod polygons;
 pub mod pool;
 pub mod pyramid;
+pub mod radial_engine;
+pub mod ragdolls;
 mod random;
 mod rotor;
 pub mod sandbox;
+pub mod scissor_lift;
 pub mod slide;
 pub mod slope;
 pub mod smash;
 pub mod solar_system;
 pub mod spinner;
+pub mod strings;
+pub mod swing_doors;
 #[cfg(test)]
 mod testing;
 pub mod tower;
+pub mod trebuchet;
 pub mod tumbler;
 pub mod washer;
 pub mod wind_tunnel;
+pub mod windmill;
+pub mod wrecking_ball;
 
 use rustycs::{BodyId, Settings, Vec2, World};
 
@@ -97,7 +109,7 @@ pub struct Scene {
 }
 
 /// The groups that scenes are listed under, in order.
-pub const GROUPS: [&str; 6] = ["classic", "stacks", "collisions", "machines", "attraction", "many"];
+pub const GROUPS: [&str; 7] = ["classic", "stacks", "collisions", "machines", "joints", "attraction", "many"];
 
 impl Scene {
     /// What most scenes have no need of.
@@ -224,6 +236,17 @@ pub fn all() -> &'static [Scene] {
         spinner::SCENE,
         wind_tunnel::SCENE,
         pinball::SCENE,
+        car::SCENE,
+        bridge::SCENE,
+        wrecking_ball::SCENE,
+        strings::SCENE,
+        double_pendulum::SCENE,
+        ragdolls::SCENE,
+        scissor_lift::SCENE,
+        radial_engine::SCENE,
+        windmill::SCENE,
+        swing_doors::SCENE,
+        trebuchet::SCENE,
         orbit::SCENE,
         galaxy::SCENE,
         smash::SCENE,

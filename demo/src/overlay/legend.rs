@@ -28,6 +28,7 @@ pub(super) struct Scales {
     pub(super) impulse: Scale,
     pub(super) depth: Scale,
     pub(super) speed: Scale,
+    pub(super) force: Scale,
 }
 
 impl Scale {

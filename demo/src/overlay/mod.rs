@@ -5,6 +5,7 @@
 //! | `boxes` | bounding boxes, tree of the broad phase |
 //! | `contacts` | contact points with impulses, penetration, colours of the constraint graph |
 //! | `motion` | velocity and spin, centres of mass, trails |
+//! | `joints` | joints, by what they bear |
 //! | `groups` | islands, sleeping bodies, what is solved directly |
 //! | `words` | names, grid with units, energy and momentum |
 //! | `legend` | what lengths mean |
@@ -12,6 +13,7 @@
 mod boxes;
 mod contacts;
 mod groups;
+mod joints;
 mod legend;
 mod motion;
 mod words;
@@ -44,11 +46,12 @@ pub(crate) enum Overlay {
     Grid,
     Trails,
     Sums,
+    Joints,
 }
 
 impl Overlay {
     /// Every overlay, in the order in which they are listed.
-    pub(crate) const ALL: [Self; 14] = [
+    pub(crate) const ALL: [Self; 15] = [
         Self::Boxes,
         Self::Tree,
         Self::Contacts,
@@ -63,6 +66,7 @@ impl Overlay {
         Self::Grid,
         Self::Trails,
         Self::Sums,
+        Self::Joints,
     ];
 
     /// Short name, as typed on a command line.
@@ -97,6 +101,7 @@ impl Overlay {
             Self::Grid => ("grid", "Grid with units", KeyCode::G, "G"),
             Self::Trails => ("trails", "Trails", KeyCode::J, "J"),
             Self::Sums => ("sums", "Energy, momentum", KeyCode::E, "E"),
+            Self::Joints => ("joints", "Joints, forces", KeyCode::F7, "F7"),
         }
     }
 }
@@ -170,6 +175,10 @@ impl Drawer {
         camera: Camera,
     ) -> Vec<Rect> {
         let mut legend = Legend::new(camera, shown.has(Overlay::Grid));
+        joints::draw_parts(canvas, &run.world, camera);
+        if shown.has(Overlay::Joints) {
+            joints::draw_joints(canvas, &run.world, camera, &mut self.scales.force, &mut legend);
+        }
         if shown.has(Overlay::Tree) {
             boxes::draw_tree(canvas.batch(), &run.world, camera);
         }

@@ -26,6 +26,11 @@ pub(crate) struct GraphIndex {
 }
 
 impl GraphIndex {
+    /// Whether it is solved directly.
+    pub(crate) fn is_solved_directly(self) -> bool {
+        self.block().is_solved_directly()
+    }
+
     pub(super) fn block(self) -> BlockIndex {
         BlockIndex { colour: self.colour, block: self.contact / COLUMN as u32 }
     }

@@ -9,7 +9,7 @@ use crate::compute::{
     self, BlocksOver, BodyState, ByColumn, COLUMN, Chosen, Executor, Job, Lane, RowPairs, lock,
 };
 use crate::resolution::constraint::StepResidual;
-use crate::resolution::constraint_graph::colour::{Colour, DIRECT, OVERFLOW};
+use crate::resolution::constraint_graph::colour::{Colour, DIRECT, GraphIndex, OVERFLOW};
 use crate::resolution::constraint_graph::{ConstraintGraph, Used};
 use crate::resolution::contact_block::{Beginning, ContactBlock, Residuals};
 use crate::resolution::kernel::Kernel;
@@ -95,6 +95,13 @@ impl ConstraintGraph {
                 BlockPass { count, blocks, kernel }
             });
         }
+    }
+
+    /// Does something to the contact at a place of the graph.
+    pub(crate) fn run_at(&mut self, at: GraphIndex, states: &mut [BodyState], kernel: &impl Kernel) {
+        let mut blocks = self.colours[at.colour as usize].blocks.over(states);
+        let (block, mut states) = blocks.get_mut(at.block().block as usize);
+        kernel.run::<f32>(block, &mut states, at.place());
     }
 
     /// Does something that moves no body to every constraint: what is solved directly may share bodies.

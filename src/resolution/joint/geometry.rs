@@ -2,6 +2,7 @@
 //!
 //! All in `f64`: a joint is solved by itself, not in lanes, and long chains with heavy ends need the digits.
 
+use crate::compute::BodyState;
 use crate::math::{atan2_f64, sin_cos_of_small};
 
 /// A vector, m.
@@ -67,6 +68,8 @@ pub(super) struct JointBody {
     /// How stiffly what its joints bear pulls it back, N/m, and turns it back, N m/rad.
     pub(super) stiffness: [f64; 2],
     pub(super) velocity: V3,
+    /// Scratch: a velocity to go back to.
+    pub(super) kept: V3,
     pub(super) shift: V2,
     /// (cos, sin).
     pub(super) turn: V2,
@@ -76,6 +79,8 @@ pub(super) struct JointBody {
     pub(super) ahead: V3,
     /// By forces, m/s² and rad/s².
     pub(super) acceleration: V3,
+    /// Whether it is in a contact.
+    pub(super) touches: bool,
     /// How many joints hold it in a place, and how far from its centre the last of them, m.
     pub(super) held: u32,
     pub(super) arm: f64,
@@ -129,9 +134,29 @@ impl JointBody {
         }
     }
 
-    /// The angle by which it has turned, found anew from its rotation: of all that this may be, the one nearest to `angle`.
-    pub(super) fn unwrap_angle(&mut self, near: f64) {
+    /// Reads how fast it is.
+    pub(super) fn read_velocity(&mut self, state: &BodyState) {
+        self.velocity = [state.velocity.x, state.velocity.y, state.angular_velocity].map(f64::from);
+    }
+
+    /// Reads where it is. Of all that its angle may be by its rotation, it is the one nearest to `near`.
+    pub(super) fn read_place(&mut self, state: &BodyState, near: f64) {
+        self.shift = [state.delta_position.x, state.delta_position.y].map(f64::from);
+        self.turn = [state.delta_rotation.c, state.delta_rotation.s].map(f64::from);
         self.angle = nearest(atan2_f64(self.turn[1], self.turn[0]), near);
+    }
+
+    /// Its energy with this velocity, J.
+    pub(super) fn energy_of(&self, [x, y, w]: V3) -> f64 {
+        let half_of = |inverse: f64| if inverse > 0.0 { 0.5 / inverse } else { 0.0 };
+        half_of(self.inverse_mass) * (x * x + y * y) + half_of(self.inverse_inertia) * w * w
+    }
+
+    /// How fast its points are with this velocity, m/s: of those at the radius of gyration the fastest, more or less.
+    pub(super) fn pace_of(&self, [x, y, w]: V3) -> f64 {
+        let gyration =
+            if self.inverse_inertia > 0.0 { self.inverse_mass / self.inverse_inertia } else { 0.0 };
+        (x * x + y * y + w * w * gyration).sqrt()
     }
 }
 

@@ -3,7 +3,9 @@
 //! All joints of an island are one cluster, if it is little work to factorize: trees and chains of any length, and loops of
 //! moderate size. The joints of a larger one are clusters each by itself, which are swept one after the other.
 
+use crate::joint::Pace;
 use crate::resolution::joint::factor::Factor;
+use crate::resolution::joint::row::Times;
 
 /// Multiplications of a factorization: a larger one takes more than a tenth of a millisecond, twice in each substep.
 const MOST_WORK: u64 = 150_000;
@@ -23,12 +25,32 @@ pub(super) struct Cluster {
     pub(super) free: Vec<bool>,
 }
 
-/// What is asked of a joint: its rows, and its movable bodies by their place among those of the joints, 0 for none.
+/// Joints that hang together.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Island {
+    /// Which of the joints of the step, and their bodies, with those that nothing moves but without the ground.
+    pub(super) joints: Vec<u32>,
+    pub(super) bodies: Vec<u32>,
+    pub(super) clusters: Vec<Cluster>,
+    /// How finely it is moved within a substep, and times of the last step in it.
+    pub(super) pace: Pace,
+    pub(super) times: Times,
+    /// Whether a body of it is in a contact.
+    pub(super) touches: bool,
+    /// Whether what it is to be after the move was found only as if bodies did not turn in it.
+    pub(super) is_linear: bool,
+    /// Whether that was because how they turn came to no end.
+    pub(super) diverges: bool,
+}
+
+/// What is asked of a joint: its rows, and its bodies by their place among those of the joints, 0 for none.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) struct Place {
     pub(super) joint: u32,
     pub(super) rows: [u32; 2],
+    /// Those that are moved.
     pub(super) bodies: [u32; 2],
+    pub(super) ends: [u32; 2],
 }
 
 impl Place {
@@ -37,15 +59,15 @@ impl Place {
     }
 }
 
-/// Divides joints into clusters; `body_count` is that of their bodies, the ground with them.
-pub(super) fn plan(joints: &[Place], body_count: usize) -> Vec<Cluster> {
+/// Divides joints into islands; `body_count` is that of their bodies, the ground with them.
+pub(super) fn plan(joints: &[Place], body_count: usize) -> Vec<Island> {
     let mut of_body = vec![Vec::new(); body_count];
     for (number, place) in joints.iter().enumerate() {
         for body in place.bodies() {
             of_body[body as usize].push(number as u32);
         }
     }
-    let mut clusters = Vec::new();
+    let mut islands = Vec::new();
     let mut is_seen = vec![false; joints.len()];
     for first in 0..joints.len() {
         if is_seen[first] {
@@ -64,23 +86,26 @@ pub(super) fn plan(joints: &[Place], body_count: usize) -> Vec<Cluster> {
             }
         }
         island.sort_unstable();
-        add_island(joints, &of_body, &island, &mut clusters);
+        let ends = island.iter().flat_map(|&joint| joints[joint as usize].ends);
+        let mut bodies: Vec<u32> = ends.filter(|&body| body != 0).collect();
+        bodies.sort_unstable();
+        bodies.dedup();
+        let clusters = clusters_of(joints, &of_body, &island);
+        islands.push(Island { joints: island, bodies, clusters, ..Island::default() });
     }
-    clusters
+    islands
 }
 
-/// Adds an island as one cluster, or joint by joint.
-fn add_island(joints: &[Place], of_body: &[Vec<u32>], island: &[u32], clusters: &mut Vec<Cluster>) {
+/// An island as one cluster, or joint by joint.
+fn clusters_of(joints: &[Place], of_body: &[Vec<u32>], island: &[u32]) -> Vec<Cluster> {
     if island.len() <= MOST_JOINTS {
         let (cluster, work) = cluster(joints, &order(joints, of_body, island));
         if work <= MOST_WORK {
-            return clusters.push(cluster);
+            return vec![cluster];
         }
     }
-    for &joint in island {
-        let (cluster, _) = cluster(joints, &[joint]);
-        clusters.push(Cluster { is_swept: true, ..cluster });
-    }
+    let alone = island.iter().map(|&joint| cluster(joints, &[joint]).0);
+    alone.map(|cluster| Cluster { is_swept: true, ..cluster }).collect()
 }
 
 /// The order of elimination: that joint first which shares bodies with fewest, which then all share with each other (D. Rose,

@@ -30,7 +30,7 @@ pub(super) enum Role {
 
 /// Half of a substep.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Phase {
+pub(in crate::resolution) enum Phase {
     /// Before the drift.
     Push,
     /// After it.
@@ -93,6 +93,8 @@ pub(super) struct Row {
     /// Impulse of this phase, and of the push.
     pub(super) impulse: f64,
     pub(super) pushed: f64,
+    /// Scratch: an impulse to go back to.
+    pub(super) kept: f64,
     /// Force of the last substep.
     pub(super) load: f64,
     /// Whether it takes part in the direct solve.
@@ -120,6 +122,7 @@ impl Row {
             bias: 0.0,
             impulse: 0.0,
             pushed: 0.0,
+            kept: 0.0,
             load: 0.0,
             is_free: false,
             residual: 0.0,
@@ -130,7 +133,7 @@ impl Row {
     /// Begins a phase where the bodies are, with half of the last impulse.
     pub(super) fn begin(&mut self, at: &Geometry, a: &JointBody, b: &JointBody, phase: Phase, times: Times) {
         self.j = self.coordinate.jacobian(at);
-        self.x = self.coordinate.value(at) - self.zero;
+        self.x = self.value(at);
         self.k = a.coupling(self.j[0], self.j[0]) + b.coupling(self.j[1], self.j[1]);
         if let Role::Speed { .. } = self.role {
             self.softness = MOTOR_SOFTNESS * self.k;
@@ -186,12 +189,17 @@ impl Row {
         along(self.j[0], a.velocity) + along(self.j[1], b.velocity)
     }
 
-    /// Finds by how much it is off, and whether it is to act. `after` is the geometry after the drift.
-    pub(super) fn look(&mut self, a: &JointBody, b: &JointBody, after: Option<&Geometry>, times: Times) {
+    /// The coordinate, from what a rigid row asks for.
+    pub(super) fn value(&self, at: &Geometry) -> f64 {
+        self.coordinate.value(at) - self.zero
+    }
+
+    /// Finds by how much it is off, and whether it is to act. `ahead` is the coordinate after the drift.
+    pub(super) fn look(&mut self, a: &JointBody, b: &JointBody, ahead: Option<f64>, times: Times) {
         let u = self.speed(a, b);
         // Where the coordinate will be, or is.
-        let x = after.map_or(self.x, |after| self.coordinate.value(after) - self.zero);
-        let is_push = after.is_some();
+        let x = ahead.unwrap_or(self.x);
+        let is_push = ahead.is_some();
         (self.residual, self.is_free) = match self.role {
             Role::Rigid => (if is_push { (x - left(self.x, times)) / times.h } else { u }, true),
             Role::Limits(limits) => self.look_at_limits(limits, x, u, is_push, times),

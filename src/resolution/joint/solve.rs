@@ -1,88 +1,250 @@
 //! A phase of the joints: clusters solved one after the other, each by Newton's method with the rows that are free.
 
 use crate::resolution::joint::JointSolver;
-use crate::resolution::joint::geometry::JointBody;
-use crate::resolution::joint::plan::Cluster;
-use crate::resolution::joint::row::{Phase, Row, Times};
+use crate::resolution::joint::geometry::{Base, JointBody};
+use crate::resolution::joint::plan::{Cluster, Island};
+use crate::resolution::joint::row::{Phase, Role, Row, Times};
 
 /// Solves of a cluster that stands by itself, at most. Each takes the rest of the one before times the angle by which bodies turn
 /// in a substep; and where bounds are met, finds which.
 const MOST_SOLVES: usize = 12;
 
+/// Where bodies that turn have more than so many times the energy of such as go on as they do, it is not what was sought: links
+/// have found another place.
+const GAIN: f64 = 1.1;
+
+/// What is sought.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Aim {
+    /// Where coordinates are after the move.
+    Place,
+    /// The same, of bodies that go on as they do now.
+    Way,
+    /// How fast they change.
+    Speed,
+}
+
+/// Turns of rows with bounds and of those without, where it is not found out which bounds are met.
+const TURNS: usize = 8;
+
 /// Sweeps over clusters that share bodies.
 const SWEEPS: usize = 4;
 
 impl JointSolver {
-    pub(super) fn solve_clusters(&mut self, phase: Phase, times: Times) {
-        let Self { bodies, bases, rows, clusters, .. } = self;
-        let look = |rows: &mut [Row], bodies: &[JointBody], cluster: &Cluster| {
-            // The rows of a joint follow each other.
-            let mut of_joint = None;
-            for &row in &cluster.rows {
-                let row = &mut rows[row as usize];
-                let [a, b] = row.bodies.map(|body| &bodies[body as usize]);
-                if of_joint.is_none_or(|(joint, _)| joint != row.joint) {
-                    let after = || bases[row.joint as usize].at(&a.after(times.h), &b.after(times.h));
-                    of_joint = Some((row.joint, (phase == Phase::Push).then(after)));
-                }
-                row.look(a, b, of_joint.as_ref().and_then(|(_, after)| after.as_ref()), times);
-            }
-        };
-        for cluster in clusters.iter_mut() {
-            cluster.free.fill(false);
-        }
-        for sweep in 0..SWEEPS {
+    /// Solves a phase, or, where it `is_new` no more, what was pushed since it was solved.
+    pub(super) fn solve_island(&mut self, island: &mut Island, phase: Phase, is_new: bool) {
+        let Self { bodies, bases, rows, .. } = self;
+        let Island { clusters, times, touches, is_linear, diverges, .. } = island;
+        let mut problem = Problem { rows, bodies, bases, times: *times, touches: *touches, diverges: false };
+        if is_new {
+            (*is_linear, *diverges) = (false, false);
             for cluster in clusters.iter_mut() {
-                if sweep > 0 && !cluster.is_swept {
-                    continue;
-                }
-                let solves = if cluster.is_swept { 1 } else { MOST_SOLVES };
-                for solve in 0..solves {
-                    look(rows, bodies, cluster);
-                    let excess = cluster.rows.iter().map(|&row| rows[row as usize].excess(times));
-                    if solve > 0 && excess.fold(0.0, f64::max) <= 1.0 {
-                        break;
-                    }
-                    step(cluster, rows, bodies, times);
-                }
+                cluster.free.fill(false);
+            }
+        }
+        if let [cluster] = &mut clusters[..]
+            && !cluster.is_swept
+        {
+            *is_linear = problem.solve(cluster, phase, *is_linear);
+            *diverges |= problem.diverges;
+            return;
+        }
+        for _ in 0..SWEEPS {
+            for cluster in clusters.iter_mut() {
+                problem.look(cluster, if phase == Phase::Push { Aim::Place } else { Aim::Speed });
+                problem.step(cluster);
             }
         }
     }
 }
 
-/// One solve of the rows that are free, cut to what they may bear.
-fn step(cluster: &mut Cluster, rows: &mut [Row], bodies: &mut [JointBody], times: Times) {
-    let Cluster { rows: order, factor, free, is_swept } = cluster;
-    let is_free = |row: &u32| rows[*row as usize].is_free;
-    if !order.iter().any(is_free) {
-        return;
-    }
-    let is_new = order.iter().zip(&*free).any(|(row, was)| is_free(row) != *was);
-    if is_new || *is_swept {
-        for (row, free) in order.iter().zip(free.iter_mut()) {
-            *free = rows[*row as usize].is_free;
+/// Rows and bodies, and how long a step is.
+struct Problem<'a> {
+    rows: &'a mut [Row],
+    bodies: &'a mut [JointBody],
+    bases: &'a [Base],
+    times: Times,
+    /// Whether contacts push them.
+    touches: bool,
+    /// Whether how they turn was not found.
+    diverges: bool,
+}
+
+impl Problem<'_> {
+    /// Solves a cluster. Before the move what is sought is where bodies will be: first as if they went on as they do now, which
+    /// tells what meets its bounds, then as they turn. Where that comes to no end, as bodies turn by too much of a radian, it is
+    /// left at the first. Returns whether it was.
+    fn solve(&mut self, cluster: &mut Cluster, phase: Phase, is_linear: bool) -> bool {
+        if phase == Phase::Relax {
+            self.settle(cluster, Aim::Speed);
+            return is_linear;
         }
-        factor.factorize(|row, column| {
-            let (j, k) = (&rows[order[row] as usize], &rows[order[column] as usize]);
-            if j.is_free && k.is_free { coupling(j, k, row == column, bodies) } else { 0.0 }
-        });
+        if is_linear {
+            self.settle(cluster, Aim::Way);
+            return true;
+        }
+        if !self.settle(cluster, Aim::Way) {
+            return true;
+        }
+        self.keep(cluster);
+        if self.descend(cluster, Aim::Place) && (!self.touches || self.is_near(cluster)) {
+            return false;
+        }
+        self.give_back(cluster);
+        self.diverges = true;
+        true
     }
-    for (x, &row) in factor.x.iter_mut().zip(order.iter()) {
-        let row = &rows[row as usize];
-        *x = if row.is_free { -row.residual } else { 0.0 };
+
+    /// Keeps what was found so far.
+    fn keep(&mut self, cluster: &Cluster) {
+        for &row in &cluster.rows {
+            let row = &mut self.rows[row as usize];
+            row.kept = row.impulse;
+            for body in row.bodies {
+                let body = &mut self.bodies[body as usize];
+                body.kept = body.velocity;
+            }
+        }
     }
-    factor.solve();
-    for (&row, &gain) in order.iter().zip(&factor.x) {
-        rows[row as usize].wanted = rows[row as usize].impulse + gain;
+
+    /// Whether what was found since has no more energy than that, but for `GAIN`.
+    fn is_near(&self, cluster: &Cluster) -> bool {
+        let (mut before, mut now) = (0.0, 0.0);
+        for &row in &cluster.rows {
+            for body in self.rows[row as usize].bodies {
+                let body = &self.bodies[body as usize];
+                before += body.energy_of(body.kept);
+                now += body.energy_of(body.velocity);
+            }
+        }
+        now <= GAIN * before
     }
-    for &row in order.iter() {
-        let wanted = wanted(rows, row as usize, times);
-        let row = &mut rows[row as usize];
-        let cut = row.cut(wanted, times);
+
+    /// Goes back to what was kept.
+    fn give_back(&mut self, cluster: &Cluster) {
+        for &row in &cluster.rows {
+            let row = &mut self.rows[row as usize];
+            row.impulse = row.kept;
+            for body in row.bodies {
+                let body = &mut self.bodies[body as usize];
+                body.velocity = body.kept;
+            }
+        }
+    }
+
+    /// Solves a cluster whatever its bounds do. Where Newton's method does not find out which of them are met, those rows are
+    /// solved one by one, in turn with all that are rigid. Returns whether it came to an end.
+    fn settle(&mut self, cluster: &mut Cluster, aim: Aim) -> bool {
+        self.keep(cluster);
+        if self.descend(cluster, aim) {
+            return true;
+        }
+        self.give_back(cluster);
+        for _ in 0..TURNS {
+            for &row in &cluster.rows {
+                self.sweep(row as usize, aim);
+            }
+            self.look(cluster, aim);
+            for &row in &cluster.rows {
+                let row = &mut self.rows[row as usize];
+                row.is_free &= row.role == Role::Rigid;
+            }
+            self.step(cluster);
+        }
+        false
+    }
+
+    /// Gives a row with bounds by itself what it asks for, as far as they let it.
+    fn sweep(&mut self, index: usize, aim: Aim) {
+        let row = &mut self.rows[index];
+        if row.role == Role::Rigid || row.k <= 0.0 {
+            return;
+        }
+        let [a, b] = row.bodies.map(|body| &self.bodies[body as usize]);
+        let ahead = (aim == Aim::Way).then(|| row.x + self.times.h * row.speed(a, b));
+        row.look(a, b, ahead, self.times);
+        let cut = row.cut(row.impulse - row.residual / (row.k + row.softness), self.times);
         let gain = cut - row.impulse;
         row.impulse = cut;
         for (body, j) in row.bodies.into_iter().zip(row.j) {
-            bodies[body as usize].push(j, gain);
+            self.bodies[body as usize].push(j, gain);
+        }
+    }
+
+    /// Newton's method with the rows that are free. Returns whether it came to an end.
+    fn descend(&mut self, cluster: &mut Cluster, aim: Aim) -> bool {
+        for solve in 0..=MOST_SOLVES {
+            self.look(cluster, aim);
+            let excess = cluster.rows.iter().map(|&row| self.rows[row as usize].excess(self.times));
+            // A sum of squares would hide a number that is not one.
+            let excess =
+                excess.fold(0.0, |most: f64, one| if one > most || one.is_nan() { one } else { most });
+            if solve > 0 && excess <= 1.0 {
+                return true;
+            }
+            if solve == MOST_SOLVES || !excess.is_finite() {
+                break;
+            }
+            self.step(cluster);
+        }
+        false
+    }
+
+    /// Finds by how much the rows of a cluster are off.
+    fn look(&mut self, cluster: &Cluster, aim: Aim) {
+        // The rows of a joint follow each other.
+        let mut of_joint = None;
+        for &row in &cluster.rows {
+            let row = &mut self.rows[row as usize];
+            let [a, b] = row.bodies.map(|body| &self.bodies[body as usize]);
+            let h = self.times.h;
+            if of_joint.is_none_or(|(joint, _)| joint != row.joint) {
+                let after = || self.bases[row.joint as usize].at(&a.after(h), &b.after(h));
+                of_joint = Some((row.joint, (aim == Aim::Place).then(after)));
+            }
+            let ahead = match &of_joint {
+                Some((_, Some(after))) => Some(row.value(after)),
+                _ => (aim == Aim::Way).then(|| row.x + h * row.speed(a, b)),
+            };
+            row.look(a, b, ahead, self.times);
+        }
+    }
+
+    /// One solve of the rows that are free, cut to what they may bear.
+    fn step(&mut self, cluster: &mut Cluster) {
+        let Self { rows, bodies, times, .. } = self;
+        let Cluster { rows: order, factor, free, is_swept } = cluster;
+        let is_free = |row: &u32| rows[*row as usize].is_free;
+        if !order.iter().any(is_free) {
+            return;
+        }
+        let is_new = order.iter().zip(&*free).any(|(row, was)| is_free(row) != *was);
+        if is_new || *is_swept {
+            for (row, free) in order.iter().zip(free.iter_mut()) {
+                *free = rows[*row as usize].is_free;
+            }
+            factor.factorize(|row, column| {
+                let (j, k) = (&rows[order[row] as usize], &rows[order[column] as usize]);
+                if j.is_free && k.is_free { coupling(j, k, row == column, bodies) } else { 0.0 }
+            });
+        }
+        for (x, &row) in factor.x.iter_mut().zip(order.iter()) {
+            let row = &rows[row as usize];
+            *x = if row.is_free { -row.residual } else { 0.0 };
+        }
+        factor.solve();
+        for (&row, &gain) in order.iter().zip(&factor.x) {
+            rows[row as usize].wanted = rows[row as usize].impulse + gain;
+        }
+        for &row in order.iter() {
+            let wanted = wanted(rows, row as usize, *times);
+            let row = &mut rows[row as usize];
+            let cut = row.cut(wanted, *times);
+            let gain = cut - row.impulse;
+            row.impulse = cut;
+            for (body, j) in row.bodies.into_iter().zip(row.j) {
+                bodies[body as usize].push(j, gain);
+            }
         }
     }
 }

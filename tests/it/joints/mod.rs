@@ -2,6 +2,8 @@
 
 mod by_chance;
 mod drives;
+mod impacts;
+mod kinds;
 mod loads;
 mod pendulums;
 mod use_of_joints;
