@@ -82,9 +82,9 @@ pub struct Settings {
     pub restitution_threshold: f32,
     /// Slowest approach that is reported as a hit, m/s, 0 to 10¹⁸. Default 1.
     pub hit_threshold: f32,
-    /// How two coefficients of friction mix. Default [`Mix::Average`].
+    /// How two coefficients of friction mix. Default [`Mix::Average`], which keeps 0 at 0.
     pub friction_mix: Mix,
-    /// How two coefficients of restitution mix. Default [`Mix::Average`].
+    /// How two coefficients of restitution mix. Default [`Mix::Average`], which keeps 0 at 0.
     pub restitution_mix: Mix,
     /// G in a = G·mass/r² of attractors, m³/(kg s²), 0 to 10¹². Default 1.
     pub gravitational_constant: f32,
