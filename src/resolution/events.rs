@@ -19,11 +19,12 @@ use crate::collision::{Contacts, OneWay, is_on_free_side};
 use crate::compute::BodyState;
 use crate::joint::Joints;
 use crate::math::Vec2;
+use crate::resolution::blows::{Blows, Collision};
 use crate::resolution::constraint_graph::{ConstraintGraph, GraphIndex};
 use crate::resolution::events::approach::bounce_threshold;
 pub(crate) use crate::resolution::events::continuous::{Continuous, Encounter};
 pub(crate) use crate::resolution::events::course::Courses;
-pub(crate) use crate::resolution::events::impacts::{Impact, Impacts};
+pub(crate) use crate::resolution::events::impacts::Impacts;
 use crate::resolution::events::meeting::Meeting;
 pub(crate) use crate::resolution::events::seams::Seams;
 pub(crate) use crate::resolution::events::strikes::Strikes;
@@ -45,6 +46,7 @@ pub(crate) struct EventScene<'a> {
     pub(crate) mixes: Mixes,
     pub(crate) courses: &'a Courses,
     pub(crate) strikes: &'a mut Strikes,
+    pub(crate) blows: &'a mut Blows,
     pub(crate) kicks: &'a Kicks,
     pub(crate) graph: &'a mut ConstraintGraph,
     pub(crate) scheme: &'a Scheme,
@@ -150,10 +152,19 @@ impl EventScene<'_> {
 
     /// Lets the bodies in two slots collide that meet at a time within the substep, s, and moves those of them that contacts move by what
     /// their drift will miss.
-    fn collide(&mut self, slots: [u32; 2], moved: [bool; 2], meeting: &Meeting, restitution: f32, time: f32) {
+    fn collide(
+        &mut self,
+        slots: [u32; 2],
+        moved: [bool; 2],
+        meeting: &Meeting,
+        restitution: f32,
+        time: f32,
+    ) -> Collision {
         let rows = slots.map(|slot| self.bodies.motions[slot as usize].row);
         let mut after = self.states(rows);
-        meeting.collide(restitution, self.bodies.roles.surface_speed(slots), &mut after);
+        let there = self.states_at(rows, time)[0].delta_position;
+        let on_b = meeting.collide(restitution, self.bodies.roles.surface_speed(slots), &mut after);
+        let collision = meeting.report(self.bodies.center(slots[0]) + there.into(), on_b);
         let moved = rows.into_iter().zip(after).zip(moved);
         for ((row, mut after), _) in moved.filter(|&(_, is_moved)| is_moved) {
             let state = &mut self.bodies.states[row as usize];
@@ -162,5 +173,6 @@ impl EventScene<'_> {
             *state = after;
             self.strikes.note(row, time, after);
         }
+        collision
     }
 }

@@ -6,7 +6,7 @@ use crate::body::BodyId;
 use crate::collision::{Contact, Manifold, ManifoldPoint};
 use crate::math::{Point, Vec2};
 use crate::world::World;
-use crate::world::events::other_of;
+use crate::world::events::{other_of, side_of};
 
 /// Two bodies that touch or are about to, as of the end of the last step.
 #[derive(Clone, Copy)]
@@ -88,13 +88,30 @@ impl<'a> ContactRef<'a> {
     /// Direction in which the contact pushes `body`, away from the other: the normal as it is seen from this body, of
     /// length 1. A body that is neither of the two is not pushed, and has the vector of length 0.
     pub fn normal_on(&self, body: BodyId) -> Vec2 {
-        if body == self.b() {
-            self.normal()
-        } else if body == self.a() {
-            -self.normal()
-        } else {
-            Vec2::ZERO
-        }
+        self.normal() * side_of([self.a(), self.b()], body)
+    }
+
+    /// Impulse that the contact gave `body` over the last tick, N s: along the normal and of friction, of all substeps and
+    /// bounces; 0 for a body that is neither of the two. `None` where impulses are not added up, see
+    /// [`Settings::sum_impulses`](crate::Settings::sum_impulses), and while both bodies sleep.
+    ///
+    /// ```
+    /// # use rustycs::prelude::*;
+    /// # let mut world = World::new(Settings { sum_impulses: true, ..Settings::default() });
+    /// # world.add_force(Force::EARTH_GRAVITY);
+    /// # world.add(Body::fixed(Shape::aabb(20.0, 1.0)))?;
+    /// # let crate_ = world.add(Body::dynamic(Shape::rectangle(1.0, 1.0)).at([0.0, 1.0]).mass(3.0))?;
+    /// # for _ in 0..20 { world.step(); }
+    /// // What the crate is pressed with, N: its weight, while it rests.
+    /// let rate = world.settings().tick_rate;
+    /// let force: f32 =
+    ///     world.contacts_of(crate_).filter_map(|contact| contact.impulse_on(crate_)).map(|on| on.y * rate).sum();
+    /// assert!((force - 3.0 * 9.81).abs() < 0.01);
+    /// # Ok::<(), BodyError>(())
+    /// ```
+    pub fn impulse_on(&self, body: BodyId) -> Option<Vec2> {
+        let on_b = self.world.solver.blows.of_contact(self.index)?.on_b;
+        Some(on_b * side_of([self.a(), self.b()], body))
     }
 
     /// Whether the two touch, rather than being about to.

@@ -13,6 +13,7 @@ mod events;
 mod force;
 mod hash;
 mod held_forces;
+mod hits;
 mod joint_view;
 mod joints;
 mod memory;

@@ -26,7 +26,7 @@ pub(crate) struct GraphIndex {
 }
 
 impl GraphIndex {
-    pub(super) fn block(self) -> BlockIndex {
+    pub(crate) fn block(self) -> BlockIndex {
         BlockIndex { colour: self.colour, block: self.contact / COLUMN as u32 }
     }
 

@@ -4,6 +4,7 @@ mod change;
 mod contacts;
 mod edit;
 mod frames;
+mod hits;
 mod time;
 
 use rustycs::prelude::*;
