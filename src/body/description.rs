@@ -417,6 +417,7 @@ impl Body {
         check_damping("the angular damping", self.angular_damping)?;
         check_surface_speed(self.role.surface_speed)?;
         check_one_way(self.role.one_way)?;
+        check_rolling_resistance(self.role.rolling_resistance)?;
         if is_dynamic {
             let MassProperties { mass, inertia } = self.mass_properties();
             check_range("the mass", f64::from(mass), MASSES, "kg")?;
@@ -460,6 +461,10 @@ pub(crate) fn check_restitution(restitution: f32) -> Result<(), BodyError> {
 
 pub(crate) fn check_surface_speed(speed: f32) -> Result<(), BodyError> {
     check_range("the surface speed", f64::from(speed), [-LARGEST_FACTOR, LARGEST_FACTOR], "m/s")
+}
+
+pub(crate) fn check_rolling_resistance(coefficient: f32) -> Result<(), BodyError> {
+    check_range("the rolling resistance", f64::from(coefficient), [0.0, LARGEST_FACTOR], "")
 }
 
 /// Checks that a direction, if there is one, has a length: 1, or what is none.

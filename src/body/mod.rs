@@ -11,6 +11,7 @@ mod filter;
 mod material;
 mod rest;
 mod role;
+mod rolling;
 
 pub(crate) use bodies::{Bodies, Forcing, Motion, NONE, Record};
 pub use description::{Body, BodyType};

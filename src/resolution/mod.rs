@@ -22,6 +22,7 @@ mod moving;
 mod moving_geometry;
 mod projection;
 mod rates;
+mod rolling;
 mod scheme;
 mod softness;
 mod solve_contact;

@@ -22,6 +22,7 @@ use crate::resolution::kernel::{WarmStart, WarmStartTime};
 use crate::resolution::load::{LoadMeasure, Loads};
 use crate::resolution::moving::MovingContacts;
 use crate::resolution::projection::Project;
+use crate::resolution::rolling::Rolling;
 use crate::resolution::scheme::Scheme;
 
 /// What accelerates bodies, beside contacts.
@@ -51,6 +52,7 @@ pub(crate) struct Solver {
     moving: MovingContacts,
     seams: Seams,
     direct: DirectSolver,
+    rolling: Rolling,
     pub(crate) joints: JointSolver,
 }
 
@@ -82,7 +84,7 @@ pub(crate) struct SolveTables<'a> {
 ///     kick h/2     v += h/2 a(x), and damping
 ///     refresh      contacts of circles and loaded corners follow the surface
 ///     joints       and does not part there
-///     relax        the other half of the last impulses, and a sweep without bias, with friction; or directly
+///     relax        the other half of the last impulses, rolling resistance, and a sweep without bias, with friction; or directly
 /// project          in the classic scheme: overlaps are parted by moving bodies
 /// ```
 ///
@@ -155,6 +157,7 @@ impl Solver {
         let h = scheme.substep_time();
         self.seams.hold_back(tables.graph, &tables.bodies.states, h);
         warm_start(WarmStartTime::BeforeMove, scheme, tables);
+        self.rolling.start(scheme.warm_part(), tables.graph, &mut tables.bodies.states);
         if !self.joints.is_empty() {
             self.joints.push(scheme, &self.kicks, &mut tables.bodies.states);
         }
@@ -183,6 +186,7 @@ impl Solver {
         if scheme.split_kick && scheme.warm_starting {
             warm_start(WarmStartTime::AfterMove, scheme, tables);
         }
+        self.rolling.solve(tables.graph, &mut tables.bodies.states);
         if !self.joints.is_empty() {
             self.joints.relax(scheme, &mut tables.bodies.states);
         }
@@ -192,6 +196,7 @@ impl Solver {
             graph.for_each_swept(tables.executor, states, &sweep);
         }
         self.direct.solve(graph, states, Aim::Relax, scheme.substep_time());
+        self.rolling.solve(graph, states);
     }
 
     /// Contact geometry that moves within the step, where the bodies are now.
@@ -217,6 +222,7 @@ impl Solver {
         graph.prepare(*executor, from);
         self.gather_special(graph, scheme);
         self.blows.take_up_unfinished(contacts, graph);
+        self.rolling.prepare(bodies, contacts, graph);
         self.direct.clear();
         for island in islands.iter() {
             self.direct.add_island(island, tables.bodies, tables.contacts, tables.graph);
@@ -307,6 +313,7 @@ impl Solver {
         self.joints.finish(scheme, tables.joints, &tables.bodies.states);
         let SolveTables { bodies, contacts, graph, loads, executor, .. } = tables;
         self.blows.end_substeps(graph);
+        self.rolling.finish(contacts);
         let measure = LoadMeasure::new(scheme.adapts, 1.0 / scheme.substep_time());
         loads.unsolved.extend(self.direct.unsolved_rows().map(|row| bodies.slot_of_row(row as usize)));
         let residual = graph.finish(*executor, &bodies.states, contacts, measure, loads);
