@@ -165,3 +165,41 @@ impl fmt::Debug for ContactRef<'_> {
         shown.field("manifold", self.manifold()).finish_non_exhaustive()
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use crate::body::{Body, BodyId};
+    use crate::shape::Shape;
+    use crate::world::{Force, Settings, World};
+
+    /// 100 characters on and over 1,500 boxes: what is looked at for all of them are the few contacts that each has, and not the
+    /// thousands that there are. A test of work, not of time.
+    #[test]
+    fn to_ask_for_the_contacts_of_bodies_is_no_walk_over_those_of_all_others() {
+        let mut world = World::new(Settings::default());
+        world.add_force(Force::EARTH_GRAVITY);
+        world.add(Body::fixed(Shape::rectangle(200.0, 1.0)).at([0.0, -0.5])).unwrap();
+        for number in 0..1500 {
+            let at = [f64::from(number % 150) - 75.0, 0.45 + 0.9 * f64::from(number / 150)];
+            world.add(Body::dynamic(Shape::rectangle(0.9, 0.9)).at(at)).unwrap();
+        }
+        let mut characters = Vec::new();
+        for number in 0..100 {
+            let at = [f64::from(number) - 50.0, if number % 2 == 0 { 9.7 } else { 40.0 }];
+            let character = Body::dynamic(Shape::rectangle(0.5, 1.4)).at(at).fixed_rotation(true);
+            characters.push(world.add(character).unwrap());
+        }
+        for _ in 0..10 {
+            world.step();
+        }
+        let looked_at = |&BodyId(key): &BodyId| world.contacts.of_body(&world.bodies, key.index()).count();
+        let all: usize = characters.iter().map(looked_at).sum();
+        assert!(world.contacts.len() >= 3000, "{} contacts", world.contacts.len());
+        // One or two boxes under each that stands, and its two neighbours.
+        assert!((50..=400).contains(&all), "{all} contacts are looked at");
+        let standing = characters.iter().filter(|&&id| {
+            world.contacts_of(id).any(|contact| contact.is_touching() && contact.normal_on(id).y > 0.7)
+        });
+        assert_eq!(standing.count(), 50);
+    }
+}

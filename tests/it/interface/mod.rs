@@ -2,6 +2,7 @@
 
 mod change;
 mod contacts;
+mod draw;
 mod edit;
 mod frames;
 mod hits;
