@@ -1,6 +1,9 @@
 //! 2D rigid-body physics that reports its error, stays stable on hard cases, and leaves out what a scene does
 //! not need.
 //!
+//! Units are metres, kilograms, seconds and radians; y points up. Choose how many pixels a metre has, and multiply when you draw.
+//! [`coming_from`] has the names of Box2D and Rapier beside those here.
+//!
 //! A [`World`] holds [bodies](Body) of [shapes](Shape) and [materials](Material), [forces](Force) and
 //! [attractors](Attractor); [`World::step`] moves it by one tick.
 //!
@@ -23,6 +26,7 @@
 //! [`World::advance`] takes the time of a frame and as many ticks as fit; it comes to the same at any number of frames per
 //! second. [`World::advance_with`] calls back before each tick, for control. [`World::body_mut`] pushes, changes and reads a
 //! body, [`World::contacts_of`] tells what it touches, and [`BodyRef::interpolated_pose`] where to draw it.
+//! [`Events::hits`] tell where bodies met, and with which impulse; [`World::draw_lines`] draws all there is.
 //!
 //! # A step
 //!
@@ -105,6 +109,9 @@ macro_rules! clone_into_buffers {
 
 pub mod body;
 pub mod collision;
+#[cfg(any(doc, doctest))]
+#[doc = include_str!("coming_from.md")]
+pub mod coming_from {}
 #[allow(unsafe_code)]
 pub(crate) mod compute;
 pub mod joint;

@@ -4,20 +4,25 @@ use crate::collision::Contact;
 
 /// Whose impulses are added up over a step.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) enum Asked {
-    /// Those of all contacts.
-    All,
-    /// Those of bodies that may meet, at this speed or faster, m/s.
-    MeetingFrom(f32),
+pub(crate) struct Asked {
+    /// Slowest approach, m/s.
+    from: f32,
+    /// Whether contacts that touch already are asked about.
+    touching: bool,
 }
 
 impl Asked {
-    /// Whether a contact is asked about, as a step begins.
+    /// All contacts.
+    pub(crate) const ALL: Self = Self { from: f32::NEG_INFINITY, touching: true };
+
+    /// Those of bodies that may meet, at this speed or faster, m/s.
+    pub(crate) fn meeting_from(speed: f32) -> Self {
+        Self { from: speed, touching: false }
+    }
+
+    /// Whether a contact is asked about, as a step begins. Most are told by their speed.
     #[inline(always)]
     pub(crate) fn about(self, contact: &Contact) -> bool {
-        match self {
-            Self::All => true,
-            Self::MeetingFrom(speed) => contact.approach_speed >= speed && !contact.is_touching,
-        }
+        contact.approach_speed >= self.from && (self.touching || !contact.is_touching)
     }
 }

@@ -109,6 +109,10 @@ pub(crate) struct Blows {
     of_step: Vec<Blow>,
     /// Those of the step before that were not over.
     begun: Vec<Begun>,
+    /// Scratch: by index of the contact, the places of its parts.
+    order: Vec<(u32, u32)>,
+    /// Scratch.
+    merged: Vec<Blow>,
 }
 
 impl Blows {
@@ -220,20 +224,43 @@ impl Blows {
         }
     }
 
-    /// Adds the collisions, as the step has ended.
-    pub(crate) fn end_step(&mut self) {
-        self.of_step.sort_unstable_by_key(|blow| blow.contact);
-        for &Impact { contact, collision } in &self.impacts {
-            let blow = blow_of(&mut self.of_step, contact);
-            blow.on_b += collision.on_b;
-            blow.first = blow.first.or(Some(collision));
+    /// Adds the collisions of contacts that `are_asked` about, as the step has ended.
+    pub(crate) fn end_step(&mut self, are_asked: impl Fn(u32) -> bool) {
+        let Self { impacts, others, of_step, begun, .. } = self;
+        let new = |contact| Blow {
+            contact,
+            on_b: Vec2::ZERO,
+            by_point: [0.0; 2],
+            load_before: 0.0,
+            first: None,
+            begun: None,
+        };
+        // Those of one contact in the order of time, after the sums of its substeps.
+        let asked = impacts.iter().filter(|impact| are_asked(impact.contact));
+        of_step.extend(asked.map(|&Impact { contact, collision }| Blow {
+            on_b: collision.on_b,
+            first: Some(collision),
+            ..new(contact)
+        }));
+        of_step.extend(others.iter().map(|&(contact, on_b)| Blow { on_b, ..new(contact) }));
+        of_step.extend(begun.drain(..).map(|begun| Blow { begun: Some(begun), ..new(begun.contact) }));
+        if of_step.is_empty() {
+            return;
         }
-        for &(contact, on_b) in &self.others {
-            blow_of(&mut self.of_step, contact).on_b += on_b;
+        let order = &mut self.order;
+        order.clear();
+        order.extend((0..).zip(of_step.iter()).map(|(place, blow): (u32, &Blow)| (blow.contact, place)));
+        order.sort_unstable();
+        let merged = &mut self.merged;
+        merged.clear();
+        for &(contact, place) in &*order {
+            let part = of_step[place as usize];
+            match merged.last_mut() {
+                Some(blow) if blow.contact == contact => blow.add(&part),
+                _ => merged.push(part),
+            }
         }
-        for begun in self.begun.drain(..) {
-            blow_of(&mut self.of_step, begun.contact).begun = Some(begun);
-        }
+        core::mem::swap(of_step, merged);
     }
 
     /// Leaves a blow that is not over to the next step.
@@ -255,17 +282,18 @@ impl Blows {
     }
 }
 
-/// The blow of a contact among those of others, by ascending index: a new one, if there is none yet.
-fn blow_of(blows: &mut Vec<Blow>, contact: u32) -> &mut Blow {
-    let place = blows.binary_search_by_key(&contact, |blow| blow.contact).unwrap_or_else(|place| {
-        let (on_b, by_point, load_before) = (Vec2::ZERO, [0.0; 2], 0.0);
-        blows.insert(place, Blow { contact, on_b, by_point, load_before, first: None, begun: None });
-        place
-    });
-    &mut blows[place]
-}
-
 impl Blow {
+    /// Adds what else the same contact has done, later.
+    fn add(&mut self, part: &Self) {
+        self.on_b += part.on_b;
+        for (sum, of_point) in self.by_point.iter_mut().zip(part.by_point) {
+            *sum += of_point;
+        }
+        self.load_before += part.load_before;
+        self.first = self.first.or(part.first);
+        self.begun = self.begun.or(part.begun);
+    }
+
     /// Impulse on b, with what the step before has left of it, N s.
     pub(crate) fn whole(&self) -> Vec2 {
         self.begun.map_or(self.on_b, |begun| begun.on_b + self.on_b)

@@ -162,7 +162,7 @@ impl EventScene<'_> {
     ) -> Collision {
         let rows = slots.map(|slot| self.bodies.motions[slot as usize].row);
         let mut after = self.states(rows);
-        let there = self.states_at(rows, time)[0].delta_position;
+        let there = after[0].delta_position + after[0].velocity * time;
         let on_b = meeting.collide(restitution, self.bodies.roles.surface_speed(slots), &mut after);
         let collision = meeting.report(self.bodies.center(slots[0]) + there.into(), on_b);
         let moved = rows.into_iter().zip(after).zip(moved);

@@ -40,7 +40,8 @@ impl World {
     /// Reports which contacts began, ended or hit.
     pub(in crate::world) fn report_events(&mut self) {
         self.begin_encountered();
-        self.solver.blows.end_step();
+        let (contacts, asks_all) = (&self.contacts, self.settings.sum_impulses);
+        self.solver.blows.end_step(|index| asks_all || !contacts[index].is_touching);
         for &Impact { contact: index, collision } in self.solver.blows.impacts() {
             let contact = &mut self.contacts[index];
             // Of several impacts, the first is what the bodies met with. What does not bounce was slowed down before.

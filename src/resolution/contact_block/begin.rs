@@ -110,7 +110,9 @@ impl ContactBlock {
         let is_unloaded = first.normal_impulse == 0.0 && second.normal_impulse == 0.0;
         self.marks.cold.set(place, second.normal_k > 0.0 && has_friction && is_unloaded);
         self.marks.bouncy.set(place, contact.restitution > 0.0);
-        self.marks.asked.set(place, from.asked.about(contact));
+        if from.asked.about(contact) {
+            self.marks.asked.set(place, true);
+        }
         self.marks.on_ground.set(place, is_circle_on_ground(motions));
         if let Some(speed) = bodies.roles.surface_speed(contact.slots) {
             self.set_surface_speed(place, speed);
