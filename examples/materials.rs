@@ -1,7 +1,7 @@
 //! A ball of each material falls from 4 m: how high does it bounce?
 //!
 //! A ball that meets the floor with speed v leaves it with e v, and reaches e² of the height it fell from. The
-//! coefficient e of a contact is the mean of the two materials', unless the settings say otherwise.
+//! coefficient e of a contact is the average of the two materials', unless one of them is 0 or the settings say otherwise.
 //!
 //! `cargo run --example materials`
 

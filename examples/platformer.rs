@@ -29,12 +29,12 @@ fn main() -> Result<(), BodyError> {
     let mut hashes = Vec::new();
     for rate in [20, 60, 144] {
         println!("{rate} frames per second");
-        // Of two coefficients the smaller holds: a player without friction does not stick to walls.
-        let mut world = World::new(Settings { friction_mix: Mix::Min, ..Settings::default() });
+        let mut world = World::new(Settings::default());
         world.add_force(Force::EARTH_GRAVITY);
         world.add(Body::fixed(Shape::rectangle(20.0, 1.0)).at([0.0, -0.5]))?;
         let lift = world.add(Body::kinematic(Shape::rectangle(2.0, 0.2)).at([4.0, 0.5]))?;
         let player = Body::dynamic(Shape::rectangle(0.5, 1.8)).at([0.0, 0.9]).mass(60.0);
+        // Without friction it does not stick to walls, whatever these are made of.
         let player = world.add(player.fixed_rotation(true).friction(0.0).restitution(0.0))?;
         for _ in 0..rate * 10 {
             world.advance_with(1.0 / f64::from(rate), |world| control(world, player, lift));

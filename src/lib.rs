@@ -1,6 +1,9 @@
 //! 2D rigid-body physics that reports its error, stays stable on hard cases, and leaves out what a scene does
 //! not need.
 //!
+//! Units are metres, kilograms, seconds and radians; y points up. Choose how many pixels a metre has, and multiply when you draw.
+//! [`coming_from`] has the names of Box2D and Rapier beside those here.
+//!
 //! A [`World`] holds [bodies](Body) of [shapes](Shape) and [materials](Material), [forces](Force) and
 //! [attractors](Attractor); [`World::step`] moves it by one tick.
 //!
@@ -23,6 +26,7 @@
 //! [`World::advance`] takes the time of a frame and as many ticks as fit; it comes to the same at any number of frames per
 //! second. [`World::advance_with`] calls back before each tick, for control. [`World::body_mut`] pushes, changes and reads a
 //! body, [`World::contacts_of`] tells what it touches, and [`BodyRef::interpolated_pose`] where to draw it.
+//! [`Events::hits`] tell where bodies met, and with which impulse; [`World::draw_lines`] draws all there is.
 //!
 //! # A step
 //!
@@ -105,6 +109,9 @@ macro_rules! clone_into_buffers {
 
 pub mod body;
 pub mod collision;
+#[cfg(any(doc, doctest))]
+#[doc = include_str!("coming_from.md")]
+pub mod coming_from {}
 #[allow(unsafe_code)]
 pub(crate) mod compute;
 pub mod joint;
@@ -125,18 +132,18 @@ pub use math::{Aabb, Point, Pose, Rot, Vec2};
 pub use shape::{Shape, ShapeError};
 pub use world::{
     Attractor, AttractorError, AttractorId, BodyMut, BodyRef, Clock, ClosestHit, ColliderRef, ContactEvent,
-    ContactRef, Counters, Events, Force, ForceError, ForceId, HitEvent, JointGap, JointMut, JointRef,
-    JointRefusal, Lanes, PositionCorrection, Profile, QueryFilter, RayHit, Refusal, SensorEvent, Settings,
-    SettingsError, ShapeHit, Stage, StageReport, StepError, Tier, World,
+    ContactRef, Counters, DrawnPart, Events, Force, ForceError, ForceId, HitEvent, JointGap, JointMut,
+    JointRef, JointRefusal, Lanes, PositionCorrection, Profile, QueryFilter, RayHit, Refusal, SensorEvent,
+    Settings, SettingsError, ShapeHit, Stage, StageReport, StepError, Tier, World,
 };
 
 /// Everything a program needs by name.
 pub mod prelude {
     pub use crate::{
         Aabb, Attractor, AttractorError, AttractorId, Body, BodyError, BodyId, BodyMut, BodyRef, BodyType,
-        Clock, ClosestHit, Collider, ColliderId, ColliderRef, ContactEvent, ContactRef, Counters, Events,
-        FeatureId, Filter, Force, ForceError, ForceId, HitEvent, Joint, JointError, JointGap, JointId,
-        JointKind, JointMut, JointRef, Lanes, Manifold, ManifoldPoint, Material, Mix, Point, Pose,
+        Clock, ClosestHit, Collider, ColliderId, ColliderRef, ContactEvent, ContactRef, Counters, DrawnPart,
+        Events, FeatureId, Filter, Force, ForceError, ForceId, HitEvent, Joint, JointError, JointGap,
+        JointId, JointKind, JointMut, JointRef, Lanes, Manifold, ManifoldPoint, Material, Mix, Point, Pose,
         PositionCorrection, Profile, QueryFilter, RayHit, Refusal, Rot, SensorEvent, Settings, SettingsError,
         Shape, ShapeError, ShapeHit, Stage, StageReport, StepError, Tier, Vec2, World, collision,
     };

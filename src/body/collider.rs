@@ -2,7 +2,8 @@
 
 use crate::body::error::check_range;
 use crate::body::limits::{
-    LARGEST_LENGTH, check_friction, check_one_way, check_restitution, check_surface_speed,
+    LARGEST_LENGTH, check_friction, check_one_way, check_restitution, check_rolling_resistance,
+    check_surface_speed,
 };
 use crate::body::{BodyError, Filter, Material, Role};
 use crate::math::{Rot, Vec2};
@@ -141,6 +142,14 @@ impl Collider {
         self
     }
 
+    /// Coefficient of rolling resistance, no unit, as [`Body::rolling_resistance`](crate::Body::rolling_resistance) says. It acts
+    /// where the collider is a circle around the centre of mass.
+    #[must_use]
+    pub fn rolling_resistance(mut self, coefficient: f32) -> Self {
+        self.role.rolling_resistance = coefficient;
+        self
+    }
+
     /// A number of the caller's own, which the engine keeps and never reads.
     #[must_use]
     pub fn user_data(mut self, user_data: u64) -> Self {
@@ -217,7 +226,8 @@ impl Part {
         check_friction(self.material.friction)?;
         check_restitution(self.material.restitution)?;
         check_surface_speed(self.role.surface_speed)?;
-        check_one_way(self.role.one_way)
+        check_one_way(self.role.one_way)?;
+        check_rolling_resistance(self.role.rolling_resistance)
     }
 }
 

@@ -153,8 +153,8 @@ impl Body {
     }
 
     /// Coefficient of friction instead of the material's. That of a contact is mixed of those of both bodies, by
-    /// [`Settings::friction_mix`](crate::Settings::friction_mix): by default their average, so that 0 on 0.6 is 0.3. With
-    /// [`Mix::Min`](crate::Mix::Min) or `Multiply` a body of 0 slides freely on everything.
+    /// [`Settings::friction_mix`](crate::Settings::friction_mix): by default their average, and 0 where one of them is 0: such a body
+    /// slides freely on everything.
     #[must_use]
     pub fn friction(mut self, friction: f32) -> Self {
         self.material.friction = friction;
@@ -162,7 +162,8 @@ impl Body {
     }
 
     /// Coefficient of restitution, 0 to 1, instead of the material's. That of a contact is mixed of those of both bodies, by
-    /// [`Settings::restitution_mix`](crate::Settings::restitution_mix): by default their average, so that 0 on 0.5 is 0.25.
+    /// [`Settings::restitution_mix`](crate::Settings::restitution_mix): by default their average, and 0 where one of them is 0: such a
+    /// body bounces off nothing.
     #[must_use]
     pub fn restitution(mut self, restitution: f32) -> Self {
         self.material.restitution = restitution;

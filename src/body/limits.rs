@@ -53,6 +53,10 @@ pub(crate) fn check_surface_speed(speed: f32) -> Result<(), BodyError> {
     check_range("the surface speed", f64::from(speed), [-LARGEST_FACTOR, LARGEST_FACTOR], "m/s")
 }
 
+pub(crate) fn check_rolling_resistance(coefficient: f32) -> Result<(), BodyError> {
+    check_range("the rolling resistance", f64::from(coefficient), [0.0, LARGEST_FACTOR], "")
+}
+
 /// Checks that a direction, if there is one, has a length: 1, or what is none.
 pub(crate) fn check_one_way(direction: Option<Vec2>) -> Result<(), BodyError> {
     let length = direction.map_or(1.0, |direction| f64::from(direction.length()));

@@ -34,10 +34,11 @@ impl Default for Material {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Mix {
-    /// (a + b) / 2.
+    /// (a + b) / 2, and 0 where one of them is 0: what has no friction slides on everything, and from what has no restitution
+    /// nothing bounces. Without the exception 0 would mean half of what the other has.
     #[default]
     Average,
-    /// √(a b): zero as soon as one of them is.
+    /// √(a b): 0 where one of them is, without the jump of the average there.
     GeometricMean,
     /// The smaller.
     Min,
@@ -58,6 +59,7 @@ impl Mix {
     /// The coefficient of a contact between coefficients `a` and `b`, both 0 or more.
     pub fn mix(self, a: f32, b: f32) -> f32 {
         match self {
+            Self::Average if a == 0.0 || b == 0.0 => 0.0,
             Self::Average => 0.5 * (a + b),
             Self::GeometricMean => (a * b).sqrt(),
             Self::Min => a.min(b),

@@ -17,6 +17,7 @@ pub(crate) mod limits;
 mod material;
 mod rest;
 mod role;
+mod rolling;
 
 pub(crate) use bodies::{Bodies, Forcing, Motion, NONE, Record};
 pub use collider::{Collider, ColliderId};

@@ -14,6 +14,8 @@ pub(crate) struct Role {
     pub(crate) is_sensor: bool,
     /// Speed of its surface against itself, m/s; positive takes what lies on top to the right.
     pub(crate) surface_speed: f32,
+    /// Coefficient of rolling resistance, no unit.
+    pub(crate) rolling_resistance: f32,
     /// Of a one-way floor, the direction in which bodies pass it, in its frame; length 1.
     pub(crate) one_way: Option<Vec2>,
 }
@@ -28,13 +30,15 @@ pub(crate) struct Roles {
     parted: Vec<(u32, u32)>,
     /// The slots of sensors, ascending.
     sensors: Vec<u32>,
+    /// The slots of bodies with rolling resistance, ascending.
+    rolling: Vec<u32>,
     /// Whether any surface moves, or has.
     has_surface_speeds: bool,
     /// Whether there are one-way floors, or were.
     has_one_ways: bool,
 }
 
-clone_into_buffers!(Roles { by_slot, parted, sensors, has_surface_speeds, has_one_ways });
+clone_into_buffers!(Roles { by_slot, parted, sensors, rolling, has_surface_speeds, has_one_ways });
 
 impl Roles {
     /// The role of the body in `slot`.
@@ -55,11 +59,13 @@ impl Roles {
         self.by_slot[place] = role;
         self.has_surface_speeds |= role.surface_speed != 0.0;
         self.has_one_ways |= role.one_way.is_some();
-        match (self.sensors.binary_search(&slot), role.is_sensor) {
-            (Err(place), true) => self.sensors.insert(place, slot),
-            (Ok(place), false) => _ = self.sensors.remove(place),
-            _ => {}
-        }
+        list(&mut self.sensors, slot, role.is_sensor);
+        list(&mut self.rolling, slot, role.rolling_resistance > 0.0);
+    }
+
+    /// The slots of bodies with rolling resistance, ascending.
+    pub(crate) fn rolling(&self) -> &[u32] {
+        &self.rolling
     }
 
     /// The slots of sensors, ascending.
@@ -148,6 +154,15 @@ impl Roles {
         bodies[0] != bodies[1]
             && self.of(a).filter.collides_with(self.of(b).filter)
             && !self.are_parted(bodies[0], bodies[1])
+    }
+}
+
+/// Has a slot be in an ascending list or not.
+fn list(slots: &mut Vec<u32>, slot: u32, is_listed: bool) {
+    match (slots.binary_search(&slot), is_listed) {
+        (Err(place), true) => slots.insert(place, slot),
+        (Ok(place), false) => _ = slots.remove(place),
+        _ => {}
     }
 }
 

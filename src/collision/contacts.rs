@@ -75,6 +75,8 @@ pub(crate) struct Contact {
     pub(crate) restitution: f32,
     /// Width of the thinner of the two bodies, m.
     pub(crate) thickness: f32,
+    /// Moment of rolling resistance in the last substep, N m s, on b.
+    pub(crate) rolling_moment: f32,
     /// Points within the speculative margin; empty where the shapes are farther apart.
     pub(crate) manifold: Manifold,
     /// Where the bodies were when the manifold was found; `None` where it is not kept, or a body was moved by hand since.
@@ -116,6 +118,7 @@ impl Contact {
             self.follows = false;
             self.has_bounced = false;
             self.approach_speed = 0.0;
+            self.rolling_moment = 0.0;
         }
     }
 
@@ -244,6 +247,7 @@ impl Contacts {
             friction,
             restitution,
             thickness,
+            rolling_moment: 0.0,
             is_touching: false,
             holds_still: false,
             has_bounced: false,

@@ -93,7 +93,7 @@ fn bring_up_to_date(contact: &mut Contact, bodies: &Bodies, settings: Refresh) {
             if manifold.points().is_empty() {
                 return contact.clear();
             }
-            contact.approach_speed = predicted.closing(manifold.normal) / settings.dt;
+            contact.approach_speed = pair.approach_speed(&manifold);
             pair.take_over(manifold, contact);
             contact.holds_still = pair.is_at_rest(predicted);
             contact.follows = (contact.has_circle || contact.pivots()) && !pair.is_flat();
@@ -254,6 +254,17 @@ impl<'a> Pair<'a> {
             touch.anchor_b += arm_b;
         }
         touch
+    }
+
+    /// Greatest speed with which a point of the manifold approaches along the normal, m/s.
+    fn approach_speed(&self, manifold: &Manifold) -> f32 {
+        let ([a, b], [arm_a, arm_b]) = (self.states(), self.arms.unwrap_or_default());
+        let parting = |point: &ManifoldPoint| {
+            let tip_a = Vec2::from(a.velocity) + (arm_a + point.anchor_a).perp() * a.angular_velocity;
+            let tip_b = Vec2::from(b.velocity) + (arm_b + point.anchor_b).perp() * b.angular_velocity;
+            manifold.normal.dot(tip_b - tip_a)
+        };
+        -manifold.points().iter().map(parting).fold(f32::INFINITY, f32::min)
     }
 
     /// Points this far apart are kept between bodies at rest, m.

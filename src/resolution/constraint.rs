@@ -393,14 +393,16 @@ impl ContactConstraint<f32> {
     }
 
     /// Applies the impulses of a collision along the normal, N s per point, and then the friction of each, at most µ times
-    /// as strong. Beside how the bodies move, their surfaces go past each other with `surface_speed`, m/s.
+    /// as strong. Beside how the bodies move, their surfaces go past each other with `surface_speed`, m/s. Returns the sum
+    /// that acts on b, N s.
     pub(crate) fn apply_collision_impulses(
         &self,
         impulses: [f32; 2],
         surface_speed: Option<f32>,
         pair: &mut [BodyState; 2],
-    ) {
+    ) -> LaneVec2<f32> {
         self.apply_normal_impulses(impulses, pair);
+        let mut sum = self.normal * (impulses[0] + impulses[1]);
         let [a, b] = pair;
         let tangent = self.normal.perp();
         for ((point, normal_impulse), friction) in self.points.iter().zip(impulses).zip(&self.frictions) {
@@ -409,7 +411,9 @@ impl ContactConstraint<f32> {
             let limit = self.friction * normal_impulse;
             let impulse = (-friction.mass * slip).clamp(-limit, limit);
             self.apply(Action::at(point, tangent * impulse), a, b);
+            sum = sum + tangent * impulse;
         }
+        sum
     }
 }
 

@@ -49,6 +49,8 @@ pub(crate) struct BlockMarks {
     pub(crate) moving: Marks,
     /// Those whose geometry moves within the step, and not in closed form.
     pub(crate) found_anew: Marks,
+    /// Those whose impulses are added up over the step.
+    pub(crate) asked: Marks,
     /// At the end of the step: those under lasting load.
     pub(crate) lasting: Marks,
     /// At the end of the step: those that may have begun or ceased to touch.
@@ -65,7 +67,7 @@ const _: () = {
 impl BlockMarks {
     /// Those whose geometry moves within the step.
     #[inline(always)]
-    fn moving_within_step(self) -> Marks {
+    pub(crate) fn moving_within_step(self) -> Marks {
         self.moving.or(self.found_anew)
     }
 }

@@ -19,11 +19,12 @@ use crate::collision::{Contacts, OneWay, is_on_free_side};
 use crate::compute::BodyState;
 use crate::joint::Joints;
 use crate::math::Vec2;
+use crate::resolution::blows::{Blows, Collision};
 use crate::resolution::constraint_graph::{ConstraintGraph, GraphIndex};
 use crate::resolution::events::approach::bounce_threshold;
 pub(crate) use crate::resolution::events::continuous::{Continuous, Encounter};
 pub(crate) use crate::resolution::events::course::Courses;
-pub(crate) use crate::resolution::events::impacts::{Impact, Impacts};
+pub(crate) use crate::resolution::events::impacts::Impacts;
 use crate::resolution::events::meeting::Meeting;
 pub(crate) use crate::resolution::events::seams::Seams;
 pub(crate) use crate::resolution::events::strikes::Strikes;
@@ -45,6 +46,7 @@ pub(crate) struct EventScene<'a> {
     pub(crate) mixes: Mixes,
     pub(crate) courses: &'a Courses,
     pub(crate) strikes: &'a mut Strikes,
+    pub(crate) blows: &'a mut Blows,
     pub(crate) kicks: &'a Kicks,
     pub(crate) graph: &'a mut ConstraintGraph,
     pub(crate) scheme: &'a Scheme,
@@ -160,10 +162,13 @@ impl EventScene<'_> {
         meeting: &Meeting,
         restitution: f32,
         time: f32,
-    ) {
+    ) -> Collision {
         let rows = self.rows(colliders);
         let mut after = self.states(rows);
-        meeting.collide(restitution, self.bodies.roles.surface_speed(colliders), &mut after);
+        let there = after[0].delta_position + after[0].velocity * time;
+        let on_b = meeting.collide(restitution, self.bodies.roles.surface_speed(colliders), &mut after);
+        let center = self.bodies.center(self.bodies.body_of(colliders[0]));
+        let collision = meeting.report(center + there.into(), on_b);
         let moved = rows.into_iter().zip(after).zip(moved);
         for ((row, mut after), _) in moved.filter(|&(_, is_moved)| is_moved) {
             let state = &mut self.bodies.states[row as usize];
@@ -172,5 +177,6 @@ impl EventScene<'_> {
             *state = after;
             self.strikes.note(row, time, after);
         }
+        collision
     }
 }

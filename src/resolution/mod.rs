@@ -3,8 +3,10 @@
 //! Sequential impulses in substeps over a coloured constraint graph, with soft contacts, a relax sweep and
 //! impacts as a stage of their own. [`solve`] is the substep loop; read it first.
 
+mod asked;
 mod axis;
 mod block;
+mod blows;
 mod constraint;
 mod constraint_graph;
 mod contact_block;
@@ -20,6 +22,7 @@ mod moving;
 mod moving_geometry;
 mod projection;
 mod rates;
+mod rolling;
 mod scheme;
 mod softness;
 mod solve_contact;
@@ -27,9 +30,11 @@ mod solver;
 mod tier;
 mod tiers;
 
+pub(crate) use asked::Asked;
+pub(crate) use blows::{Blow, Impact};
 pub(crate) use constraint::StepResidual;
 pub(crate) use constraint_graph::ConstraintGraph;
-pub(crate) use events::{Encounter, Impact};
+pub(crate) use events::Encounter;
 pub(crate) use integrate::SpeedLimits;
 pub(crate) use islands::{Connections, Islands, find_connected};
 #[cfg(feature = "report")]

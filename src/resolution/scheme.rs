@@ -1,6 +1,7 @@
 //! How a step is solved.
 
 use crate::compute::Width;
+use crate::resolution::asked::Asked;
 use crate::resolution::integrate::SpeedLimits;
 use crate::resolution::kernel::SweepOver;
 use crate::resolution::solve_contact::Sweep;
@@ -28,6 +29,8 @@ pub(crate) struct Scheme {
     pub(crate) projections: Option<u32>,
     /// Slowest approach that bounces, m/s.
     pub(crate) restitution_threshold: f32,
+    /// Whose impulses are added up over the step.
+    pub(crate) asked: Asked,
     pub(crate) limits: SpeedLimits,
     /// How many contacts are solved at a time.
     pub(crate) width: Width,

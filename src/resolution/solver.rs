@@ -8,6 +8,7 @@ use crate::collision::broad_phase::BroadPhase;
 use crate::compute::{Chosen, Executor};
 use crate::joint::Joints;
 use crate::math::Vec2;
+use crate::resolution::blows::Blows;
 use crate::resolution::constraint::StepResidual;
 use crate::resolution::constraint_graph::ConstraintGraph;
 use crate::resolution::contact_block::Beginning;
@@ -21,6 +22,7 @@ use crate::resolution::kernel::{SweepOver, WarmStart, WarmStartTime};
 use crate::resolution::load::{LoadMeasure, Loads};
 use crate::resolution::moving::MovingContacts;
 use crate::resolution::projection::Project;
+use crate::resolution::rolling::Rolling;
 use crate::resolution::scheme::Scheme;
 
 /// What accelerates bodies, beside contacts.
@@ -53,9 +55,11 @@ pub(crate) struct Solver {
     pub(crate) continuous: Continuous,
     courses: Courses,
     strikes: Strikes,
+    pub(crate) blows: Blows,
     moving: MovingContacts,
     seams: Seams,
     direct: DirectSolver,
+    rolling: Rolling,
     pub(crate) joints: JointSolver,
 }
 
@@ -87,7 +91,7 @@ pub(crate) struct SolveTables<'a> {
 ///     kick h/2     v += h/2 a(x), and damping
 ///     refresh      contacts of circles and loaded corners follow the surface
 ///     joints       and does not part there
-///     relax        the other half of the last impulses, and a sweep without bias, with friction; or directly
+///     relax        the other half of the last impulses, rolling resistance, and a sweep without bias, with friction; or directly
 /// project          in the classic scheme: overlaps are parted by moving bodies
 /// ```
 ///
@@ -106,11 +110,14 @@ pub(crate) fn solve(
         // What a sweep after the move has found of where bodies are holds until they move again.
         let has_moved = solver.run_impacts(scheme, tables) || (substep > 0 && scheme.relax_iterations == 0);
         solver.push(scheme, tables, has_moved);
+        solver.blows.begin_move(tables.graph, scheme.warm_part(), tables.executor.width);
         solver.cross_seams(scheme, tables);
         solver.sweep_those_off_course(scheme, tables);
         solver.drift_and_kick(scheme, tables, acceleration);
         solver.refresh(tables);
+        solver.blows.end_move(tables.graph, scheme.warm_part(), tables.executor.width);
         solver.relax(scheme, tables);
+        solver.blows.end_substep(tables.graph, tables.executor.width);
     }
     for _ in 0..scheme.projections.unwrap_or(0) {
         tables.graph.for_each_swept(tables.executor, &mut tables.bodies.states, &Project);
@@ -147,9 +154,9 @@ impl Solver {
     /// Impacts of contacts that approach fast enough to bounce; whether there were some, which move bodies.
     fn run_impacts(&mut self, scheme: &Scheme, tables: &mut SolveTables<'_>) -> bool {
         self.seams.release(tables.graph);
-        let Self { impacts, kicks, courses, strikes, .. } = self;
+        let Self { impacts, kicks, courses, strikes, blows, .. } = self;
         strikes.begin_substep(tables.bodies.row_count());
-        impacts.len() > 0 && impacts.run(&mut event_scene(tables, scheme, kicks, courses, strikes))
+        impacts.len() > 0 && impacts.run(&mut event_scene(tables, scheme, kicks, courses, strikes, blows))
     }
 
     /// Contacts before the bodies move. `has_moved` says that they have since the last sweep.
@@ -157,6 +164,7 @@ impl Solver {
         let h = scheme.substep_time();
         self.seams.hold_back(tables.graph, &tables.bodies.states, h);
         warm_start(WarmStartTime::BeforeMove, scheme, tables);
+        self.rolling.start(scheme.warm_part(), tables.graph, &mut tables.bodies.states);
         if !self.joints.is_empty() {
             self.joints.push(scheme, &self.kicks, &mut tables.bodies.states);
         }
@@ -195,14 +203,14 @@ impl Solver {
 
     /// Circles that roll from one piece of ground onto the next during the move.
     fn cross_seams(&mut self, scheme: &Scheme, tables: &mut SolveTables<'_>) {
-        let Self { seams, kicks, courses, strikes, .. } = self;
-        seams.run(&mut event_scene(tables, scheme, kicks, courses, strikes));
+        let Self { seams, kicks, courses, strikes, blows, .. } = self;
+        seams.run(&mut event_scene(tables, scheme, kicks, courses, strikes, blows));
     }
 
     /// Bodies whose velocities the contacts have changed, so that they may meet others than they were found with.
     fn sweep_those_off_course(&mut self, scheme: &Scheme, tables: &mut SolveTables<'_>) {
-        let Self { impacts, continuous, courses, kicks, strikes, .. } = self;
-        continuous.run(&mut event_scene(tables, scheme, kicks, courses, strikes), impacts);
+        let Self { impacts, continuous, courses, kicks, strikes, blows, .. } = self;
+        continuous.run(&mut event_scene(tables, scheme, kicks, courses, strikes, blows), impacts);
         if !self.joints.is_empty() {
             self.joints.solve_again(Phase::Push, scheme, &mut tables.bodies.states);
         }
@@ -213,6 +221,7 @@ impl Solver {
         if scheme.split_kick && scheme.warm_starting {
             warm_start(WarmStartTime::AfterMove, scheme, tables);
         }
+        self.rolling.solve(tables.graph, &mut tables.bodies.states);
         if !self.joints.is_empty() {
             self.joints.relax(scheme, &mut tables.bodies.states);
         }
@@ -229,6 +238,7 @@ impl Solver {
             self.joints.end_substep(scheme);
         }
         self.direct.solve(tables.graph, &mut tables.bodies.states, Aim::Relax, scheme.substep_time());
+        self.rolling.solve(tables.graph, &mut tables.bodies.states);
     }
 
     /// Contact geometry that moves within the step, where the bodies are now.
@@ -250,9 +260,11 @@ impl Solver {
         self.continuous.clear();
         self.joints.prepare(tables.joints, tables.bodies);
         let SolveTables { bodies, contacts, graph, executor, .. } = &mut *tables;
-        let from = Beginning { contacts, bodies, dt: scheme.dt };
+        let from = Beginning { contacts, bodies, dt: scheme.dt, asked: scheme.asked };
         graph.prepare(*executor, from);
-        self.gather_special(graph);
+        self.gather_special(graph, scheme);
+        self.blows.take_up_unfinished(contacts, graph);
+        self.rolling.prepare(bodies, contacts, graph);
         self.joints.find_contacts(bodies, contacts, graph);
         self.direct.clear();
         for island in islands.iter() {
@@ -290,15 +302,19 @@ impl Solver {
     }
 
     /// Takes up the contacts of which something special is to be expected within the step.
-    fn gather_special(&mut self, graph: &ConstraintGraph) {
+    fn gather_special(&mut self, graph: &ConstraintGraph, scheme: &Scheme) {
         self.impacts.clear();
         self.moving.clear();
         self.seams.clear();
-        let Self { impacts, moving, seams, .. } = self;
+        self.blows.clear();
+        let Self { impacts, moving, seams, blows, .. } = self;
         for (index, block) in graph.blocks() {
             let marks = block.marks;
             if marks.bouncy.any() {
                 impacts.take_up_block(index, marks.bouncy);
+            }
+            if marks.asked.any() {
+                blows.take_up_block(index, graph, scheme.substeps);
             }
             moving.take_up_block(index, marks, graph);
             if !index.is_solved_directly() {
@@ -339,6 +355,8 @@ impl Solver {
         let rows = 1..tables.bodies.row_count();
         self.joints.finish(scheme, tables.joints, &tables.bodies.states);
         let SolveTables { bodies, contacts, graph, loads, executor, .. } = tables;
+        self.blows.end_substeps(graph);
+        self.rolling.finish(contacts);
         let measure = LoadMeasure::new(scheme.adapts, 1.0 / scheme.substep_time());
         loads.unsolved.extend(self.direct.unsolved_rows().map(|row| bodies.slot_of_row(row as usize)));
         let residual = graph.finish(*executor, &bodies.states, contacts, measure, loads);
@@ -365,6 +383,7 @@ fn event_scene<'a>(
     kicks: &'a Kicks,
     courses: &'a Courses,
     strikes: &'a mut Strikes,
+    blows: &'a mut Blows,
 ) -> EventScene<'a> {
     let SolveTables { bodies, contacts, graph, joints, broad_phase, mixes, .. } = tables;
     EventScene {
@@ -375,6 +394,7 @@ fn event_scene<'a>(
         mixes: *mixes,
         courses,
         strikes,
+        blows,
         kicks,
         graph,
         scheme,

@@ -83,6 +83,7 @@ read_like_body_ref! {
     filter() -> Filter;
     is_sensor() -> bool;
     surface_speed() -> f32;
+    rolling_resistance() -> f32;
     one_way() -> Option<Vec2>;
     may_sleep() -> bool;
     is_sleeping() -> bool;

@@ -226,6 +226,11 @@ impl<'a> BodyRef<'a> {
         self.role().surface_speed
     }
 
+    /// Coefficient of rolling resistance, no unit.
+    pub fn rolling_resistance(&self) -> f32 {
+        self.role().rolling_resistance
+    }
+
     /// The caller's own number.
     pub fn user_data(&self) -> u64 {
         self.record().user_data

@@ -1,6 +1,6 @@
 //! Which bodies collide: by their filters, and pair by pair; from which side they pass; and how fast their surfaces go.
 
-use crate::body::limits::{check_one_way, check_surface_speed};
+use crate::body::limits::{check_one_way, check_rolling_resistance, check_surface_speed};
 use crate::body::{BodyError, BodyId, Filter};
 use crate::math::Vec2;
 use crate::world::{BodyMut, World};
@@ -45,6 +45,25 @@ impl BodyMut<'_> {
             self.world.wake_neighbours(slot);
         }
         self
+    }
+
+    /// Sets the coefficient of rolling resistance, see [`Body::rolling_resistance`](crate::Body::rolling_resistance). It wakes, and
+    /// what touches it, unless it is what it has.
+    ///
+    /// # Errors
+    /// [`BodyError`], if it is not within 0 to 10⁶.
+    pub fn set_rolling_resistance(&mut self, coefficient: f32) -> Result<(), BodyError> {
+        check_rolling_resistance(coefficient)?;
+        let slot = self.slot();
+        let own = self.world.bodies.own_collider(slot);
+        let mut role = self.world.bodies.roles.of(own);
+        if role.rolling_resistance != coefficient {
+            role.rolling_resistance = coefficient;
+            self.world.bodies.roles.set(own, role);
+            self.world.wake_slot(slot);
+            self.world.wake_neighbours(slot);
+        }
+        Ok(())
     }
 
     /// Sets which bodies it collides with. Contacts with others end, and new ones begin in the next step; what it touched

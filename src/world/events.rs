@@ -2,6 +2,7 @@
 
 use crate::body::{BodyError, BodyId, ColliderId};
 use crate::joint::{JointError, JointId};
+use crate::math::{Point, Vec2};
 
 /// Two bodies began or ceased to touch.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -20,7 +21,31 @@ impl ContactEvent {
     }
 }
 
-/// Two bodies met fast.
+/// Two bodies met fast, or, with [`Settings::sum_impulses`](crate::Settings::sum_impulses), a blow ran through two that rest on
+/// each other.
+///
+/// The impulses are those of the whole tick: of the blow itself, wherever within the tick it fell and however often they
+/// bounced, and of what pressed them together besides. Over all contacts of a body, and forces, they are what its momentum has
+/// changed by.
+///
+/// ```
+/// # use rustycs::prelude::*;
+/// # let mut world = World::new(Settings::default());
+/// let wall = world.add(Body::fixed(Shape::rectangle(1.0, 4.0)).at([3.0, 0.0]).restitution(0.5))?;
+/// let ball = Body::dynamic(Shape::circle(0.5)).mass(2.0).velocity([10.0, 0.0]).restitution(0.5);
+/// let ball = world.add(ball)?;
+/// let mut damage = 0.0;
+/// for _ in 0..60 {
+///     world.step();
+///     for hit in world.events().hits().iter().filter(|hit| hit.other(ball) == Some(wall)) {
+///         damage += hit.normal_impulse; // it comes with 20 N s, and goes with 10
+///         assert_eq!(hit.normal_on(ball), Vec2::new(-1.0, 0.0));
+///         assert!(hit.point.distance([2.5, 0.0]) < 1e-3); // for sparks
+///     }
+/// }
+/// assert!((damage - 30.0).abs() < 1e-3);
+/// # Ok::<(), BodyError>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct HitEvent {
@@ -28,14 +53,34 @@ pub struct HitEvent {
     pub a: BodyId,
     /// The other.
     pub b: BodyId,
-    /// Speed of approach along the normal, m/s; at least `Settings::hit_threshold`.
+    /// Speed of the first approach along the normal, m/s, where they met: at least `Settings::hit_threshold`, but for a blow
+    /// that ran through bodies at rest.
     pub speed: f32,
+    /// Where they met; of two points the middle.
+    pub point: Point,
+    /// Direction in which b was pushed away from a; length 1.
+    pub normal: Vec2,
+    /// Impulse along the normal over the tick, N s, on b, and its opposite on a.
+    pub normal_impulse: f32,
+    /// Impulse of friction over the tick, N s, on b along the normal turned left, and its opposite on a.
+    pub tangent_impulse: f32,
 }
 
 impl HitEvent {
     /// The body that met `body`; `None` if `body` is neither of the two.
     pub fn other(&self, body: BodyId) -> Option<BodyId> {
         other_of([self.a, self.b], body)
+    }
+
+    /// Direction in which `body` was pushed, away from the other; length 1, or 0 for a body that is neither of the two.
+    pub fn normal_on(&self, body: BodyId) -> Vec2 {
+        self.normal * side_of([self.a, self.b], body)
+    }
+
+    /// Impulse that `body` got over the tick, N s: along the normal and of friction; 0 for a body that is neither of the two.
+    pub fn impulse_on(&self, body: BodyId) -> Vec2 {
+        let on_b = self.normal * self.normal_impulse + self.normal.perp() * self.tangent_impulse;
+        on_b * side_of([self.a, self.b], body)
     }
 }
 
@@ -54,6 +99,11 @@ pub struct SensorEvent {
 /// The other of two bodies, if `body` is one of them.
 pub(in crate::world) fn other_of([a, b]: [BodyId; 2], body: BodyId) -> Option<BodyId> {
     if body == a { Some(b) } else { (body == b).then_some(a) }
+}
+
+/// 1 for the second of two bodies, which normals point to, -1 for the first, and 0 for any other.
+pub(in crate::world) fn side_of([a, b]: [BodyId; 2], body: BodyId) -> f32 {
+    f32::from(i8::from(body == b) - i8::from(body == a))
 }
 
 /// A change to a body that was refused, as a game makes them every frame.
@@ -130,7 +180,8 @@ impl Events {
         &self.ended
     }
 
-    /// Bodies that began to touch with at least the speed of `Settings::hit_threshold`.
+    /// Bodies that met with at least the speed of [`Settings::hit_threshold`](crate::Settings::hit_threshold), each pair once per
+    /// tick; and blows that ran through bodies at rest, if [`Settings::sum_impulses`](crate::Settings::sum_impulses) says so.
     pub fn hits(&self) -> &[HitEvent] {
         &self.hits
     }

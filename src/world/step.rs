@@ -8,12 +8,9 @@ use crate::collision::broad_phase::BroadPhase;
 use crate::collision::{AHEAD, Refresh, are_out_of_reach, refresh};
 use crate::compute::{BodyState, Chosen, Executor, GROUND_ROW};
 use crate::math::{Rot, Vec2};
-use crate::resolution::{
-    Encounter, Impact, SolveTables, StepResidual, TierTables, begins_at_rest, rescale, solve,
-};
+use crate::resolution::{SolveTables, StepResidual, TierTables, begins_at_rest, rescale, solve};
 use crate::world::World;
 use crate::world::attractor::Field;
-use crate::world::events::{ContactEvent, HitEvent};
 use crate::world::profile::{Counters, Stage};
 use crate::world::sleep::{self, SleepRule};
 
@@ -60,6 +57,7 @@ impl World {
             self.residual = StepResidual::default();
             self.tiers.clear();
             self.solver.impacts.clear();
+            self.solver.blows.clear();
             self.solver.joints.forget_broken();
         }
         self.find_exposures();
@@ -129,7 +127,7 @@ impl World {
     }
 
     /// Begins the contact of two shapes; returns its index.
-    fn begin_contact(&mut self, colliders: [u32; 2]) -> u32 {
+    pub(in crate::world) fn begin_contact(&mut self, colliders: [u32; 2]) -> u32 {
         let [a, b] = colliders;
         let (friction, restitution) = self.mixed(a, b);
         let index = self.contacts.begin(&mut self.bodies, colliders, friction, restitution);
@@ -338,58 +336,9 @@ impl World {
     /// How many contacts may have begun or ceased to touch.
     fn changing_count(&self) -> usize {
         self.contacts.changing_count()
-            + self.solver.impacts.of_step().len()
+            + self.solver.blows.impacts().len()
+            + self.solver.blows.of_step().len()
             + self.solver.continuous.encounters().len()
-    }
-
-    /// Begins a contact for each pair of bodies that met within the step and had none. Where they have parted again, the
-    /// next step ends it.
-    fn begin_encountered(&mut self) {
-        let encounters = self.solver.continuous.take_encounters();
-        if !encounters.is_empty() {
-            self.candidates.remove(encounters.iter().map(|encounter| encounter.slots.into()));
-        }
-        for &Encounter { slots, speed } in &encounters {
-            self.broad_phase.take_up_pair(slots);
-            let index = self.begin_contact(slots);
-            let contact = &mut self.contacts[index];
-            (contact.has_bounced, contact.approach_speed) = (true, speed);
-            self.contacts.note_change(index);
-        }
-        self.solver.continuous.give_back(encounters);
-    }
-
-    /// Reports which contacts began, ended or hit.
-    fn report_events(&mut self) {
-        self.begin_encountered();
-        for &Impact { contact: index, speed } in self.solver.impacts.of_step() {
-            let contact = &mut self.contacts[index];
-            // Of several impacts, the first is what the bodies met with.
-            if !std::mem::replace(&mut contact.has_bounced, true) {
-                contact.approach_speed = speed;
-            }
-            self.contacts.note_change(index);
-        }
-        let id_of = |slot: u32| BodyId(self.bodies.records.key_at(slot));
-        let changing = self.contacts.take_changing();
-        for &index in &changing {
-            let contact = &mut self.contacts[index];
-            let is_touching = contact.has_touched();
-            if is_touching == contact.is_touching {
-                continue;
-            }
-            contact.is_touching = is_touching;
-            let [a, b] = contact.slots.map(id_of);
-            if is_touching {
-                self.events.began.push(ContactEvent { a, b });
-                if contact.approach_speed >= self.settings.hit_threshold {
-                    self.events.hits.push(HitEvent { a, b, speed: contact.approach_speed });
-                }
-            } else {
-                self.events.ended.push(ContactEvent { a, b });
-            }
-        }
-        self.contacts.clear_changing(changing);
     }
 
     /// Stops the kinematic bodies that were to get somewhere in this tick.
@@ -436,7 +385,7 @@ impl World {
             contacts: self.graph.len(),
             pairs: self.candidates.len() + self.contacts.len(),
             bouncy_contacts: self.solver.impacts.len(),
-            impacts: self.solver.impacts.of_step().len(),
+            impacts: self.solver.blows.impacts().len(),
             colours,
             overflow,
             substeps: if self.bodies.awake_count() > 0 { self.settings.substeps } else { 0 },

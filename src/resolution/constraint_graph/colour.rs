@@ -31,7 +31,7 @@ impl GraphIndex {
         self.block().is_solved_directly()
     }
 
-    pub(super) fn block(self) -> BlockIndex {
+    pub(crate) fn block(self) -> BlockIndex {
         BlockIndex { colour: self.colour, block: self.contact / COLUMN as u32 }
     }
 

@@ -3,6 +3,7 @@
 use crate::body::{Bodies, Motion};
 use crate::collision::{Contact, Contacts, Manifold};
 use crate::compute::{COLUMN, Columns, GROUND_ROW, Lane, RowPairs};
+use crate::resolution::asked::Asked;
 use crate::resolution::constraint::{ConstraintPoint, ContactConstraint, THERE, Turns};
 use crate::resolution::contact_block::{BlockMarks, ContactBlock, Fit};
 use crate::resolution::moving_geometry::MovingGeometry;
@@ -14,6 +15,8 @@ pub(crate) struct Beginning<'a> {
     pub(crate) bodies: &'a Bodies,
     /// Length of the step, s.
     pub(crate) dt: f32,
+    /// Whose impulses are added up over the step.
+    pub(crate) asked: Asked,
 }
 
 /// Whether one of two bodies is a circle that contacts move, and the other is not moved by them.
@@ -107,6 +110,9 @@ impl ContactBlock {
         let is_unloaded = first.normal_impulse == 0.0 && second.normal_impulse == 0.0;
         self.marks.cold.set(place, second.normal_k > 0.0 && has_friction && is_unloaded);
         self.marks.bouncy.set(place, contact.restitution > 0.0);
+        if from.asked.about(contact) {
+            self.marks.asked.set(place, true);
+        }
         self.marks.on_ground.set(place, is_circle_on_ground(motions));
         if let Some(speed) = bodies.roles.surface_speed(contact.colliders) {
             self.set_surface_speed(place, speed);

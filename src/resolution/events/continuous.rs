@@ -22,6 +22,7 @@ use crate::collision::broad_phase::Tree;
 use crate::collision::{Swept, gap_between, is_flat, sweep};
 use crate::compute::BodyState;
 use crate::math::{Aabb, Rot, Vec2};
+use crate::resolution::blows::{Collision, Impact};
 use crate::resolution::constraint::ContactConstraint;
 use crate::resolution::events::impacts::Impacts;
 use crate::resolution::events::meeting::Meeting;
@@ -49,8 +50,9 @@ const QUICK: f32 = 1.0 / 256.0;
 pub(crate) struct Encounter {
     /// Slots of a and b; a is the smaller.
     pub(crate) slots: [u32; 2],
-    /// Speed of the first approach, m/s.
-    pub(crate) speed: f32,
+    pub(crate) collision: Collision,
+    /// Whether they had not met before in this step.
+    pub(crate) is_first: bool,
 }
 
 /// A body that is swept in this substep.
@@ -355,15 +357,17 @@ impl Continuous {
         };
         if slots.into_iter().any(|slot| scene.bodies.is_dynamic(slot) && !scene.bodies.is_awake(slot)) {
             // It wakes in the next step, as its contact begins.
-            self.note(slots, meeting.speed(), scene, impacts);
+            let there = self.state_at(slots[0], time, scene).delta_position;
+            let center = scene.bodies.center(scene.bodies.body_of(slots[0])) + there.into();
+            self.note(slots, meeting.report(center, BodyState::REST.velocity), scene);
             return self.halt(slots, time, scene);
         }
         let bounces = is_fast && !scene.is_loaded(slots) && !self.are_wedged(slots, scene);
         let restitution = if bounces { scene.mixed(slots).1 } else { 0.0 };
-        self.note(slots, meeting.speed(), scene, impacts);
         let rows = slots.map(|slot| scene.bodies.motions[slot as usize].row);
         let moved = slots.map(|slot| scene.bodies.is_dynamic(slot) && !self.is_halted(slot, scene));
-        scene.collide(slots, moved, &meeting, restitution, time);
+        let collision = scene.collide(slots, moved, &meeting, restitution, time);
+        self.note(slots, collision, scene);
         if let Some(home) = scene.home(slots) {
             scene.graph.set_pending(home, [false; 2]);
         }
@@ -388,13 +392,13 @@ impl Continuous {
     }
 
     /// Takes note that two bodies have met.
-    fn note(&mut self, slots: [u32; 2], speed: f32, scene: &EventScene<'_>, impacts: &mut Impacts) {
-        match scene.contact_of(slots) {
-            Some(contact) => impacts.note(contact, speed),
-            None if self.encountered.insert(slots[0], slots[1]) => {
-                self.encounters.push(Encounter { slots, speed });
-            }
-            None => {}
+    fn note(&mut self, slots: [u32; 2], collision: Collision, scene: &mut EventScene<'_>) {
+        if let Some(contact) = scene.contact_of(slots) {
+            let home = scene.graph.home(contact).filter(|_| !scene.contacts[contact].is_touching);
+            scene.blows.note(Impact { contact, collision }, home, scene.graph);
+        } else {
+            let is_first = self.encountered.insert(slots[0], slots[1]);
+            self.encounters.push(Encounter { slots, collision, is_first });
         }
     }
 

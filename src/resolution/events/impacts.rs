@@ -29,6 +29,7 @@
 
 use crate::compute::{self, BodyState, GROUND_ROW};
 use crate::math::Vec2;
+use crate::resolution::blows::Impact;
 use crate::resolution::constraint::ContactConstraint;
 use crate::resolution::constraint_graph::{BlockIndex, GraphIndex};
 use crate::resolution::contact_block::Marks;
@@ -52,23 +53,12 @@ const LOOKS_PER_CONTACT: usize = 16;
 /// fast as they approach.
 const LOOKS_IN_VAIN: u8 = 16;
 
-/// An impact that has happened.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Impact {
-    /// Index of the contact.
-    pub(crate) contact: u32,
-    /// Speed of approach, m/s.
-    pub(crate) speed: f32,
-}
-
 /// The impacts stage and its buffers.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Impacts {
     /// The blocks of the constraint graph with contacts that may bounce, and how many these are.
     blocks: Vec<BlockIndex>,
     len: usize,
-    /// What has happened in this step.
-    impacts: Vec<Impact>,
     /// Scratch: the contacts that may meet, as the substep begins.
     due: Vec<GraphIndex>,
     queue: ImpactQueue,
@@ -83,7 +73,6 @@ impl Impacts {
     pub(crate) fn clear(&mut self) {
         self.blocks.clear();
         self.neighbours.reset(0);
-        self.impacts.clear();
         self.len = 0;
     }
 
@@ -96,11 +85,6 @@ impl Impacts {
     /// How many contacts may bounce.
     pub(crate) fn len(&self) -> usize {
         self.len
-    }
-
-    /// The impacts of this step, in the order of time.
-    pub(crate) fn of_step(&self) -> &[Impact] {
-        &self.impacts
     }
 
     /// Lets everything bounce that meets within this substep, in the order of time. Whether that has moved any body.
@@ -118,11 +102,6 @@ impl Impacts {
             }
         }
         !scene.strikes.are_none()
-    }
-
-    /// Takes note of an impact that was found otherwise.
-    pub(super) fn note(&mut self, contact: u32, speed: f32) {
-        self.impacts.push(Impact { contact, speed });
     }
 
     /// Finds the points that are pending, and expects the impacts that may come.
@@ -208,9 +187,10 @@ impl Impacts {
             }
             return;
         }
-        self.impacts.push(Impact { contact: index, speed: meeting.speed() });
         let are_moved = scene.graph.moved_rows(home).map(|row| row != GROUND_ROW);
-        scene.collide(contact.colliders, are_moved, &meeting, contact.restitution, time);
+        let collision = scene.collide(contact.colliders, are_moved, &meeting, contact.restitution, time);
+        let asked = (!contact.is_touching).then_some(home);
+        scene.blows.note(Impact { contact: index, collision }, asked, scene.graph);
         if manifold.has_features_of(&contact.manifold) {
             scene.graph.set_geometry(home, &constraint);
         } else if let Some(manifold) = manifold.restricted_to(&contact.manifold) {

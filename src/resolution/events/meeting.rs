@@ -1,8 +1,10 @@
 //! Two bodies at the time when they meet, and the impulses of their collision: of an impact, which gives a part of the
 //! approach speed back, and of a seam, which gives none.
 
-use crate::compute::BodyState;
+use crate::compute::{BodyState, LaneVec2};
+use crate::math::{Point, Vec2};
 use crate::resolution::block::{Row, solve_pair};
+use crate::resolution::blows::Collision;
 use crate::resolution::constraint::ContactConstraint;
 
 /// Two bodies have met, and two points meet together, within this share of the way that the approach makes in a
@@ -67,8 +69,13 @@ impl Meeting {
     }
 
     /// Turns the approach speed u of each point that takes part into -e u, with the restitution e; beside how the bodies move,
-    /// their surfaces go past each other with `surface_speed`, m/s.
-    pub(super) fn collide(&self, restitution: f32, surface_speed: Option<f32>, pair: &mut [BodyState; 2]) {
+    /// their surfaces go past each other with `surface_speed`, m/s. Returns the impulse on b, N s.
+    pub(super) fn collide(
+        &self,
+        restitution: f32,
+        surface_speed: Option<f32>,
+        pair: &mut [BodyState; 2],
+    ) -> LaneVec2<f32> {
         let constraint = &self.constraint;
         // The change asked for, u - (-e u), is q of the complementarity problem K x + q ≥ 0.
         let change = self.speeds.map(|speed| speed.map(|u| (1.0 + restitution) * u));
@@ -80,7 +87,21 @@ impl Meeting {
             let left = [0, 1].map(|i| change[i].unwrap_or(0.0) + (now[i] - before[i]));
             take_back(constraint, &mut impulses, left);
         }
-        constraint.apply_collision_impulses(impulses, surface_speed, pair);
+        constraint.apply_collision_impulses(impulses, surface_speed, pair)
+    }
+
+    /// What the bodies met with, a having its centre at a place, and what came of it: this impulse on b, N s.
+    pub(super) fn report(&self, center_a: Point, on_b: LaneVec2<f32>) -> Collision {
+        let points = self.constraint.points.iter().zip(self.speeds);
+        let taking_part = points.filter_map(|(point, speed)| speed.map(|_| Vec2::from(point.anchor_a)));
+        // One point, or the middle of two.
+        let anchor = taking_part.reduce(|first, second| (first + second) * 0.5).unwrap_or_default();
+        Collision {
+            speed: self.speed(),
+            point: center_a + anchor,
+            normal: self.constraint.normal.into(),
+            on_b: on_b.into(),
+        }
     }
 }
 

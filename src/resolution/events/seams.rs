@@ -193,7 +193,8 @@ impl Piece {
         self.be_ahead(false, scene.graph);
         let are_moved = scene.graph.moved_rows(home).map(|row| row != GROUND_ROW);
         let colliders = contact.colliders;
-        scene.collide(colliders, are_moved, &meeting, 0.0, time);
+        let met = scene.collide(colliders, are_moved, &meeting, 0.0, time);
+        scene.blows.note_other(home, met.on_b, scene.graph);
         true
     }
 }
@@ -224,6 +225,7 @@ fn pass_load_on(pieces: &mut [Piece], next: usize, time: f32, scene: &mut EventS
         scene.graph.set_load(pieces[next].home, met);
         let inverse_mass = [-old.inverse_mass_a, old.inverse_mass_b][pieces[left].circle];
         rest = rest + old.normal * (inverse_mass * (warm_start - goes));
+        scene.blows.note_other(pieces[left].home, (old.normal * (warm_start - goes)).into(), scene.graph);
     }
     rest
 }

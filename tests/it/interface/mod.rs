@@ -2,8 +2,10 @@
 
 mod change;
 mod contacts;
+mod draw;
 mod edit;
 mod frames;
+mod hits;
 mod time;
 
 use rustycs::prelude::*;
@@ -141,6 +143,9 @@ fn coefficients_mix_by_the_rule_of_the_settings() {
         (Mix::Max, f32::max),
         (Mix::Multiply, |a, b| a * b),
     ];
+    for mix in [Mix::Average, Mix::GeometricMean, Mix::Min, Mix::Multiply] {
+        assert_eq!([mix.mix(0.0, 0.6), mix.mix(0.6, 0.0)], [0.0; 2], "{mix:?} keeps nothing at nothing");
+    }
     assert_eq!(Settings::default().friction_mix, Mix::Average);
     assert_eq!(Settings::default().restitution_mix, Mix::Average);
     let mut world = World::new(Settings::default());

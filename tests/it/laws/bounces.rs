@@ -67,6 +67,22 @@ fn an_inelastic_ball_stops_where_it_lands() {
     assert_near(velocity(&world, ball)[1], 0.0, 1e-4, "speed");
 }
 
+/// 0 on one side is enough: neither does clay bounce from what is lively, nor a lively ball from clay.
+#[test]
+fn nothing_bounces_where_one_of_the_two_has_no_restitution() {
+    for [of_floor, of_ball] in [[0.0, 1.0], [1.0, 0.0]] {
+        let mut world = earth();
+        add(&mut world, Body::fixed(Shape::aabb(20.0, 2.0)).at([0.0, -1.0]).restitution(of_floor));
+        let ball = Body::dynamic(Shape::circle(0.25)).at([0.0, 2.25]).restitution(of_ball);
+        let ball = add(&mut world, ball);
+        for _ in 0..120 {
+            world.step();
+            assert!(velocity(&world, ball)[1] < 1e-4, "it goes up");
+        }
+        assert_near(place(&world, ball)[1], 0.25, 2e-4, "height");
+    }
+}
+
 /// The threshold decides: below it nothing bounces.
 #[test]
 fn an_approach_below_the_threshold_does_not_bounce() {

@@ -68,6 +68,38 @@ fn a_box_set_on_a_slope_starts_with_its_friction() {
     assert_relative(speed, acceleration, 1e-3, "speed after 1 s");
 }
 
+/// 0 on one side is enough: what has no friction keeps its speed on whatever it slides on, and to whatever slides on it.
+#[test]
+fn what_has_no_friction_slides_on_everything() {
+    for [of_floor, of_box] in [[0.9, 0.0], [0.0, 0.9]] {
+        let mut world = earth();
+        add_floor(&mut world, of_floor);
+        let sliding = Body::dynamic(Shape::obb(1.0, 0.5)).at([0.0, 0.25]).velocity([5.0, 0.0]);
+        let sliding = add(&mut world, sliding.friction(of_box).restitution(0.0));
+        run(&mut world, 4.0);
+        // Gravity acts across; of a speed that nothing changes no digit is lost.
+        assert_eq!(velocity(&world, sliding)[0], 5.0, "speed");
+        assert_near(place(&world, sliding)[0], 20.0, 1e-5, "way");
+    }
+}
+
+/// A player without friction who presses against a wall falls as if it were not there: v = g t.
+#[test]
+fn what_has_no_friction_falls_freely_along_a_wall_that_it_is_pressed_against() {
+    let mut world = earth();
+    add(&mut world, Body::fixed(Shape::aabb(1.0, 400.0)).at([1.0, 0.0]));
+    let player = Body::dynamic(Shape::obb(1.0, 2.0)).fixed_rotation(true).mass(60.0).friction(0.0);
+    let player = add(&mut world, player.restitution(0.0));
+    for _ in 0..60 {
+        world.body_mut(player).unwrap().apply_force([2000.0, 0.0]);
+        world.step();
+    }
+    let [across, along] = velocity(&world, player);
+    // It closes a gap of two roundings of 1 m within a substep.
+    assert_near(across, 0.0, 2.0 * 1.2e-7 * 240.0, "speed into the wall");
+    assert_relative(along, -G, 1e-6, "speed along it after 1 s");
+}
+
 /// A disc that rolls down without slipping has a = g sin / (1 + I/mr²) = 2/3 g sin.
 #[test]
 fn a_disc_rolls_with_two_thirds_of_the_slope_and_does_not_slip() {

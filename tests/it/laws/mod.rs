@@ -7,6 +7,7 @@ mod friction;
 mod limits;
 mod orbits;
 mod rocking;
+mod rolling;
 mod springs;
 mod stacks;
 mod toppling;

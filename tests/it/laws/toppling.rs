@@ -113,7 +113,7 @@ const LADDER: [f64; 3] = [2.0, 0.05, PI / 3.0];
 fn ladder() -> (World, BodyId, BodyId) {
     let [length, thickness, angle] = LADDER;
     let (sin, cos) = angle.sin_cos();
-    let mut world = earth_with(Settings { friction_mix: Mix::Min, ..Settings::default() });
+    let mut world = earth();
     add_floor(&mut world, 0.5);
     let wall = add(&mut world, Body::fixed(Shape::aabb(1.0, 10.0)).at([0.5, 5.0]).friction(0.0));
     let center = [-0.5 * (length * cos + thickness * sin), 0.5 * (length * sin + thickness * cos)];

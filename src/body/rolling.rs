@@ -1,0 +1,35 @@
+//! Rolling resistance, as a body is described with it.
+
+use crate::body::Body;
+
+impl Body {
+    /// Coefficient of rolling resistance, no unit, beside those of the [material](Self::material): by how much a disc that rolls
+    /// is slowed down, as a share of the force that presses it on, over its mass. On level ground it stops after v²/(2 c g), and
+    /// on a slope it stays up to a gradient of 3/2 c. Rubber on asphalt has some 0.01, on grass 0.1. Default 0: it rolls on for
+    /// ever.
+    ///
+    /// It acts where a circle touches something, as a moment of 3/2 c r N that never turns the spin round; of two bodies the
+    /// greater coefficient counts, and of two circles the smaller radius r.
+    ///
+    /// ```
+    /// # use rustycs::prelude::*;
+    /// # let mut world = World::new(Settings::default());
+    /// # world.add_force(Force::EARTH_GRAVITY);
+    /// # world.add(Body::fixed(Shape::rectangle(100.0, 1.0)).at([0.0, -0.5]))?;
+    /// let ball = Body::dynamic(Shape::circle(0.5)).at([0.0, 0.5]).velocity([2.0, 0.0]).angular_velocity(-4.0);
+    /// let ball = world.add(ball.rolling_resistance(0.1))?;
+    /// # for _ in 0..180 { world.step(); }
+    /// assert!((world.body(ball).unwrap().position().x - 2.0 * 2.0 / (2.0 * 0.1 * 9.81)).abs() < 0.01);
+    /// # Ok::<(), BodyError>(())
+    /// ```
+    #[must_use]
+    pub fn rolling_resistance(mut self, coefficient: f32) -> Self {
+        self.role.rolling_resistance = coefficient;
+        self
+    }
+
+    /// Coefficient of rolling resistance.
+    pub fn get_rolling_resistance(&self) -> f32 {
+        self.role.rolling_resistance
+    }
+}

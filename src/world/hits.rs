@@ -1,0 +1,137 @@
+//! What began, ended and hit in a step, as its contacts tell.
+
+use crate::body::BodyId;
+use crate::collision::{Contact, ManifoldPoint};
+use crate::math::Vec2;
+use crate::resolution::{Blow, Encounter, Impact};
+use crate::world::World;
+use crate::world::events::{ContactEvent, HitEvent};
+
+/// A blow that runs through bodies at rest is no less than this share of the load that they bear, no unit: under great
+/// loads, the trembling of a tall stack comes to more than a blow from a light body does.
+const LOAD_SHARE: f32 = 0.25;
+
+/// A blow of which no more than this share is still to come is over, no unit: bodies that are so much of the way apart that they
+/// make in a substep, or approach each other with so much of their speed.
+const TO_COME: f32 = 1e-5;
+
+impl World {
+    /// Begins a contact for each pair of bodies that met within the step and had none. Where they have parted again, the
+    /// next step ends it.
+    fn begin_encountered(&mut self) {
+        let encounters = self.solver.continuous.take_encounters();
+        if !encounters.is_empty() {
+            self.candidates.remove(encounters.iter().map(|encounter| encounter.slots.into()));
+        }
+        for &Encounter { slots: [a, b], collision, is_first } in &encounters {
+            let index = if is_first {
+                self.broad_phase.take_up_pair([a, b]);
+                self.begin_contact([a, b])
+            } else {
+                self.contacts.between(&self.bodies, [a, b]).expect("it began when they met first")
+            };
+            self.solver.blows.note_late(Impact { contact: index, collision });
+        }
+        self.solver.continuous.give_back(encounters);
+    }
+
+    /// Reports which contacts began, ended or hit.
+    pub(in crate::world) fn report_events(&mut self) {
+        self.begin_encountered();
+        let (contacts, asks_all) = (&self.contacts, self.settings.sum_impulses);
+        self.solver.blows.end_step(|index| asks_all || !contacts[index].is_touching);
+        for &Impact { contact: index, collision } in self.solver.blows.impacts() {
+            let contact = &mut self.contacts[index];
+            // Of several impacts, the first is what the bodies met with. What does not bounce was slowed down before.
+            if !std::mem::replace(&mut contact.has_bounced, true) {
+                let before = if contact.restitution > 0.0 { 0.0 } else { contact.approach_speed };
+                contact.approach_speed = collision.speed.max(before);
+            }
+            self.contacts.note_change(index);
+        }
+        for place in 0..self.solver.blows.of_step().len() {
+            let blow = self.solver.blows.of_step()[place];
+            let contact = &self.contacts[blow.contact];
+            if !self.is_hit(&blow, contact) {
+                continue;
+            }
+            if self.is_over(&blow, contact) {
+                let hit = self.hit_of(&blow, contact);
+                self.events.hits.push(hit);
+            } else {
+                self.solver.blows.leave(&blow, contact);
+            }
+        }
+        let changing = self.contacts.take_changing();
+        for &index in &changing {
+            let contact = &mut self.contacts[index];
+            let is_touching = contact.has_touched();
+            if is_touching == contact.is_touching {
+                continue;
+            }
+            contact.is_touching = is_touching;
+            let [a, b] = self.ids_of(index);
+            let changed = if is_touching { &mut self.events.began } else { &mut self.events.ended };
+            changed.push(ContactEvent { a, b });
+        }
+        self.contacts.clear_changing(changing);
+    }
+
+    fn ids_of(&self, contact: u32) -> [BodyId; 2] {
+        self.contacts[contact].slots.map(|slot| BodyId(self.bodies.records.key_at(slot)))
+    }
+
+    /// Whether a blow is a hit: bodies met fast; or what touched before, and bore a load, bears a blow beside it, and was asked
+    /// about.
+    fn is_hit(&self, blow: &Blow, contact: &Contact) -> bool {
+        let threshold = self.settings.hit_threshold;
+        // What has pressed within the step need not in the end.
+        if !contact.has_touched() && blow.by_point == [0.0; 2] {
+            return false;
+        }
+        if !contact.is_touching || blow.begun.is_some() {
+            return contact.approach_speed >= threshold || blow.begun.is_some();
+        }
+        let beyond = blow.on_b.dot(blow.normal(contact)) - blow.load_before;
+        let least = (threshold * self.reduced_mass(contact)).max(LOAD_SHARE * blow.load_before);
+        self.settings.sum_impulses && beyond >= least
+    }
+
+    /// Whether a blow is over: what met has bounced, reached the surface, or approaches no more. Else it has only been slowed
+    /// down to reach it.
+    fn is_over(&self, blow: &Blow, contact: &Contact) -> bool {
+        if contact.has_bounced || contact.is_touching && blow.begun.is_none() {
+            return true;
+        }
+        let speed = blow.begun.map_or(contact.approach_speed, |begun| begun.speed);
+        let way = speed * self.settings.substep_seconds();
+        let [a, b] = contact.slots.map(|slot| self.bodies.state(slot));
+        let comes = |point: &ManifoldPoint| {
+            let tip_a = Vec2::from(a.velocity) + point.anchor_a.perp() * a.angular_velocity;
+            let tip_b = Vec2::from(b.velocity) + point.anchor_b.perp() * b.angular_velocity;
+            -contact.manifold.normal.dot(tip_b - tip_a) > TO_COME * speed
+        };
+        let points = contact.manifold.points();
+        points.iter().any(|point| point.separation <= TO_COME * way) || !points.iter().any(comes)
+    }
+
+    /// The mass that resists where two bodies hit each other along the line of their centres, kg.
+    fn reduced_mass(&self, contact: &Contact) -> f32 {
+        let [a, b] = contact.slots.map(|slot| self.bodies.motions[slot as usize].inverse_mass);
+        1.0 / (a + b)
+    }
+
+    fn hit_of(&self, blow: &Blow, contact: &Contact) -> HitEvent {
+        let ([a, b], normal, on_b) = (self.ids_of(blow.contact), blow.normal(contact), blow.whole());
+        let speed = blow.begun.map_or(contact.approach_speed, |begun| begun.speed);
+        HitEvent {
+            a,
+            b,
+            speed: speed.max(0.0),
+            point: blow.point(contact, self.bodies.center(contact.slots[0])),
+            normal,
+            normal_impulse: on_b.dot(normal),
+            tangent_impulse: on_b.dot(normal.perp()),
+        }
+    }
+}
