@@ -4,7 +4,7 @@
 //! several times per substep. Warm: `Motion`, pose and mass, 64 bytes, touched a few times per step by each contact;
 //! `Forcing`, what acts on the body, touched once; `RestWatch`, touched once where a body is slow. Cold: `Record`, touched when somebody asks or a contact begins.
 //!
-//! A body of several shapes has a slot for itself and one for each of its shapes, see [`compound`].
+//! A body of several shapes has a slot for itself and one for each of its shapes.
 
 mod bodies;
 mod collider;
