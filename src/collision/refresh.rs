@@ -476,13 +476,16 @@ impl<'a> Pair<'a> {
         let found = detect(self.shape_a, self.rotation_a, self.shape_b, self.rotation_b, offset, margin)?;
         match self.bodies.exposures.of(self.colliders) {
             None => Some(found),
-            Some(exposures) => without_ghosts(found, exposures, self.placed(near, margin)),
+            Some(exposures) => without_ghosts(
+                found,
+                exposures,
+                self.placed([self.rotation_a, self.rotation_b], near, margin),
+            ),
         }
     }
 
-    /// The two shapes where the centre of b is `near` from that of a.
-    fn placed(&self, near: Vec2, margin: f32) -> Placed<'_> {
-        let (shapes, rotations) = ([self.shape_a, self.shape_b], [self.rotation_a, self.rotation_b]);
-        Placed { shapes, rotations, offset: near, margin }
+    /// The two shapes turned so, where the centre of b is `near` from that of a.
+    fn placed(&self, rotations: [Rot; 2], near: Vec2, margin: f32) -> Placed<'_> {
+        Placed { shapes: [self.shape_a, self.shape_b], rotations, offset: near, margin }
     }
 }

@@ -29,6 +29,12 @@ impl Touch {
         Self { normal: -self.normal, anchor_a: self.anchor_b, anchor_b: self.anchor_a, ..self }
     }
 
+    /// That of a manifold with a circle, which has one point.
+    pub(in crate::collision) fn of(manifold: &Manifold) -> Option<Self> {
+        let &ManifoldPoint { anchor_a, anchor_b, separation, .. } = manifold.points().first()?;
+        Some(Self { normal: manifold.normal, anchor_a, anchor_b, separation })
+    }
+
     #[inline(always)]
     pub(in crate::collision) fn manifold(self) -> Manifold {
         let Self { normal, anchor_a, anchor_b, separation } = self;

@@ -42,9 +42,10 @@ impl Pair<'_> {
         let moved = 0.5 * predicted.motion;
         let (rotation_a, rotation_b) = (half_a * self.rotation_a, half_b * self.rotation_b);
         let near = self.offset.near + moved;
-        let then = touch(self.shape_a, rotation_a, self.shape_b, rotation_b, near, f32::INFINITY)?;
+        let mut then = touch(self.shape_a, rotation_a, self.shape_b, rotation_b, near, f32::INFINITY)?;
         if let Some(exposures) = self.bodies.exposures.of(self.colliders) {
-            without_ghosts(then.manifold(), exposures, self.placed(near, f32::INFINITY))?;
+            let placed = self.placed([rotation_a, rotation_b], near, f32::INFINITY);
+            then = Touch::of(&without_ghosts(then.manifold(), exposures, placed)?)?;
         }
         // n·(Δx + (1 - R_b⁻¹) r_b - (1 - R_a⁻¹) r_a), of which each term keeps its digits.
         let swung = |half: Rot, anchor: Vec2| -> Vec2 {
