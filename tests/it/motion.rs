@@ -78,7 +78,9 @@ fn watch(scene: &Scene, mut check: impl FnMut(&World, Look, usize, Look)) {
 fn no_scene_that_nothing_drives_gains_energy() {
     for scene in rustycs_scenes::all() {
         watch(scene, |world, first, tick, look| {
-            let is_driven = world.bodies().any(|(_, body)| body.body_type() == BodyType::Kinematic);
+            // Joints have motors and springs, and these have energy that is not that of bodies.
+            let is_driven = world.bodies().any(|(_, body)| body.body_type() == BodyType::Kinematic)
+                || world.joints().next().is_some();
             let most = first.energy() + 1e-5 * (first.kinetic + look.kinetic);
             assert!(
                 is_driven || look.energy() <= most,

@@ -63,7 +63,7 @@ fn build(seed: u64, settings: Settings) -> World {
     for row in 0..WORDS {
         for (column, strokes) in WORD.into_iter().enumerate() {
             let x = (column as f32 - 3.0) * 2.4 + random.between(-0.2, 0.2);
-            let y = 2.0 + 3.2 * f32::from(row);
+            let y = 3.0 + 3.2 * f32::from(row);
             let angle = random.between(-0.3, 0.3);
             put(
                 &mut world,

@@ -346,10 +346,23 @@ impl Continuous {
         Some(Met { meeting, is_fast })
     }
 
+    /// Whether two shapes touch at a time, s, where their neighbours cover them.
+    fn is_ghost(&self, slots: [u32; 2], time: f32, scene: &EventScene<'_>) -> bool {
+        if scene.bodies.exposures.of(slots).is_none() {
+            return false;
+        }
+        let [a, b] = slots.map(|slot| self.state_at(slot, time, scene));
+        manifold_in(slots, scene.bodies, [&a, &b]).points().is_empty()
+    }
+
     /// Lets two bodies collide at a time, s.
     fn meet(&mut self, time: f32, slots: [u32; 2], scene: &mut EventScene<'_>, impacts: &mut Impacts) {
         if self.sweeps_left == 0 {
             return self.halt(slots, time, scene);
+        }
+        if self.is_ghost(slots, time, scene) {
+            // What covers it is met for itself.
+            return;
         }
         let Some(Met { meeting, is_fast }) = self.meeting(slots, time, scene) else {
             // The surfaces turn away from each other where they touch; elsewhere they may still meet.

@@ -84,7 +84,7 @@ fn body_of(shape: Shape) -> impl Strategy<Value = Body> {
 }
 
 pub(crate) fn body() -> impl Strategy<Value = Body> {
-    body_with(length(), coordinate(), strength())
+    body_with(length(), coordinate(), strength(), further_shapes(length()))
 }
 
 /// A length, over all that is accepted.
@@ -105,9 +105,10 @@ pub(crate) fn great_strength() -> impl Strategy<Value = f32> + Clone {
     prop_oneof![2 => Just(0.0_f32), 3 => narrow(-10.0, 10.0), 3 => signed(-3.0, 18.0), 1 => Just(1e18_f32)]
 }
 
-/// A body of any size near `base`.
+/// A body of any size near `base`, of one shape: several that overlap on all scales take the sweeps of every substep, and minutes
+/// for what else takes seconds.
 pub(crate) fn extreme_body(base: f64) -> impl Strategy<Value = Body> {
-    body_with(any_length(), coordinate_near(base), great_strength())
+    body_with(any_length(), coordinate_near(base), great_strength(), Just(Vec::new()))
 }
 
 /// Where the bodies of a program are: as far as is accepted.
@@ -129,13 +130,13 @@ fn body_with(
     length: impl Strategy<Value = f32> + Clone + 'static,
     coordinate: impl Strategy<Value = f64> + Clone,
     strength: impl Strategy<Value = f32> + Clone,
+    further: impl Strategy<Value = Vec<Collider>>,
 ) -> impl Strategy<Value = Body> {
     let (place, vector) = ([coordinate.clone(), coordinate], [strength.clone(), strength.clone()]);
     let motion = (place, strength.clone(), vector, strength);
     let surface = (factor(), narrow(0.0, 1.0), prop_oneof![magnitude(-1.0, 1.0), magnitude(-12.0, 12.0)]);
     let options =
         (prop::option::weighted(0.2, magnitude(-12.0, 15.0)), any::<[bool; 2]>(), factor(), factor());
-    let further = further_shapes(length.clone());
     (shape(length).prop_flat_map(body_of), motion, surface, options, further).prop_map(
         |(body, motion, surface, options, further)| {
             let body = further.into_iter().fold(body, Body::with);
