@@ -64,22 +64,23 @@ fn build(seed: u64, settings: Settings) -> World {
         for (column, strokes) in WORD.into_iter().enumerate() {
             let x = (column as f32 - 3.0) * 2.4 + random.between(-0.2, 0.2);
             let y = 3.0 + 3.2 * f32::from(row);
-            let angle = random.between(-0.3, 0.3);
-            put(
-                &mut world,
-                letter(strokes).at([x, y]).angle(angle).material(Material::PLASTIC).restitution(0.2),
-            );
+            let angle = random.between(-0.2, 0.2);
+            let body = letter(strokes, Vec2::new(x, y), Rot::from_angle(angle));
+            put(&mut world, body.material(Material::PLASTIC).restitution(0.2));
         }
     }
     world
 }
 
-/// A letter of bars, with the first of them in the middle of its frame.
-fn letter(strokes: Strokes) -> Body {
+/// A letter of bars with the middle of its box at a place. Its frame is that of its first bar.
+fn letter(strokes: Strokes, place: Vec2, rotation: Rot) -> Body {
     let bars: Vec<(Shape, Vec2, Rot)> =
         strokes.iter().map(|&[from, to]| bar(from.into(), to.into())).collect();
     let (first, middle, turn) = bars[0];
-    bars[1..].iter().fold(Body::dynamic(first), |body, &(shape, at, rotation)| {
+    let box_middle = Vec2::new(1.0, 1.5) * SCALE;
+    let at = place + rotation.rotate(middle - box_middle);
+    let body = Body::dynamic(first).at([at.x, at.y]).angle((rotation * turn).angle());
+    bars[1..].iter().fold(body, |body, &(shape, at, rotation)| {
         let angle = (rotation * turn.inverse()).angle();
         body.with(Collider::new(shape).at(turn.unrotate(at - middle)).angle(angle))
     })
