@@ -131,21 +131,22 @@ pub use joint::{Joint, JointError, JointId, JointKind};
 pub use math::{Aabb, Point, Pose, Rot, Vec2};
 pub use shape::{Shape, ShapeError};
 pub use world::{
-    Attractor, AttractorError, AttractorId, BodyMut, BodyRef, Clock, ClosestHit, ColliderRef, ContactEvent,
-    ContactRef, Counters, DrawnPart, Events, Force, ForceError, ForceId, HitEvent, JointGap, JointMut,
-    JointRef, JointRefusal, Lanes, PositionCorrection, Profile, QueryFilter, RayHit, Refusal, SensorEvent,
-    Settings, SettingsError, ShapeHit, Stage, StageReport, StepError, Tier, World,
+    Attractor, AttractorError, AttractorId, BodyMut, BodyRef, Clock, ClosestHit, ColliderMut, ColliderRef,
+    ContactEvent, ContactRef, Counters, DrawnPart, Events, Force, ForceError, ForceId, HitEvent, JointGap,
+    JointMut, JointRef, JointRefusal, Lanes, PositionCorrection, Profile, QueryFilter, RayHit, Refusal,
+    SensorEvent, Settings, SettingsError, ShapeHit, Stage, StageReport, StepError, Tier, World,
 };
 
 /// Everything a program needs by name.
 pub mod prelude {
     pub use crate::{
         Aabb, Attractor, AttractorError, AttractorId, Body, BodyError, BodyId, BodyMut, BodyRef, BodyType,
-        Clock, ClosestHit, Collider, ColliderId, ColliderRef, ContactEvent, ContactRef, Counters, DrawnPart,
-        Events, FeatureId, Filter, Force, ForceError, ForceId, HitEvent, Joint, JointError, JointGap,
-        JointId, JointKind, JointMut, JointRef, Lanes, Manifold, ManifoldPoint, Material, Mix, Point, Pose,
-        PositionCorrection, Profile, QueryFilter, RayHit, Refusal, Rot, SensorEvent, Settings, SettingsError,
-        Shape, ShapeError, ShapeHit, Stage, StageReport, StepError, Tier, Vec2, World, collision,
+        Clock, ClosestHit, Collider, ColliderId, ColliderMut, ColliderRef, ContactEvent, ContactRef,
+        Counters, DrawnPart, Events, FeatureId, Filter, Force, ForceError, ForceId, HitEvent, Joint,
+        JointError, JointGap, JointId, JointKind, JointMut, JointRef, Lanes, Manifold, ManifoldPoint,
+        Material, Mix, Point, Pose, PositionCorrection, Profile, QueryFilter, RayHit, Refusal, Rot,
+        SensorEvent, Settings, SettingsError, Shape, ShapeError, ShapeHit, Stage, StageReport, StepError,
+        Tier, Vec2, World, collision,
     };
 }
 

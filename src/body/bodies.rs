@@ -6,7 +6,7 @@ use crate::body::exposures::Exposures;
 use crate::body::{Body, BodyId, BodyType, Material, Mixes, RestRule, RestWatch, Roles};
 use crate::compute::{BodyState, COLUMN, DistinctIndices, GROUND_ROW, prefetch};
 use crate::math::{Aabb, Point, Pose, Rot, Vec2};
-use crate::shape::Shape;
+use crate::shape::{Exposure, Shape};
 use crate::store::{Key, Slots};
 
 /// No slot, group or contact: the end of a list.
@@ -284,6 +284,7 @@ impl Bodies {
         let slots = self.slot_count();
         self.motions.truncate(slots);
         self.forcings.truncate(slots);
+        self.watches.truncate(slots);
         self.shapes.truncate(slots);
         self.roles.trim(slots);
         self.compounds.trim(slots);
@@ -455,6 +456,15 @@ impl Bodies {
     #[inline(always)]
     pub(crate) fn may_collide(&self, a: u32, b: u32) -> bool {
         (self.is_dynamic(a) || self.is_dynamic(b)) && self.roles.may_collide([a, b], self.bodies_of([a, b]))
+    }
+
+    /// What neighbours leave of two shapes; `None` where that is all. A body that was parted from another passes through what may
+    /// cover the rest: to such a body all is exposed.
+    #[inline(always)]
+    pub(crate) fn exposures_of(&self, colliders: [u32; 2]) -> Option<[Option<&Exposure>; 2]> {
+        let exposures = self.exposures.of(colliders)?;
+        let is_parted = self.bodies_of(colliders).into_iter().any(|body| self.roles.is_parted(body));
+        (!is_parted).then_some(exposures)
     }
 
     /// Whether the solver moves the body in `slot` in this step.

@@ -93,13 +93,13 @@ impl Bodies {
 
     /// The smallest box with sides parallel to the axes that holds the shapes of the body in `slot`, rounded outward.
     pub(crate) fn aabb_of_all(&self, slot: u32) -> Aabb {
-        let own = self.aabb(self.own_collider(slot));
-        self.colliders(slot).fold(own, |all, collider| all.union(self.aabb(collider)))
+        let boxes = self.colliders(slot).map(|collider| self.aabb(collider));
+        boxes.reduce(Aabb::union).unwrap_or_default()
     }
 
     /// The slots of the shapes of the body in `slot`, its own first.
     pub(crate) fn colliders(&self, slot: u32) -> impl Iterator<Item = u32> {
-        let mut next = if self.is_compound(slot) { self.records[slot].next_collider } else { slot };
+        let mut next = self.own_collider(slot);
         std::iter::from_fn(move || {
             let here = next;
             (here != NONE).then(|| {

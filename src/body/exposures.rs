@@ -18,7 +18,7 @@ clone_into_buffers!(Exposures { by_slot, count, stale });
 impl Exposures {
     /// Those of two shapes; `None` where neither is covered anywhere.
     #[inline(always)]
-    pub(crate) fn of(&self, colliders: [u32; 2]) -> Option<[Option<&Exposure>; 2]> {
+    pub(super) fn of(&self, colliders: [u32; 2]) -> Option<[Option<&Exposure>; 2]> {
         if self.count == 0 {
             return None;
         }
@@ -56,6 +56,5 @@ impl Exposures {
     /// Gives up what is not needed for slots below `end`: there are no others.
     pub(crate) fn trim(&mut self, end: usize) {
         self.by_slot.truncate(end);
-        self.stale.shrink_to_fit();
     }
 }

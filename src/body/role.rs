@@ -32,13 +32,12 @@ pub(crate) struct Roles {
     sensors: Vec<u32>,
     /// The slots of bodies with rolling resistance, ascending.
     rolling: Vec<u32>,
-    /// Whether any surface moves, or has.
-    has_surface_speeds: bool,
-    /// Whether there are one-way floors, or were.
-    has_one_ways: bool,
+    /// The slots of bodies whose surface moves, and of one-way floors, ascending.
+    belts: Vec<u32>,
+    one_ways: Vec<u32>,
 }
 
-clone_into_buffers!(Roles { by_slot, parted, sensors, rolling, has_surface_speeds, has_one_ways });
+clone_into_buffers!(Roles { by_slot, parted, sensors, rolling, belts, one_ways });
 
 impl Roles {
     /// The role of the body in `slot`.
@@ -57,10 +56,10 @@ impl Roles {
             self.by_slot.resize(place + 1, Role::default());
         }
         self.by_slot[place] = role;
-        self.has_surface_speeds |= role.surface_speed != 0.0;
-        self.has_one_ways |= role.one_way.is_some();
         list(&mut self.sensors, slot, role.is_sensor);
         list(&mut self.rolling, slot, role.rolling_resistance > 0.0);
+        list(&mut self.belts, slot, role.surface_speed != 0.0);
+        list(&mut self.one_ways, slot, role.one_way.is_some());
     }
 
     /// The slots of bodies with rolling resistance, ascending.
@@ -96,6 +95,11 @@ impl Roles {
     /// The pairs that were parted, each once.
     pub(crate) fn parted(&self) -> impl Iterator<Item = (u32, u32)> {
         self.parted.iter().copied().filter(|(a, b)| a < b)
+    }
+
+    /// Whether the body in `slot` was parted from any.
+    pub(crate) fn is_parted(&self, slot: u32) -> bool {
+        !self.parted_from(slot).is_empty()
     }
 
     /// Whether two bodies were parted.
@@ -134,7 +138,7 @@ impl Roles {
     /// Whether one of two bodies is a one-way floor.
     #[inline(always)]
     pub(crate) fn are_one_way(&self, slots: [u32; 2]) -> bool {
-        self.has_one_ways && slots.into_iter().any(|slot| self.of(slot).one_way.is_some())
+        !self.one_ways.is_empty() && slots.into_iter().any(|slot| self.of(slot).one_way.is_some())
     }
 
     /// Speed of the surface of the second of two bodies against that of the first, beside how these move, along the tangent of
@@ -142,7 +146,7 @@ impl Roles {
     /// in opposite directions: their speeds add up.
     #[inline(always)]
     pub(crate) fn surface_speed(&self, [a, b]: [u32; 2]) -> Option<f32> {
-        if !self.has_surface_speeds {
+        if self.belts.is_empty() {
             return None;
         }
         let speed = self.of(a).surface_speed + self.of(b).surface_speed;

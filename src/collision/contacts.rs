@@ -11,7 +11,7 @@ use crate::body::{Bodies, NONE};
 use crate::collision::{Manifold, ManifoldPoint, Offset, OneWay, is_flat};
 use crate::compute::{DistinctIndices, FIRST_LINE, LINE, prefetch, prefetch_lines};
 use crate::math::Rot;
-use crate::store::{ChosenSlots, Slots};
+use crate::store::{ChosenSlots, Key, Slots};
 
 /// The relative pose for which a manifold was computed; while the bodies stay near it, the manifold's normal
 /// is kept.
@@ -312,6 +312,16 @@ impl Contacts {
         }
         self.all.remove(self.all.key_at(index));
         contact
+    }
+
+    /// The key of the contact with this index, which no later one has.
+    pub(crate) fn key_of(&self, index: u32) -> Key {
+        self.all.key_at(index)
+    }
+
+    /// Whether the contact with this key is still there.
+    pub(crate) fn has(&self, key: Key) -> bool {
+        self.all.get(key).is_some()
     }
 
     /// The contact with this index, if there is one.

@@ -4,6 +4,7 @@
 //! feature ids, so that impulses carry over (warm starting). Two points are all that two convex outlines need:
 //! pushing at the ends of the common stretch of two edges holds everything between.
 
+use crate::compute::BodyState;
 use crate::math::Vec2;
 
 /// Which corners of the two shapes bound a contact point: the point's name from one step to the next.
@@ -90,6 +91,13 @@ impl ManifoldPoint {
     pub(crate) fn new(anchor_a: Vec2, offset: Vec2, separation: f32, feature: FeatureId) -> Self {
         let anchor_b = anchor_a - offset;
         Self { anchor_a, anchor_b, separation, feature, ..Self::default() }
+    }
+
+    /// Velocity of b against a at the point, m/s, with anchors from their centres of mass.
+    pub(crate) fn relative_velocity(&self, a: &BodyState, b: &BodyState) -> Vec2 {
+        let tip_a = Vec2::from(a.velocity) + self.anchor_a.perp() * a.angular_velocity;
+        let tip_b = Vec2::from(b.velocity) + self.anchor_b.perp() * b.angular_velocity;
+        tip_b - tip_a
     }
 }
 

@@ -93,8 +93,8 @@ fn bring_up_to_date(contact: &mut Contact, bodies: &Bodies, settings: Refresh) {
             if manifold.points().is_empty() {
                 return contact.clear();
             }
-            contact.approach_speed = pair.approach_speed(&manifold);
             pair.take_over(manifold, contact);
+            contact.approach_speed = pair.approach_speed(&contact.manifold);
             contact.holds_still = pair.is_at_rest(predicted);
             contact.follows = (contact.has_circle || contact.pivots()) && !pair.is_flat();
             return;
@@ -258,12 +258,8 @@ impl<'a> Pair<'a> {
 
     /// Greatest speed with which a point of the manifold approaches along the normal, m/s.
     fn approach_speed(&self, manifold: &Manifold) -> f32 {
-        let ([a, b], [arm_a, arm_b]) = (self.states(), self.arms.unwrap_or_default());
-        let parting = |point: &ManifoldPoint| {
-            let tip_a = Vec2::from(a.velocity) + (arm_a + point.anchor_a).perp() * a.angular_velocity;
-            let tip_b = Vec2::from(b.velocity) + (arm_b + point.anchor_b).perp() * b.angular_velocity;
-            manifold.normal.dot(tip_b - tip_a)
-        };
+        let [a, b] = self.states();
+        let parting = |point: &ManifoldPoint| manifold.normal.dot(point.relative_velocity(a, b));
         -manifold.points().iter().map(parting).fold(f32::INFINITY, f32::min)
     }
 
@@ -449,7 +445,7 @@ impl<'a> Pair<'a> {
     /// The manifold of bodies that have met a ghost as the step begins, but come to meet what is exposed within it: as they first
     /// touch, or where they are at its end.
     fn find_beyond_ghosts(&self, motion: Vec2, margin: f32) -> Option<Manifold> {
-        self.bodies.exposures.of(self.colliders)?;
+        self.bodies.exposures_of(self.colliders)?;
         if let Some(meeting) = self.find_where_they_meet(motion, margin) {
             return Some(meeting);
         }
@@ -474,7 +470,7 @@ impl<'a> Pair<'a> {
         let offset = Offset { near, ..self.offset };
         let detect = if self.is_flat() { detect_flat } else { detect_from };
         let found = detect(self.shape_a, self.rotation_a, self.shape_b, self.rotation_b, offset, margin)?;
-        match self.bodies.exposures.of(self.colliders) {
+        match self.bodies.exposures_of(self.colliders) {
             None => Some(found),
             Some(exposures) => without_ghosts(
                 found,

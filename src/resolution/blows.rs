@@ -7,13 +7,14 @@
 //! A blow that begins in the last substep of a step goes on in the next: what is about to meet is slowed down to reach the
 //! surface, and stopped there. It is told when it is over.
 //!
-//! Runs after each substep, on the blocks with a contact that is asked about: one whose bodies approach as fast as a hit, or
+//! Runs three times per substep, before the bodies move, after it and at the end, on the blocks with a contact that is asked about: one whose bodies approach as fast as a hit, or
 //! collide, or all of them, if the settings say so. Nothing where there is none.
 
 use crate::collision::{Contact, Contacts};
 use crate::compute::{self, COLUMN, Column, Columns, Job, Lane, LaneVec2, Width, columns};
 use crate::math::{Point, Vec2};
 use crate::resolution::constraint_graph::{BlockIndex, ConstraintGraph, GraphIndex};
+use crate::store::Key;
 
 /// What bodies met with, at a time within the step.
 #[derive(Clone, Copy, Debug)]
@@ -45,7 +46,8 @@ pub(crate) struct Blow {
     pub(crate) on_b: Vec2,
     /// By point: the part of it along the normal that the substeps have brought, N s.
     pub(crate) by_point: [f32; 2],
-    /// What it would be along the normal if the contact had borne in each substep what it bore in the last before, N s.
+    /// What it would be along the normal if the contact had borne in each substep what it bore in the last before, N s: what
+    /// touched already is told from a blow by it, if impulses are summed up of all.
     pub(crate) load_before: f32,
     /// The first of the collisions, if there was one.
     pub(crate) first: Option<Collision>,
@@ -56,9 +58,8 @@ pub(crate) struct Blow {
 /// A blow that was not over as its step ended.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Begun {
-    /// Index of the contact, and the slots of its bodies: it may be another one by now.
-    contact: u32,
-    slots: [u32; 2],
+    /// Of the contact: there may be another one in its place by now.
+    contact: Key,
     /// Speed of approach, m/s.
     pub(crate) speed: f32,
     /// Impulse on b so far, N s.
@@ -137,12 +138,11 @@ impl Blows {
 
     /// Takes up the contacts whose blows were not over as the last step ended.
     pub(crate) fn take_up_unfinished(&mut self, contacts: &Contacts, graph: &mut ConstraintGraph) {
-        self.begun.retain(|begun| {
-            let is_same = contacts.get(begun.contact).is_some_and(|contact| contact.slots == begun.slots);
-            is_same && graph.home(begun.contact).is_some()
-        });
+        let is_there =
+            |begun: &Begun| contacts.has(begun.contact) && graph.home(begun.contact.index()).is_some();
+        self.begun.retain(is_there);
         for place in 0..self.begun.len() {
-            if let Some(home) = graph.home(self.begun[place].contact) {
+            if let Some(home) = graph.home(self.begun[place].contact.index()) {
                 self.ask_about(home, graph);
             }
         }
@@ -191,7 +191,7 @@ impl Blows {
         self.add_up(AddUp { graph, signs: [1.0, part], when: When::InMove }, width);
     }
 
-    /// Takes out what these impulses are along the normals of after the move: with them they are added once more.
+    /// Subtracts the same impulses along the normals of after the move, as the end of the substep adds them along these.
     pub(crate) fn end_move(&mut self, graph: &ConstraintGraph, part: f32, width: Width) {
         self.add_up(AddUp { graph, signs: [-1.0, -part], when: When::InMove }, width);
     }
@@ -243,7 +243,8 @@ impl Blows {
             ..new(contact)
         }));
         of_step.extend(others.iter().map(|&(contact, on_b)| Blow { on_b, ..new(contact) }));
-        of_step.extend(begun.drain(..).map(|begun| Blow { begun: Some(begun), ..new(begun.contact) }));
+        of_step
+            .extend(begun.drain(..).map(|begun| Blow { begun: Some(begun), ..new(begun.contact.index()) }));
         if of_step.is_empty() {
             return;
         }
@@ -264,10 +265,10 @@ impl Blows {
     }
 
     /// Leaves a blow that is not over to the next step.
-    pub(crate) fn leave(&mut self, blow: &Blow, contact: &Contact) {
+    pub(crate) fn leave(&mut self, blow: &Blow, contacts: &Contacts) {
+        let contact = &contacts[blow.contact];
         let speed = blow.begun.map_or(contact.approach_speed, |begun| begun.speed);
-        let (contact, slots) = (blow.contact, contact.slots);
-        self.begun.push(Begun { contact, slots, speed, on_b: blow.whole() });
+        self.begun.push(Begun { contact: contacts.key_of(blow.contact), speed, on_b: blow.whole() });
     }
 
     /// What the contacts that were asked about have done over the step, by ascending index.

@@ -34,7 +34,7 @@ pub(crate) fn manifold_in(colliders: [u32; 2], bodies: &Bodies, [a, b]: [&BodySt
     let rotations = [turned(a, pose_a.rotation), turned(b, pose_b.rotation)];
     let shapes = [&bodies.shapes[slot_a], &bodies.shapes[slot_b]];
     let mut found = detect_within(shapes[0], rotations[0], shapes[1], rotations[1], offset, ANY_DISTANCE);
-    if let Some(exposures) = bodies.exposures.of(colliders) {
+    if let Some(exposures) = bodies.exposures_of(colliders) {
         let placed = Placed { shapes, rotations, offset, margin: ANY_DISTANCE };
         found = found.and_then(|found| without_ghosts(found, exposures, placed));
     }

@@ -17,7 +17,7 @@ const GAP_OF_WIDTH: f32 = 1e-3;
 /// m.
 const LARGEST_GAP: f32 = 1e-3;
 
-/// The same of a circle, whose normal has all its digits.
+/// The same of the normal of a contact with a circle, which has all its digits.
 const ROUNDING: f32 = 1e-3;
 
 /// A body that is pressed against a block overlaps it by less than this share of the width of the floor, no unit: it still stands
@@ -36,16 +36,29 @@ pub(crate) struct Neighbour<'a> {
     pub(crate) center: Vec2,
 }
 
+/// What neighbours leave of a corner.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Corner {
+    /// Both faces that meet there are exposed.
+    Open,
+    /// Only this face is, and neighbours that are flush with it, or rise, go on from there.
+    Flush(usize),
+    /// Only one of them is, and neighbours fall away from it: normals between these two, counter-clockwise, are allowed.
+    Ridge([Vec2; 2]),
+    /// Neither is.
+    Covered,
+}
+
 /// What neighbours leave of an outline.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Exposure {
-    /// By face: from where to where it is exposed, m along it; `None` where it is covered.
+    /// By face, m along it: from where its first exposed part begins to where the last ends, with what is covered between them;
+    /// `None` where all of it is covered.
     faces: [Option<[f32; 2]>; MAX_VERTICES],
-    /// By corner: the normals that are allowed there are between these two, counter-clockwise; `None` where none is.
-    cones: [Option<[Vec2; 2]>; MAX_VERTICES],
+    corners: [Corner; MAX_VERTICES],
     /// Neighbours are flush within this distance, m.
     gap: f32,
-    /// What touches beyond the end of what is exposed by no more than this overlaps what covers the rest, m.
+    /// Contacts up to so far past what is exposed still count, m: the body is pressed into what covers the rest.
     overlap: f32,
 }
 
@@ -94,11 +107,15 @@ impl Neighbour<'_> {
 }
 
 impl Exposure {
+    /// Shapes that are farther apart than this, m, leave all of each other.
+    pub(crate) const FARTHEST: f32 = 2.0 * LARGEST_GAP;
+
     /// What some neighbours leave of an outline; `None` where they leave all of it.
     pub(crate) fn new(hull: &Hull, neighbours: &[Neighbour<'_>]) -> Option<Self> {
         let gap = LARGEST_GAP.min(GAP_OF_WIDTH * hull.thickness());
         let overlap = OVERLAP_OF_WIDTH * hull.thickness();
-        let mut exposure = Self { faces: [None; MAX_VERTICES], cones: [None; MAX_VERTICES], gap, overlap };
+        let (faces, corners) = ([None; MAX_VERTICES], [Corner::Covered; MAX_VERTICES]);
+        let mut exposure = Self { faces, corners, gap, overlap };
         let mut is_covered = false;
         for face in 0..hull.normals().len() {
             let exposed = exposed_part(hull, face, neighbours, gap);
@@ -109,31 +126,33 @@ impl Exposure {
             return None;
         }
         for corner in 0..hull.vertices().len() {
-            exposure.cones[corner] = exposure.cone(hull, corner, neighbours);
+            exposure.corners[corner] = exposure.corner(hull, corner, neighbours);
         }
         Some(exposure)
     }
 
-    /// The normals that are allowed at a corner.
-    fn cone(&self, hull: &Hull, corner: usize, neighbours: &[Neighbour<'_>]) -> Option<[Vec2; 2]> {
+    /// What neighbours leave of a corner.
+    fn corner(&self, hull: &Hull, corner: usize, neighbours: &[Neighbour<'_>]) -> Corner {
         let (before, after) = (hull.previous(corner), corner);
-        let (first, second) = (hull.normals[before], hull.normals[after]);
         let reach = 2.0 * self.gap;
         let [begins, ends_there] = [ends(hull, after)[0], ends(hull, before)[1]];
         let is_before_exposed = self.faces[before].is_some_and(|[_, high]| high >= ends_there - reach);
         let is_after_exposed = self.faces[after].is_some_and(|[low, _]| low <= begins + reach);
-        let place = hull.vertices[corner];
-        let beyond = || neighbours.iter().flat_map(|neighbour| neighbour.faces_through(place, reach));
-        // Of the surfaces that go on from here, the one that falls away least is the next.
-        let next = |own: Vec2, falls: &dyn Fn(Vec2) -> f32| {
-            let falling = beyond().filter(|&other| falls(other) > SAME_DIRECTION && own.dot(other) > 0.0);
-            falling.max_by(|one, other| own.dot(*one).total_cmp(&own.dot(*other))).unwrap_or(own)
+        let (face, side) = match (is_before_exposed, is_after_exposed) {
+            (true, true) => return Corner::Open,
+            (false, false) => return Corner::Covered,
+            // Beyond the face that begins here, counter-clockwise, is what lies clockwise, and the other way round.
+            (false, true) => (after, -1.0),
+            (true, false) => (before, 1.0),
         };
-        match (is_before_exposed, is_after_exposed) {
-            (true, true) => Some([first, second]),
-            (false, true) => Some([next(second, &|other| other.cross(second)), second]),
-            (true, false) => Some([first, next(first, &|other| first.cross(other))]),
-            (false, false) => None,
+        let (own, place) = (hull.normals[face], hull.vertices[corner]);
+        let falls = |&other: &Vec2| side * own.cross(other) > SAME_DIRECTION && own.dot(other) > 0.0;
+        let beyond = neighbours.iter().flat_map(|neighbour| neighbour.faces_through(place, reach));
+        // Of the surfaces that go on from here, the one that falls away least is the next.
+        let next = beyond.filter(falls).max_by(|one, other| own.dot(*one).total_cmp(&own.dot(*other)));
+        match next {
+            None => Corner::Flush(face),
+            Some(next) => Corner::Ridge(if side < 0.0 { [next, own] } else { [own, next] }),
         }
     }
 
@@ -157,16 +176,23 @@ impl Exposure {
                 low <= exposed[1] + self.overlap && high >= exposed[0] - self.overlap
             });
         }
-        self.cones[farthest_corner(hull, normal)]
-            .is_some_and(|[first, second]| first.cross(normal) >= -least && normal.cross(second) >= -least)
+        let corner = farthest_corner(hull, normal);
+        let [first, second] = match self.corners[corner] {
+            Corner::Open => [hull.previous(corner), corner].map(|face| hull.normals[face]),
+            Corner::Flush(face) => [hull.normals[face]; 2],
+            Corner::Ridge(between) => between,
+            Corner::Covered => return false,
+        };
+        first.cross(normal) >= -least && normal.cross(second) >= -least
     }
 
-    /// The face whose plane goes on beyond the corner that a contact with a normal is at, and that the surface there does not fall
-    /// away from; `None` where there is none.
+    /// The face whose plane goes on beyond the corner that a contact with a normal is at, over neighbours that do not fall away
+    /// from it; `None` where there is none.
     pub(crate) fn face_beyond(&self, hull: &Hull, normal: Vec2) -> Option<usize> {
-        let corner = farthest_corner(hull, normal);
-        let [first, second] = self.cones[corner]?;
-        [hull.previous(corner), corner].into_iter().find(|&face| [first, second] == [hull.normals[face]; 2])
+        match self.corners[farthest_corner(hull, normal)] {
+            Corner::Flush(face) => Some(face),
+            Corner::Open | Corner::Ridge(_) | Corner::Covered => None,
+        }
     }
 
     /// The face that a contact with a normal, out of the outline and in its frame, is on; `None` where it is at a corner.
@@ -175,12 +201,10 @@ impl Exposure {
         (cosine > 1.0 - 0.5 * ROUNDING * ROUNDING).then_some(face)
     }
 
-    /// Whether the surface goes on beyond the start and the end of a face, along neighbours.
+    /// Whether the surface goes on beyond the start and the end of a face, along neighbours that do not fall away from it.
     pub(crate) fn goes_on(&self, hull: &Hull, face: usize) -> [bool; 2] {
-        [face, hull.next(face)].map(|corner| {
-            let all = [hull.previous(corner), corner].map(|face| hull.normals[face]);
-            self.cones[corner] != Some(all)
-        })
+        [face, hull.next(face)]
+            .map(|corner| matches!(self.corners[corner], Corner::Flush(_) | Corner::Covered))
     }
 
     /// The faces of which a part is exposed.
@@ -207,11 +231,15 @@ fn most_along(hull: &Hull, direction: Vec2) -> (usize, f32) {
     cosines.max_by(|(_, one), (_, other)| one.total_cmp(other)).unwrap_or((0, 0.0))
 }
 
-/// From where to where parts of a face are exposed, m along it. What is shorter than a gap is none.
+/// From where the first exposed part of a face begins to where the last ends, m along it. What neighbours leave of it that is
+/// shorter than a gap is none.
 fn exposed_part(hull: &Hull, face: usize, neighbours: &[Neighbour<'_>], gap: f32) -> Option<[f32; 2]> {
     let [start, end] = ends(hull, face);
     let cover = |neighbour: &Neighbour<'_>| neighbour.covers(hull.normals[face], hull.planes[face], gap);
     let mut covered: Vec<[f32; 2]> = neighbours.iter().filter_map(cover).collect();
+    if covered.is_empty() {
+        return Some([start, end]);
+    }
     covered.sort_unstable_by(|one, other| one[0].total_cmp(&other[0]));
     let (mut exposed, mut at): (Option<[f32; 2]>, f32) = (None, start);
     for [low, high] in covered.into_iter().chain([[end, end]]) {
@@ -253,6 +281,14 @@ mod tests {
         let end = Exposure::new(&tile, &[beside(&tile, [1.0, 0.0])]).unwrap();
         assert!(allows(&end, &tile, LEFT, [-0.5, 0.49]) && allows(&end, &tile, 0.7, [-0.5, 0.5]));
         assert!(!allows(&end, &tile, -LEFT, [0.5, 0.49]));
+    }
+
+    /// Its bevels are shorter than tiles may be apart.
+    #[test]
+    fn a_shape_without_neighbours_is_exposed_however_short_its_faces_are() {
+        let corners = [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-0.9996, 1.0], [-1.0, 0.9996]];
+        let hull = Hull::new(&corners.map(Vec2::from));
+        assert_eq!(Exposure::new(&hull, &[]), None);
     }
 
     #[test]

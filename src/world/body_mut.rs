@@ -1,14 +1,12 @@
 //! A view of a body of a world, to read it and to change how it moves.
 
 use crate::body::limits::{
-    check_damping, check_friction, check_gravity_scale, check_place, check_restitution, check_rotation,
-    check_strength, check_vector,
+    check_damping, check_gravity_scale, check_place, check_rotation, check_strength, check_vector,
 };
 use crate::body::{Body, BodyError, BodyId, BodyType, Filter, Forcing, Material, Motion, Record};
 use crate::compute::BodyState;
 use crate::math::{Aabb, Point, Pose, Rot, Vec2};
 use crate::shape::Shape;
-use crate::world::events::Refusal;
 use crate::world::held_forces::{Forced, TickForce};
 use crate::world::{BodyRef, Tier, World};
 
@@ -121,12 +119,6 @@ impl<'a> BodyMut<'a> {
         &mut self.world.bodies.motions[slot as usize]
     }
 
-    /// The record of the body's own shape.
-    fn own_record_mut(&mut self) -> &mut Record {
-        let own = self.world.bodies.own_collider(self.slot());
-        &mut self.world.bodies.records[own]
-    }
-
     fn forcing_mut(&mut self) -> &mut Forcing {
         let slot = self.slot();
         &mut self.world.bodies.forcings[slot as usize]
@@ -141,12 +133,8 @@ impl<'a> BodyMut<'a> {
 
     /// Refuses what a game does every frame, and says so.
     #[track_caller]
-    #[expect(clippy::manual_assert, reason = "the build decides, not a condition")]
     pub(in crate::world) fn refuse(&mut self, error: BodyError) -> &mut Self {
-        if cfg!(debug_assertions) {
-            panic!("{error}");
-        }
-        self.world.events.refuse(Refusal { body: self.id, error });
+        self.world.refuse(self.id, error);
         self
     }
 
@@ -410,35 +398,6 @@ impl<'a> BodyMut<'a> {
             self.world.forced.push(Forced { body: self.id, wakes: force.wakes });
         }
         self
-    }
-
-    /// Sets the coefficient of friction, 0 or more.
-    ///
-    /// # Errors
-    /// [`BodyError`], if it is negative, not finite or beyond 10⁶.
-    pub fn set_friction(&mut self, friction: f32) -> Result<(), BodyError> {
-        check_friction(friction)?;
-        self.own_record_mut().material.friction = friction;
-        self.surface_changed();
-        Ok(())
-    }
-
-    /// Sets the coefficient of restitution, 0 to 1.
-    ///
-    /// # Errors
-    /// [`BodyError`], if it is not from 0 to 1.
-    pub fn set_restitution(&mut self, restitution: f32) -> Result<(), BodyError> {
-        check_restitution(restitution)?;
-        self.own_record_mut().material.restitution = restitution;
-        self.surface_changed();
-        Ok(())
-    }
-
-    fn surface_changed(&mut self) {
-        let slot = self.slot();
-        self.world.mix_body(slot);
-        self.wake();
-        self.world.wake_neighbours(slot);
     }
 
     /// Sets the factor on the world's forces.

@@ -32,6 +32,10 @@ impl<'a> ColliderRef<'a> {
         Self { world, slot }
     }
 
+    pub(in crate::world) fn slot(&self) -> u32 {
+        self.slot
+    }
+
     /// Its id.
     pub fn id(&self) -> ColliderId {
         self.world.collider_id(self.slot)

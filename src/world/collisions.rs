@@ -1,9 +1,8 @@
-//! Which bodies collide: by their filters, and pair by pair; from which side they pass; and how fast their surfaces go.
+//! What a body is to what it meets, and which pairs of bodies collide.
 
-use crate::body::limits::{check_one_way, check_rolling_resistance, check_surface_speed};
 use crate::body::{BodyError, BodyId, Filter};
 use crate::math::Vec2;
-use crate::world::{BodyMut, World};
+use crate::world::{BodyMut, ColliderMut, World};
 
 impl BodyMut<'_> {
     /// Makes the body a one-way floor in this direction, see [`Body::one_way`](crate::Body::one_way), or, by `None`, one that is
@@ -12,38 +11,14 @@ impl BodyMut<'_> {
     /// # Errors
     /// [`BodyError`], if the direction is not finite or has no length.
     pub fn set_one_way(&mut self, direction: impl Into<Option<Vec2>>) -> Result<(), BodyError> {
-        let direction = direction.into().map(|direction| direction.normalized().unwrap_or(direction));
-        check_one_way(direction)?;
-        let slot = self.slot();
-        let own = self.world.bodies.own_collider(slot);
-        let mut role = self.world.bodies.roles.of(own);
-        if role.one_way != direction {
-            role.one_way = direction;
-            self.world.bodies.roles.set(own, role);
-            self.world.wake_slot(slot);
-            self.world.wake_neighbours(slot);
-            self.world.contacts.decide_anew(&self.world.bodies, slot);
-            self.world.note_ground(slot);
-        }
-        Ok(())
+        self.own_collider().set_one_way(direction)
     }
 
     /// Sets the speed of the surface against the body, m/s, see [`Body::surface_speed`](crate::Body::surface_speed). What touches
     /// it wakes, unless it is the speed it has. Refused beyond ±10⁶ m/s.
     #[track_caller]
     pub fn set_surface_speed(&mut self, speed: f32) -> &mut Self {
-        if let Err(error) = check_surface_speed(speed) {
-            return self.refuse(error);
-        }
-        let slot = self.slot();
-        let own = self.world.bodies.own_collider(slot);
-        let mut role = self.world.bodies.roles.of(own);
-        if role.surface_speed != speed {
-            role.surface_speed = speed;
-            self.world.bodies.roles.set(own, role);
-            self.world.wake_slot(slot);
-            self.world.wake_neighbours(slot);
-        }
+        self.own_collider().set_surface_speed(speed);
         self
     }
 
@@ -53,30 +28,41 @@ impl BodyMut<'_> {
     /// # Errors
     /// [`BodyError`], if it is not within 0 to 10⁶.
     pub fn set_rolling_resistance(&mut self, coefficient: f32) -> Result<(), BodyError> {
-        check_rolling_resistance(coefficient)?;
-        let slot = self.slot();
-        let own = self.world.bodies.own_collider(slot);
-        let mut role = self.world.bodies.roles.of(own);
-        if role.rolling_resistance != coefficient {
-            role.rolling_resistance = coefficient;
-            self.world.bodies.roles.set(own, role);
-            self.world.wake_slot(slot);
-            self.world.wake_neighbours(slot);
-        }
-        Ok(())
+        self.own_collider().set_rolling_resistance(coefficient)
     }
 
-    /// Sets which bodies it collides with. Contacts with others end, and new ones begin in the next step; what it touched
-    /// wakes.
+    /// Sets which bodies it collides with; of a body of several shapes, which its own shape does. Contacts with others end, and
+    /// new ones begin in the next step; what it touched wakes.
     pub fn set_filter(&mut self, filter: Filter) {
-        let slot = self.slot();
-        let own = self.world.bodies.own_collider(slot);
-        let mut role = self.world.bodies.roles.of(own);
-        if role.filter != filter {
-            role.filter = filter;
-            self.world.bodies.roles.set(own, role);
-            self.world.collisions_changed(slot);
-        }
+        self.own_collider().set_filter(filter);
+    }
+
+    /// Makes the body a sensor, see [`Body::sensor`](crate::Body::sensor), or no longer one. Its contacts end; what it touched
+    /// wakes.
+    pub fn set_sensor(&mut self, is_sensor: bool) {
+        self.own_collider().set_sensor(is_sensor);
+    }
+
+    /// Sets the coefficient of friction, 0 or more.
+    ///
+    /// # Errors
+    /// [`BodyError`], if it is negative, not finite or beyond 10⁶.
+    pub fn set_friction(&mut self, friction: f32) -> Result<(), BodyError> {
+        self.own_collider().set_friction(friction)
+    }
+
+    /// Sets the coefficient of restitution, 0 to 1.
+    ///
+    /// # Errors
+    /// [`BodyError`], if it is not from 0 to 1.
+    pub fn set_restitution(&mut self, restitution: f32) -> Result<(), BodyError> {
+        self.own_collider().set_restitution(restitution)
+    }
+
+    /// Its own shape, to change it.
+    fn own_collider(&mut self) -> ColliderMut<'_> {
+        let own = self.world.bodies.own_collider(self.slot());
+        ColliderMut::new(self.world, own)
     }
 }
 

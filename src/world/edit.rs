@@ -112,8 +112,9 @@ impl World {
         let [a, b] = contact.colliders;
         self.broad_phase.forget_pair(a, b);
         if contact.is_touching {
-            let [a, b] = contact.slots.map(|slot| BodyId(self.bodies.records.key_at(slot)));
-            self.events.ended_by_edit.push(ContactEvent { a, b });
+            let [a, b] = contact.slots.map(|slot| self.id_of(slot));
+            let colliders = contact.colliders.map(|slot| self.collider_id(slot));
+            self.events.ended_by_edit.push(ContactEvent { a, b, colliders });
         }
     }
 

@@ -12,6 +12,8 @@ pub struct ContactEvent {
     pub a: BodyId,
     /// The other. The id of a body that was removed meanwhile is stale.
     pub b: BodyId,
+    /// Which of their shapes.
+    pub colliders: [ColliderId; 2],
 }
 
 impl ContactEvent {
@@ -53,6 +55,8 @@ pub struct HitEvent {
     pub a: BodyId,
     /// The other.
     pub b: BodyId,
+    /// Which of their shapes.
+    pub colliders: [ColliderId; 2],
     /// Speed of the first approach along the normal, m/s, where they met: at least `Settings::hit_threshold`, but for a blow
     /// that ran through bodies at rest.
     pub speed: f32,
@@ -259,7 +263,12 @@ impl Events {
     pub(crate) fn begin_tick(&mut self) {
         let sensors = [self.sensor_began.len(), self.sensor_ended.len()];
         self.tick_begins = [self.began.len(), self.ended.len(), self.hits.len(), sensors[0], sensors[1]];
-        self.ended.append(&mut self.ended_by_edit);
+        if self.ended.is_empty() {
+            // The list itself, which is long where most of a world was removed, and not a second one beside it.
+            std::mem::swap(&mut self.ended, &mut self.ended_by_edit);
+        } else {
+            self.ended.append(&mut self.ended_by_edit);
+        }
         self.refused.append(&mut self.refused_by_edit);
         self.refused_joints.append(&mut self.joints_refused_by_edit);
         self.removed_joints.append(&mut self.joints_removed_by_edit);
@@ -268,9 +277,9 @@ impl Events {
     /// Brings the events of the current tick into an order that does not depend on how it was computed.
     pub(crate) fn sort(&mut self) {
         let [began, ended, hits, sensor_began, sensor_ended] = self.tick_begins;
-        self.began[began..].sort_unstable_by_key(|event| (event.a, event.b));
-        self.ended[ended..].sort_unstable_by_key(|event| (event.a, event.b));
-        self.hits[hits..].sort_unstable_by_key(|event| (event.a, event.b));
+        self.began[began..].sort_unstable_by_key(|event| (event.a, event.b, event.colliders));
+        self.ended[ended..].sort_unstable_by_key(|event| (event.a, event.b, event.colliders));
+        self.hits[hits..].sort_unstable_by_key(|event| (event.a, event.b, event.colliders));
         self.sensor_began[sensor_began..]
             .sort_unstable_by_key(|event| (event.sensor, event.collider, event.body));
         self.sensor_ended[sensor_ended..]

@@ -1,13 +1,15 @@
 //! Ground made of pieces: which parts of them neighbours cover, kept up to date with every edit.
 //!
-//! Runs at the begin of a step, on fixed shapes with other neighbours than before; the shapes of one body are neighbours too.
+//! Runs at the begin of a step, on shapes with other neighbours than before: those of a fixed shape are all fixed ones, those of
+//! one of several shapes of a body that moves are the others.
 
 use crate::body::BodyType;
+use crate::math::Vec2;
 use crate::shape::{Exposure, Neighbour};
 use crate::world::World;
 
-/// Farther apart than this, m, no two shapes are flush.
-const NEAR: f32 = 4e-3;
+/// Directions of one-way floors are the same that differ by less, no unit: rounding of rotations is far less.
+const SAME_WAY: f32 = 1e-3;
 
 impl World {
     /// Takes note that the body in `slot` is where it is now, or will cease to be: what lies beside it may be covered by it.
@@ -21,7 +23,7 @@ impl World {
         for collider in colliders {
             bodies.exposures.note_stale(collider);
             if is_fixed {
-                let around = broad_phase.fat_aabb(collider).grown(NEAR);
+                let around = broad_phase.fat_aabb(collider).grown(Exposure::FARTHEST);
                 broad_phase.query(around, |other| {
                     if bodies.records[other].body_type == BodyType::Fixed {
                         bodies.exposures.note_stale(other);
@@ -47,7 +49,7 @@ impl World {
         let hull = bodies.shapes[slot as usize].hull().filter(|_| !bodies.is_compound(slot))?;
         let mut beside = Vec::new();
         if record.body_type == BodyType::Fixed {
-            self.broad_phase.query(self.broad_phase.fat_aabb(slot).grown(NEAR), |other| {
+            self.broad_phase.query(self.broad_phase.fat_aabb(slot).grown(Exposure::FARTHEST), |other| {
                 if bodies.records[other].body_type == BodyType::Fixed {
                     beside.push(other);
                 }
@@ -56,12 +58,17 @@ impl World {
         } else if bodies.body_of(slot) != slot {
             beside.extend(bodies.colliders(bodies.body_of(slot)));
         }
-        // Only what is met by all that this one is met by covers it.
+        // Only what is met by all that this one is met by covers it. Bodies that are parted from some are another matter, see
+        // `Bodies::exposures_of`.
         let role = bodies.roles.of(slot);
+        let direction = |slot: u32| {
+            let of = bodies.roles.of(slot);
+            of.one_way.map_or(Vec2::ZERO, |up| bodies.motions[slot as usize].pose.rotation.rotate(up))
+        };
         beside.retain(|&other| {
             let of_other = bodies.roles.of(other);
-            let is_alike = (of_other.filter, of_other.one_way) == (role.filter, role.one_way);
-            other != slot && is_alike && !of_other.is_sensor
+            let is_alike = of_other.filter == role.filter && !of_other.is_sensor;
+            other != slot && is_alike && direction(other).distance(direction(slot)) < SAME_WAY
         });
         beside.sort_unstable();
         let pose = |slot: u32| {

@@ -1,8 +1,7 @@
 //! What began, ended and hit in a step, as its contacts tell.
 
-use crate::body::BodyId;
+use crate::body::{BodyId, ColliderId};
 use crate::collision::{Contact, ManifoldPoint};
-use crate::math::Vec2;
 use crate::resolution::{Blow, Encounter, Impact};
 use crate::world::World;
 use crate::world::events::{ContactEvent, HitEvent};
@@ -59,7 +58,7 @@ impl World {
                 let hit = self.hit_of(&blow, contact);
                 self.events.hits.push(hit);
             } else {
-                self.solver.blows.leave(&blow, contact);
+                self.solver.blows.leave(&blow, &self.contacts);
             }
         }
         let changing = self.contacts.take_changing();
@@ -70,15 +69,17 @@ impl World {
                 continue;
             }
             contact.is_touching = is_touching;
-            let [a, b] = self.ids_of(index);
+            let ([a, b], colliders) = self.ids_of(index);
             let changed = if is_touching { &mut self.events.began } else { &mut self.events.ended };
-            changed.push(ContactEvent { a, b });
+            changed.push(ContactEvent { a, b, colliders });
         }
         self.contacts.clear_changing(changing);
     }
 
-    fn ids_of(&self, contact: u32) -> [BodyId; 2] {
-        self.contacts[contact].slots.map(|slot| BodyId(self.bodies.records.key_at(slot)))
+    /// The bodies of a contact, and their shapes that touch.
+    fn ids_of(&self, contact: u32) -> ([BodyId; 2], [ColliderId; 2]) {
+        let Contact { slots, colliders, .. } = &self.contacts[contact];
+        (slots.map(|slot| self.id_of(slot)), colliders.map(|slot| self.collider_id(slot)))
     }
 
     /// Whether a blow is a hit: bodies met fast; or what touched before, and bore a load, bears a blow beside it, and was asked
@@ -107,9 +108,7 @@ impl World {
         let way = speed * self.settings.substep_seconds();
         let [a, b] = contact.slots.map(|slot| self.bodies.state(slot));
         let comes = |point: &ManifoldPoint| {
-            let tip_a = Vec2::from(a.velocity) + point.anchor_a.perp() * a.angular_velocity;
-            let tip_b = Vec2::from(b.velocity) + point.anchor_b.perp() * b.angular_velocity;
-            -contact.manifold.normal.dot(tip_b - tip_a) > TO_COME * speed
+            -contact.manifold.normal.dot(point.relative_velocity(a, b)) > TO_COME * speed
         };
         let points = contact.manifold.points();
         points.iter().any(|point| point.separation <= TO_COME * way) || !points.iter().any(comes)
@@ -122,11 +121,13 @@ impl World {
     }
 
     fn hit_of(&self, blow: &Blow, contact: &Contact) -> HitEvent {
-        let ([a, b], normal, on_b) = (self.ids_of(blow.contact), blow.normal(contact), blow.whole());
+        let ([a, b], colliders) = self.ids_of(blow.contact);
+        let (normal, on_b) = (blow.normal(contact), blow.whole());
         let speed = blow.begun.map_or(contact.approach_speed, |begun| begun.speed);
         HitEvent {
             a,
             b,
+            colliders,
             speed: speed.max(0.0),
             point: blow.point(contact, self.bodies.center(contact.slots[0])),
             normal,

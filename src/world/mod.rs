@@ -5,6 +5,7 @@ mod attractor;
 mod body_change;
 mod body_mut;
 mod body_view;
+mod collider_mut;
 mod collider_view;
 mod collisions;
 mod conserved;
@@ -33,6 +34,7 @@ pub use crate::resolution::Tier;
 pub use attractor::{Attractor, AttractorError, AttractorId};
 pub use body_mut::BodyMut;
 pub use body_view::BodyRef;
+pub use collider_mut::ColliderMut;
 pub use collider_view::ColliderRef;
 pub use contact_view::ContactRef;
 pub use draw::DrawnPart;
@@ -43,7 +45,7 @@ pub use profile::{Clock, Counters, Profile, Stage, StageReport};
 pub use query::{ClosestHit, QueryFilter, RayHit, ShapeHit};
 pub use settings::{PositionCorrection, Settings, SettingsError};
 
-use crate::body::{Bodies, BodyId};
+use crate::body::{Bodies, BodyError, BodyId};
 use crate::collision::broad_phase::BroadPhase;
 use crate::collision::{CandidatePairs, Contacts};
 use crate::compute::ThreadPool;
@@ -365,6 +367,16 @@ impl World {
     fn sleep_tables(&mut self) -> (&mut Sleepers, SleepTables<'_>) {
         let Self { bodies, contacts, joints, graph, tiers, sleepers, .. } = self;
         (sleepers, SleepTables { bodies, contacts, joints, graph, tiers })
+    }
+
+    /// Refuses what a game does to a body every frame, and says so.
+    #[track_caller]
+    #[expect(clippy::manual_assert, reason = "the build decides, not a condition")]
+    fn refuse(&mut self, body: BodyId, error: BodyError) {
+        if cfg!(debug_assertions) {
+            panic!("{error}");
+        }
+        self.events.refuse(Refusal { body, error });
     }
 
     fn wake_slot(&mut self, slot: u32) {

@@ -12,8 +12,8 @@ use crate::body::{BodyId, ColliderId};
 use crate::collision::{Swept, sweep};
 use crate::compute::GROUND_ROW;
 use crate::math::{Pose, Vec2};
+use crate::world::World;
 use crate::world::events::{Events, SensorEvent};
-use crate::world::{BodyMut, World};
 
 /// A body is swept that moves by more than this share of its width in a step, no unit: by less, and it has not gone past
 /// anything in its way that is not thinner than the rest of it.
@@ -68,21 +68,6 @@ impl Sensors {
         events.sensor_ended.extend(passed());
         std::mem::swap(&mut self.overlaps, &mut self.found);
         self.are_stale = false;
-    }
-}
-
-impl BodyMut<'_> {
-    /// Makes the body a sensor, see [`Body::sensor`](crate::Body::sensor), or no longer one. Its contacts end; what it touched
-    /// wakes.
-    pub fn set_sensor(&mut self, is_sensor: bool) {
-        let slot = self.slot();
-        let own = self.world.bodies.own_collider(slot);
-        let mut role = self.world.bodies.roles.of(own);
-        if role.is_sensor != is_sensor {
-            role.is_sensor = is_sensor;
-            self.world.bodies.roles.set(own, role);
-            self.world.collisions_changed(slot);
-        }
     }
 }
 

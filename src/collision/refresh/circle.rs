@@ -43,7 +43,7 @@ impl Pair<'_> {
         let (rotation_a, rotation_b) = (half_a * self.rotation_a, half_b * self.rotation_b);
         let near = self.offset.near + moved;
         let mut then = touch(self.shape_a, rotation_a, self.shape_b, rotation_b, near, f32::INFINITY)?;
-        if let Some(exposures) = self.bodies.exposures.of(self.colliders) {
+        if let Some(exposures) = self.bodies.exposures_of(self.colliders) {
             let placed = self.placed([rotation_a, rotation_b], near, f32::INFINITY);
             then = Touch::of(&without_ghosts(then.manifold(), exposures, placed)?)?;
         }

@@ -348,7 +348,7 @@ impl Continuous {
 
     /// Whether two shapes touch at a time, s, where their neighbours cover them.
     fn is_ghost(&self, slots: [u32; 2], time: f32, scene: &EventScene<'_>) -> bool {
-        if scene.bodies.exposures.of(slots).is_none() {
+        if scene.bodies.exposures_of(slots).is_none() {
             return false;
         }
         let [a, b] = slots.map(|slot| self.state_at(slot, time, scene));

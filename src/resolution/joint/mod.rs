@@ -88,6 +88,9 @@ impl JointSolver {
             body.accelerate(-kick);
         }
         self.starts.clone_from(&self.bodies);
+        for row in &mut self.rows {
+            row.load_before = row.load;
+        }
         self.for_each_island(|solver, island| {
             let fastest = solver.push_island(island, scheme);
             island.pace.after(h, fastest);

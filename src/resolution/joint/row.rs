@@ -95,6 +95,8 @@ pub(super) struct Row {
     pub(super) pushed: f64,
     /// Scratch: an impulse to go back to.
     pub(super) kept: f64,
+    /// The load as the substep began.
+    pub(super) load_before: f64,
     /// Force of the last substep.
     pub(super) load: f64,
     /// Whether it takes part in the direct solve.
@@ -123,6 +125,7 @@ impl Row {
             impulse: 0.0,
             pushed: 0.0,
             kept: 0.0,
+            load_before: 0.0,
             load: 0.0,
             is_free: false,
             residual: 0.0,

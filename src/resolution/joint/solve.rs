@@ -9,8 +9,8 @@ use crate::resolution::joint::row::{Phase, Role, Row, Times};
 /// in a substep; and where bounds are met, finds which.
 const MOST_SOLVES: usize = 12;
 
-/// Where bodies that turn have more than so many times the energy of such as go on as they do, it is not what was sought: links
-/// have found another place.
+/// Where the solve in which bodies turn ends with more than so many times the energy of the one in which they go on as they do, it
+/// has found another place for the links, and is given up.
 const GAIN: f64 = 1.1;
 
 /// What is sought.
@@ -34,8 +34,9 @@ impl JointSolver {
     /// Solves a phase, or, where it `is_new` no more, what was pushed since it was solved.
     pub(super) fn solve_island(&mut self, island: &mut Island, phase: Phase, is_new: bool) {
         let Self { bodies, bases, rows, .. } = self;
-        let Island { clusters, times, touches, is_linear, diverges, .. } = island;
-        let mut problem = Problem { rows, bodies, bases, times: *times, touches: *touches, diverges: false };
+        let Island { clusters, bodies: members, times, touches, is_linear, diverges, .. } = island;
+        let (times, touches) = (*times, *touches);
+        let mut problem = Problem { rows, bodies, bases, members, times, touches, diverges: false };
         if is_new {
             (*is_linear, *diverges) = (false, false);
             for cluster in clusters.iter_mut() {
@@ -63,6 +64,8 @@ struct Problem<'a> {
     rows: &'a mut [Row],
     bodies: &'a mut [JointBody],
     bases: &'a [Base],
+    /// Places of the bodies of the island.
+    members: &'a [u32],
     times: Times,
     /// Whether contacts push them.
     touches: bool,
@@ -87,7 +90,7 @@ impl Problem<'_> {
             return true;
         }
         self.keep(cluster);
-        if self.descend(cluster, Aim::Place) && (!self.touches || self.is_near(cluster)) {
+        if self.descend(cluster, Aim::Place) && (!self.touches || self.is_near()) {
             return false;
         }
         self.give_back(cluster);
@@ -108,15 +111,10 @@ impl Problem<'_> {
     }
 
     /// Whether what was found since has no more energy than that, but for `GAIN`.
-    fn is_near(&self, cluster: &Cluster) -> bool {
-        let (mut before, mut now) = (0.0, 0.0);
-        for &row in &cluster.rows {
-            for body in self.rows[row as usize].bodies {
-                let body = &self.bodies[body as usize];
-                before += body.energy_of(body.kept);
-                now += body.energy_of(body.velocity);
-            }
-        }
+    fn is_near(&self) -> bool {
+        let bodies = || self.members.iter().map(|&place| &self.bodies[place as usize]);
+        let before: f64 = bodies().map(|body| body.energy_of(body.kept)).sum();
+        let now: f64 = bodies().map(|body| body.energy_of(body.velocity)).sum();
         now <= GAIN * before
     }
 
@@ -176,7 +174,7 @@ impl Problem<'_> {
         for solve in 0..=MOST_SOLVES {
             self.look(cluster, aim);
             let excess = cluster.rows.iter().map(|&row| self.rows[row as usize].excess(self.times));
-            // A sum of squares would hide a number that is not one.
+            // `f64::max` would pass over what is not a number.
             let excess =
                 excess.fold(0.0, |most: f64, one| if one > most || one.is_nan() { one } else { most });
             if solve > 0 && excess <= 1.0 {
@@ -213,13 +211,13 @@ impl Problem<'_> {
     /// One solve of the rows that are free, cut to what they may bear.
     fn step(&mut self, cluster: &mut Cluster) {
         let Self { rows, bodies, times, .. } = self;
-        let Cluster { rows: order, factor, free, is_swept } = cluster;
+        let Cluster { rows: order, factor, free, .. } = cluster;
         let is_free = |row: &u32| rows[*row as usize].is_free;
         if !order.iter().any(is_free) {
             return;
         }
         let is_new = order.iter().zip(&*free).any(|(row, was)| is_free(row) != *was);
-        if is_new || *is_swept {
+        if is_new {
             for (row, free) in order.iter().zip(free.iter_mut()) {
                 *free = rows[*row as usize].is_free;
             }

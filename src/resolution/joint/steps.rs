@@ -25,11 +25,18 @@ const GROWTH: f64 = 4.0;
 impl JointSolver {
     /// Takes an island through the substep from its start; returns how fast the fastest of its bodies swung, rad/s.
     ///
-    /// The last step ends as a single one would: its drift is the way of all, its relax comes when the bodies have moved.
+    /// The last step ends as a single one would: the velocity that it leaves is the way of all steps over the length of the substep,
+    /// and its relax comes when the bodies have moved.
     pub(super) fn push_island(&mut self, island: &mut Island, scheme: &Scheme) -> f64 {
         let (h, kick) = (self.h, f64::from(scheme.kick_time()));
         for &place in &island.bodies {
             self.bodies[place as usize] = self.starts[place as usize];
+        }
+        for &joint in &island.joints {
+            let [first, end] = self.places[joint as usize].rows;
+            for row in &mut self.rows[first as usize..end as usize] {
+                row.load = row.load_before;
+            }
         }
         let may_be_divided = scheme.split_kick && !island.touches;
         let (mut rest, mut fastest) = (h, 0.0_f64);
@@ -155,8 +162,8 @@ impl JointSolver {
     }
 }
 
-/// What counts of a load, N, that was `before`: a blow is over before anything has swung by it, and one that whips grows from step
-/// to step.
+/// The part of a load, N, that bodies may swing by: none after it has changed its sign, as a blow is over before anything swings by
+/// it; at most [`GROWTH`] times what it was `before`, as one that whips grows from step to step.
 fn lasting(before: f64, now: f64) -> f64 {
     if before * now > 0.0 { now.abs().min(GROWTH * before.abs()).copysign(now) } else { 0.0 }
 }

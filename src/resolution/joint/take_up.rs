@@ -70,12 +70,15 @@ impl JointSolver {
         if self.is_empty() {
             return;
         }
-        let place_of = |slot: u32| self.place_of_slot.get(slot as usize).copied().unwrap_or(0);
+        let is_joined = |slot: u32| {
+            bodies.is_dynamic(slot) && self.place_of_slot.get(slot as usize).is_some_and(|&place| place != 0)
+        };
         for body in self.bodies[1..].iter_mut().filter(|body| body.inverse_mass > 0.0) {
             let slot = bodies.slot_of_row(body.row as usize);
             for index in contacts.of_body(bodies, slot) {
                 // A contact of two such bodies is in the lists of both.
-                let is_first = slot == contacts[index].slots[0] || place_of(contacts[index].slots[0]) == 0;
+                let first = contacts[index].slots[0];
+                let is_first = slot == first || !is_joined(first);
                 let home = graph.home(index).filter(|home| !home.is_solved_directly());
                 body.touches |= home.is_some();
                 self.contacts.extend(home.filter(|_| is_first));

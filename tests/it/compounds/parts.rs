@@ -139,3 +139,47 @@ fn a_contact_names_its_shapes() {
     let names = [collider_of(&world, floor, 0), collider_of(&world, body, 1)];
     assert_eq!((contact.a(), contact.b(), contact.colliders()), (floor, body, names));
 }
+
+#[test]
+fn each_shape_is_changed_for_itself() {
+    let mut world = earth();
+    let belt = Collider::new(Shape::aabb(10.0, 1.0)).at([10.0, 0.0]).friction(1.0);
+    let machine = add(&mut world, Body::fixed(Shape::aabb(10.0, 1.0)).with(belt).friction(1.0));
+    let crate_at =
+        |x: f64| Body::dynamic(Shape::rectangle(1.0, 1.0)).at([x, 1.0]).friction(1.0).restitution(0.0);
+    let [lies, rides] = [0.0, 8.0].map(|x| add(&mut world, crate_at(x)));
+    let [own, belt] = [0, 1].map(|number| collider_of(&world, machine, number));
+    world.collider_mut(belt).unwrap().set_surface_speed(2.0);
+    run(&mut world, 1.0);
+    assert!(velocity(&world, lies)[0].abs() < 1e-3 && (velocity(&world, rides)[0] - 2.0).abs() < 1e-3);
+    // What lies on the own shape falls through it once this meets nothing, and the belt still bears.
+    world.collider_mut(own).unwrap().set_filter(Filter { mask: 0, ..Filter::DEFAULT });
+    world.collider_mut(belt).unwrap().set_surface_speed(0.0);
+    assert!(world.collider_mut(belt).unwrap().set_restitution(1.5).is_err());
+    run(&mut world, 1.0);
+    world.validate().unwrap();
+    assert!(world.body(lies).unwrap().position().y < -2.0);
+    assert!(
+        (world.body(rides).unwrap().position().y - 1.0).abs() < 1e-3
+            && velocity(&world, rides)[0].abs() < 1e-3
+    );
+}
+
+#[test]
+fn events_name_the_shapes_that_met() {
+    let mut world = space();
+    let tip = Collider::new(Shape::circle(0.2)).at([1.0, 0.0]);
+    let spear = add(&mut world, Body::dynamic(Shape::rectangle(1.8, 0.1)).with(tip).velocity([5.0, 0.0]));
+    let target = add(&mut world, Body::dynamic(Shape::rectangle(1.0, 1.0)).at([2.5, 0.0]));
+    let names = [collider_of(&world, spear, 1), collider_of(&world, target, 0)];
+    let mut seen = 0;
+    for _ in 0..60 {
+        world.step();
+        let events = world.events();
+        let both = |colliders: [ColliderId; 2]| names.iter().all(|name| colliders.contains(name));
+        assert!(events.began().iter().all(|event| both(event.colliders)));
+        assert!(events.hits().iter().all(|event| both(event.colliders)));
+        seen += events.began().len() + events.hits().len();
+    }
+    assert!(seen >= 2, "it began to touch, and hit");
+}

@@ -37,12 +37,12 @@ proptest! {
 }
 
 proptest! {
-    #![proptest_config(config(2000))]
+    // A program takes a seventh of a second: most of it are the sweeps of what flies at thousands of its widths in a substep.
+    #![proptest_config(config(500))]
 
     /// A known failure: `PROPTEST_CASES=30000` still finds a program that comes to a place that is not a number. In the one that
     /// was found a needle of 1.2 km by 13 µm is in contact, positions are projected, and the tick takes 0.2 s.
     #[test]
-#[ignore = "known failure: a program takes minutes in the sweeps of one step"]
     fn nothing_at_the_extremes_of_what_is_accepted_breaks_a_world(
         operations in base().prop_flat_map(|base| prop::collection::vec(extreme_operation(base), 1..40))
     ) {
