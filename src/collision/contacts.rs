@@ -441,6 +441,7 @@ impl Contacts {
         for point in contact.manifold.points_mut() {
             point.normal_impulse *= share;
             point.tangent_impulse *= share;
+            point.lasting_impulse *= share;
         }
     }
 

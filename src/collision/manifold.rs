@@ -83,6 +83,8 @@ pub struct ManifoldPoint {
     pub normal_impulse: f32,
     /// Impulse along the tangent in the last substep, N s.
     pub tangent_impulse: f32,
+    /// What it bears along the normal without yielding, N s in half a substep, as it has borne it for long.
+    pub(crate) lasting_impulse: f32,
 }
 
 impl ManifoldPoint {

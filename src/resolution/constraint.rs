@@ -96,6 +96,8 @@ pub(crate) struct ContactConstraint<C> {
     /// Coupling of the two points along the normal, 1/kg: what a unit impulse at one does to the other's vn.
     pub(crate) coupling: C,
     pub(crate) points: [ConstraintPoint<C>; 2],
+    /// By point, what it bears along the normal without yielding, N s: the part of its load that has lasted for long.
+    pub(crate) lasting_impulses: [C; 2],
     /// Coefficient of friction.
     pub(crate) friction: C,
     /// By point.
@@ -111,6 +113,7 @@ columns!(ContactConstraint {
     normal,
     coupling,
     points,
+    lasting_impulses,
     friction,
     frictions,
     turns,

@@ -239,7 +239,7 @@ impl ConstraintGraph {
         self.enter(contacts, bodies, index);
         if was_direct {
             for point in contacts[index].manifold.points_mut() {
-                (point.normal_impulse, point.tangent_impulse) = (0.0, 0.0);
+                (point.normal_impulse, point.tangent_impulse, point.lasting_impulse) = (0.0, 0.0, 0.0);
             }
         }
     }

@@ -59,9 +59,9 @@ pub(crate) struct BlockMarks {
 
 const _: () = {
     let columns = core::mem::offset_of!(ContactBlock, columns);
-    // Twenty-four cache lines, then thirty-two.
-    assert!(columns + core::mem::offset_of!(ContactConstraint<Column>, friction) == 24 * 64);
-    assert!(columns + core::mem::offset_of!(ContactConstraint<Column>, turns) <= 32 * 64);
+    // Twenty-six cache lines, then thirty-four.
+    assert!(columns + core::mem::offset_of!(ContactConstraint<Column>, friction) == 26 * 64);
+    assert!(columns + core::mem::offset_of!(ContactConstraint<Column>, turns) <= 34 * 64);
 };
 
 impl BlockMarks {

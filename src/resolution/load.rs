@@ -71,6 +71,8 @@ impl Loads {
 /// How loads are told.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct LoadMeasure {
+    /// Length of the step, s.
+    pub(crate) dt: f32,
     /// One over the length of the substep that sags are told for, 1/s.
     per_substep: f32,
     /// How many substeps of now that one takes, no unit; 0 where loads do not matter.
@@ -80,9 +82,9 @@ pub(crate) struct LoadMeasure {
 impl LoadMeasure {
     /// For substeps of length 1/`per_substep`, s. More of them than usual do not make an island less worth its direct
     /// solve: they are asked for to have less error. Nothing counts as a load unless `loads_matter`.
-    pub(crate) fn new(loads_matter: bool, per_substep: f32) -> Self {
+    pub(crate) fn new(loads_matter: bool, dt: f32, per_substep: f32) -> Self {
         let usual = per_substep.min(USUAL_RATE);
-        Self { per_substep: usual, factor: if loads_matter { per_substep / usual } else { 0.0 } }
+        Self { dt, per_substep: usual, factor: if loads_matter { per_substep / usual } else { 0.0 } }
     }
 
     /// Takes note of the load of a contact, whose greatest k λ is `speed`, m/s. Returns whether it lasts.
@@ -149,7 +151,7 @@ mod tests {
     #[test]
     fn a_load_lasts_when_it_was_great_for_some_steps_and_ends_at_once() {
         let (measure, contact, mut load) =
-            (LoadMeasure::new(true, USUAL_RATE), contact(), ContactLoad::default());
+            (LoadMeasure::new(true, 1.0 / 60.0, USUAL_RATE), contact(), ContactLoad::default());
         let great = speed_for(DIRECT_SHARE);
         let lasts: Vec<bool> = (0..6).map(|_| measure.is_lasting(&contact, &mut load, great)).collect();
         assert_eq!(lasts, (1..=6).map(|step| step >= LASTING_STEPS).collect::<Vec<_>>());
@@ -164,7 +166,8 @@ mod tests {
     fn more_substeps_do_not_change_what_a_load_is() {
         let (contact, great) = (contact(), speed_for(DIRECT_SHARE));
         for factor in [1.0, 2.0, 10.0] {
-            let (measure, mut load) = (LoadMeasure::new(true, factor * USUAL_RATE), ContactLoad::default());
+            let (measure, mut load) =
+                (LoadMeasure::new(true, 1.0 / 60.0, factor * USUAL_RATE), ContactLoad::default());
             measure.is_lasting(&contact, &mut load, great / factor);
             assert!(
                 (load.sag / DIRECT_SHARE - 1.0).abs() < 1e-6,

@@ -46,6 +46,7 @@ pub(crate) fn rescale(
         for point in contact.manifold.points_mut() {
             point.normal_impulse *= ratio;
             point.tangent_impulse *= ratio;
+            point.lasting_impulse *= ratio;
         }
     }
 }

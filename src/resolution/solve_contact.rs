@@ -132,7 +132,13 @@ impl<L: Lane> ContactConstraint<L> {
         let (row, bias) = if biased {
             let [soft, whole] = one_and_compliance(separation, load);
             let row = Row { own: point.normal_k * soft, other: coupling * whole, scale: whole };
-            (row, bias(separation, per_substep))
+            // No more than it bears now: what it has ceased to bear would push the bodies apart.
+            let held = point.normal_k * self.lasting_impulses[index].min(point.normal_impulse);
+            let mut yielding = L::splat(0.0);
+            if L::bits(held.greater(zero)) != 0 {
+                yielding = (soft - whole) / whole * held;
+            }
+            (row, bias(separation, per_substep) - yielding)
         } else {
             (Row { own: point.normal_k, other: coupling, scale: one }, gap_bias(separation, per_substep))
         };

@@ -143,6 +143,7 @@ impl World {
                     point.separation.is_finite()
                         && point.normal_impulse.is_finite()
                         && point.tangent_impulse.is_finite()
+                        && point.lasting_impulse.is_finite()
                 });
             if !is_finite {
                 return Err(format!("contact {index} has a number that is not finite: {contact:?}"));

@@ -244,8 +244,10 @@ fn write_back(
     for place in 0..COLUMN.min(contacts.len()) {
         contacts.prefetch_written(place);
         let contact = contacts.get_mut(place);
+        let load = residuals.load.get(place);
+        block.follow_load(place, contact, load, measure.dt);
         block.write_back(place, contact);
-        let is_lasting = measure.is_lasting(contact, loads.get_mut(place), residuals.load.get(place));
+        let is_lasting = measure.is_lasting(contact, loads.get_mut(place), load);
         block.marks.lasting.set(place, is_lasting);
         let touches = contact.has_bounced || residuals.touching.get(place);
         debug_assert_eq!(touches, contact.has_touched());

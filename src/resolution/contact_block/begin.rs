@@ -45,7 +45,8 @@ impl ContactConstraint<f32> {
             ..Self::default()
         };
         let places = constraint.points.iter_mut().zip(&mut constraint.frictions);
-        for ((to, friction), point) in places.zip(manifold.points()) {
+        let places = places.zip(&mut constraint.lasting_impulses);
+        for (((to, friction), lasting_impulse), point) in places.zip(manifold.points()) {
             *to = ConstraintPoint {
                 anchor_a: point.anchor_a.into(),
                 anchor_b: point.anchor_b.into(),
@@ -55,6 +56,7 @@ impl ContactConstraint<f32> {
                 normal_impulse: point.normal_impulse,
             };
             friction.impulse = point.tangent_impulse;
+            *lasting_impulse = point.lasting_impulse;
         }
         constraint
     }

@@ -4,6 +4,7 @@ use crate::collision::Contact;
 use crate::compute::{BodyState, Column, Columns, Lane, LaneVec2};
 use crate::resolution::constraint::StepResidual;
 use crate::resolution::contact_block::{ContactBlock, Marks};
+use crate::resolution::softness::{lasting_after, yields_in_full};
 
 /// What is left wrong of the contacts of all blocks so far, by place; and what the last of them bear.
 #[derive(Clone, Copy, Debug, Default)]
@@ -84,6 +85,24 @@ impl ContactBlock {
         residuals.penetration.store::<L>(place, penetration);
         residuals.approach_speed.store::<L>(place, approach_speed);
         residuals.touching.write::<L>(place, touching);
+    }
+
+    /// Lets what points bear without yielding follow their load at the end of a step of length `dt`, s. The contact has that of
+    /// the step before still, and `load` is the greatest k λ of its points, m/s.
+    #[inline(always)]
+    pub(crate) fn follow_load(&self, place: usize, contact: &mut Contact, load: f32, dt: f32) {
+        // Half of the impulses act before the move, where contacts yield.
+        const HALF: f32 = 0.5;
+        if yields_in_full(HALF * load) {
+            contact.manifold.points_mut().iter_mut().for_each(|point| point.lasting_impulse = 0.0);
+            return;
+        }
+        for (point, now) in contact.manifold.points_mut().iter_mut().zip(&self.columns.points) {
+            // What it did not bear a step ago may be a blow.
+            let impulse = HALF * now.normal_impulse.get(place).min(point.normal_impulse);
+            point.lasting_impulse =
+                lasting_after(point.lasting_impulse, [now.normal_k.get(place), impulse], dt);
+        }
     }
 
     /// Writes the end of the step back into a contact.

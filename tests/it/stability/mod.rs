@@ -9,6 +9,7 @@
 mod confined;
 mod far;
 mod forces;
+mod heaps;
 mod long;
 mod sizes;
 mod speeds;
@@ -23,7 +24,6 @@ const GRAVEL: &str =
 
 /// Cases that rustycs does not meet, and why. One that it comes to meet is taken off the list, and gets its test.
 const KNOWN_FAILURES: &[(&str, &str)] = &[
-    ("plate-on-heap", "the heap is more work than the direct solve takes on, and too stiff for sweeps"),
     (
         "pyramid-40",
         "too many boxes for the direct solve: by sweeps the middle sags, and the rows tilt and rock",
