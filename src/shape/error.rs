@@ -2,7 +2,34 @@
 
 use core::fmt;
 
-use crate::shape::{MAX_SIZE, MAX_VERTICES, MIN_SIZE};
+use crate::shape::{MAX_OUTLINE_POINTS, MAX_SIZE, MAX_VERTICES, MIN_SIZE};
+
+/// An outline or one of its holes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Ring {
+    /// The outline.
+    Outline,
+    /// The hole with this place in the list of holes, from 0.
+    Hole(usize),
+}
+
+/// A point of an outline or of a hole, or the edge from there to the next point.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct RingPlace {
+    /// Of which outline or hole.
+    pub ring: Ring,
+    /// Its place in the list of points, from 0.
+    pub index: usize,
+}
+
+impl fmt::Display for Ring {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Outline => write!(f, "the outline"),
+            Self::Hole(index) => write!(f, "hole {index}"),
+        }
+    }
+}
 
 /// Why a shape is refused; its text says what to change.
 #[non_exhaustive]
@@ -10,7 +37,7 @@ use crate::shape::{MAX_SIZE, MAX_VERTICES, MIN_SIZE};
 pub enum ShapeError {
     /// A length of the shape is not a number, or outside [`MIN_SIZE`] to [`MAX_SIZE`].
     Size {
-        /// Which length: `"radius"`, `"width"`, `"height"`, `"polygon's size"` or `"polygon's thickness"`.
+        /// Which length: `"radius"`, `"width"`, `"height"`, `"polygon's size"`, `"polygon's thickness"` or `"outline's size"`.
         what: &'static str,
         /// Its value, m.
         value: f32,
@@ -41,6 +68,54 @@ pub enum ShapeError {
     },
     /// The outline crosses itself or winds round more than once.
     SelfIntersecting,
+    /// A point of an outline or hole has a coordinate that is NaN or infinite.
+    OutlineNotFinite {
+        /// Which point.
+        place: RingPlace,
+        /// Its coordinates, m.
+        point: [f32; 2],
+    },
+    /// An outline or a hole of fewer than three points.
+    OutlineTooShort {
+        /// Which of them.
+        ring: Ring,
+        /// How many points it has.
+        count: usize,
+    },
+    /// An outline and its holes have more points than [`MAX_OUTLINE_POINTS`](crate::shape::MAX_OUTLINE_POINTS).
+    OutlineTooLong {
+        /// How many were read.
+        count: usize,
+    },
+    /// Two points of an outline or of holes are one.
+    OutlineRepeats {
+        /// Which points.
+        points: [RingPlace; 2],
+    },
+    /// Two edges of an outline or of holes cross or touch.
+    OutlineCrosses {
+        /// Which edges.
+        edges: [RingPlace; 2],
+    },
+    /// What an outline or a hole goes round, or what holes leave of an outline, is too small for its size.
+    OutlineTooSmall {
+        /// Which of them.
+        ring: Ring,
+        /// Its area, m².
+        area: f32,
+    },
+    /// A hole is not in the outline.
+    HoleOutside {
+        /// Its place in the list of holes, from 0.
+        hole: usize,
+    },
+    /// A hole is in another.
+    HoleInHole {
+        /// Its place in the list of holes, from 0.
+        hole: usize,
+        /// That of the other.
+        other: usize,
+    },
 }
 
 impl fmt::Display for ShapeError {
@@ -71,6 +146,45 @@ impl fmt::Display for ShapeError {
                 f,
                 "the polygon's outline crosses itself: list the points in order around the outline, once"
             ),
+            _ => self.say_of_outline(f),
+        }
+    }
+}
+
+impl ShapeError {
+    /// What is wrong with a concave outline.
+    fn say_of_outline(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match *self {
+            Self::OutlineNotFinite { place: RingPlace { ring, index }, point: [x, y] } => {
+                write!(f, "point {index} of {ring} is ({x}, {y}): give it finite coordinates")
+            }
+            Self::OutlineTooShort { ring, count } => write!(f, "{ring} has {count} points: give at least 3"),
+            Self::OutlineTooLong { count } => write!(
+                f,
+                "the outline and its holes have {count} points or more: use at most {MAX_OUTLINE_POINTS}"
+            ),
+            Self::OutlineRepeats { points: [one, other] } => write!(
+                f,
+                "point {} of {} is at the same place as point {} of {}: leave one of them out",
+                other.index, other.ring, one.index, one.ring
+            ),
+            Self::OutlineCrosses { edges: [one, other] } => write!(
+                f,
+                "edge {} of {} crosses or touches edge {} of {} (an edge goes from the point of its number to the next): \
+                 list the points in order around the area, once",
+                one.index, one.ring, other.index, other.ring
+            ),
+            Self::OutlineTooSmall { ring, area } => write!(
+                f,
+                "the area of {ring} is {area} m², which is too little for its size: make it wider than 1e-5 of its length"
+            ),
+            Self::HoleOutside { hole } => {
+                write!(f, "hole {hole} is not in the outline: move it in, or leave it out")
+            }
+            Self::HoleInHole { hole, other } => {
+                write!(f, "hole {hole} is in hole {other}: leave one of them out")
+            }
+            _ => Ok(()),
         }
     }
 }

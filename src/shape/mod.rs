@@ -1,9 +1,10 @@
 //! Shapes: the geometry of a body, about its centre of mass.
 //!
-//! Circle, two kinds of box, and convex polygons. Constructors of circles and boxes take any number;
+//! Circle, two kinds of box, and convex polygons, of which concave outlines are made up. Constructors of circles and boxes take any number;
 //! [`Shape::validate`] checks them once, when the body enters the world, so that nothing in the step has to.
 //! What is precomputed here (corners, edge normals) is what detection reads at every step.
 
+mod decomposition;
 mod error;
 mod exposure;
 mod hull;
@@ -15,7 +16,8 @@ pub(crate) mod testing;
 #[cfg(test)]
 mod tests;
 
-pub use error::ShapeError;
+pub use decomposition::MAX_OUTLINE_POINTS;
+pub use error::{Ring, RingPlace, ShapeError};
 pub use hull::MAX_VERTICES;
 pub use mass::MassProperties;
 pub use polygon::Polygon;
