@@ -125,7 +125,7 @@ pub(crate) mod store;
 pub(crate) mod testing;
 pub mod world;
 
-pub use body::{Body, BodyError, BodyId, BodyType, Collider, ColliderId, Filter, Material, Mix};
+pub use body::{Body, BodyError, BodyId, BodyType, Collider, ColliderId, Filter, Ground, Material, Mix};
 pub use collision::{FeatureId, Manifold, ManifoldPoint};
 pub use joint::{Joint, JointError, JointId, JointKind};
 pub use math::{Aabb, Point, Pose, Rot, Vec2};
@@ -134,7 +134,7 @@ pub use world::{
     Attractor, AttractorError, AttractorId, BodyMut, BodyRef, Clock, ClosestHit, ColliderMut, ColliderRef,
     ContactEvent, ContactRef, Counters, DrawnPart, Events, Force, ForceError, ForceId, HitEvent, JointGap,
     JointMut, JointRef, JointRefusal, Lanes, PositionCorrection, Profile, QueryFilter, RayHit, Refusal,
-    SensorEvent, Settings, SettingsError, ShapeHit, Stage, StageReport, StepError, Tier, World,
+    SensorEvent, Settings, SettingsError, ShapeHit, Stage, StageReport, StepError, Tier, TileMap, World,
 };
 
 /// Everything a program needs by name.
@@ -142,11 +142,11 @@ pub mod prelude {
     pub use crate::{
         Aabb, Attractor, AttractorError, AttractorId, Body, BodyError, BodyId, BodyMut, BodyRef, BodyType,
         Clock, ClosestHit, Collider, ColliderId, ColliderMut, ColliderRef, ContactEvent, ContactRef,
-        Counters, DrawnPart, Events, FeatureId, Filter, Force, ForceError, ForceId, HitEvent, Joint,
+        Counters, DrawnPart, Events, FeatureId, Filter, Force, ForceError, ForceId, Ground, HitEvent, Joint,
         JointError, JointGap, JointId, JointKind, JointMut, JointRef, Lanes, Manifold, ManifoldPoint,
         Material, Mix, Point, Pose, PositionCorrection, Profile, QueryFilter, RayHit, Refusal, Rot,
         SensorEvent, Settings, SettingsError, Shape, ShapeError, ShapeHit, Stage, StageReport, StepError,
-        Tier, Vec2, World, collision,
+        Tier, TileMap, Vec2, World, collision,
     };
 }
 

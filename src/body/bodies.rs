@@ -320,7 +320,9 @@ impl Bodies {
             may_sleep: motion.may_sleep,
             user_data: record.user_data,
             role: self.roles.of(own),
+            own_at: self.place_on_frame(own),
             further: self.further_colliders(slot),
+            lacks_shape: false,
         }
     }
 

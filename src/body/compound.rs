@@ -155,9 +155,24 @@ impl Bodies {
         Pose { center: of_body.to_world(arm), rotation: of_body.rotation * turn }
     }
 
-    /// Where the middle of the frame is that the body in `slot` is described in: the centre of its own shape.
+    /// Where the middle of the frame is that the body in `slot` is described in: the centre of its own shape, if it is not made of
+    /// pieces.
     pub(crate) fn place_of_frame(&self, slot: u32) -> Point {
-        self.center(self.own_collider(slot))
+        let own = self.own_collider(slot);
+        let at = self.place_on_frame(own);
+        let center = self.center(own);
+        if at == Vec2::ZERO {
+            return center;
+        }
+        center - self.motions[slot as usize].pose.rotation.rotate(at)
+    }
+
+    /// Where the shape in `slot` is in the frame that its body is described in, m.
+    pub(super) fn place_on_frame(&self, slot: u32) -> Vec2 {
+        if self.is_body(slot) {
+            return Vec2::ZERO;
+        }
+        self.compounds.places[slot as usize].at
     }
 
     /// The shapes of the body in `slot` beside its own.

@@ -65,12 +65,16 @@ pub struct Body {
     pub(crate) may_sleep: bool,
     pub(crate) user_data: u64,
     pub(crate) role: Role,
+    /// Where its own shape is in the frame that its shapes are described in, m: in the middle, but of a body made of pieces.
+    pub(crate) own_at: Vec2,
     /// Its shapes beside its own.
     pub(crate) further: Vec<Collider>,
+    /// Whether it was made of no piece at all.
+    pub(crate) lacks_shape: bool,
 }
 
 impl Body {
-    fn new(body_type: BodyType, shape: Shape) -> Self {
+    pub(super) fn new(body_type: BodyType, shape: Shape) -> Self {
         Self {
             body_type,
             shape,
@@ -87,7 +91,9 @@ impl Body {
             may_sleep: true,
             user_data: 0,
             role: Role::default(),
+            own_at: Vec2::ZERO,
             further: Vec::new(),
+            lacks_shape: false,
         }
     }
 
@@ -109,7 +115,8 @@ impl Body {
         Self::new(BodyType::Kinematic, shape)
     }
 
-    /// Place of the centre of mass, m; of the body's own shape, if it has [several](Self::with).
+    /// Place of the centre of mass, m; of the body's own shape, if it has [several](Self::with); of the frame of the points, if
+    /// it is made of [pieces](Self::dynamic_pieces).
     #[must_use]
     pub fn at(mut self, center: impl Into<Point>) -> Self {
         self.center = center.into();
@@ -218,8 +225,9 @@ impl Body {
     ///
     /// [`at`](Self::at) and [`angle`](Self::angle) tell where the frame goes that the shapes are described in, with the body's own
     /// shape in the middle. The [position](crate::BodyRef::position) of a dynamic body is its centre of mass as always, which
-    /// is elsewhere as a rule; one that contacts do not move is at its own shape. Density, friction, restitution
+    /// is elsewhere as a rule; one that contacts do not move is in the middle of the frame. Density, friction, restitution
     /// and filter of the body hold for all shapes that are not given their own; what else it is told is about its own shape.
+    /// There may be as many as memory holds.
     ///
     /// ```
     /// # use rustycs::prelude::*;
@@ -313,7 +321,7 @@ impl Body {
         &self.shape
     }
 
-    /// Place of its own shape, m: its centre of mass, if it has only that.
+    /// Place of its own shape, m: its centre of mass, if it has only that; of the frame of its points, if it is made of pieces.
     pub fn get_position(&self) -> Point {
         self.center
     }
@@ -401,7 +409,7 @@ impl Body {
     /// All its shapes, its own first.
     pub(crate) fn parts(&self) -> Vec<Part> {
         let Self { shape, material, role, .. } = *self;
-        let own = Part { shape, at: Vec2::ZERO, angle: 0.0, material, role, user_data: 0 };
+        let own = Part { shape, at: self.own_at, angle: 0.0, material, role, user_data: 0 };
         let further = self.further.iter().map(|collider| collider.on(material, role.filter));
         std::iter::once(own).chain(further).collect()
     }
@@ -420,14 +428,12 @@ impl Body {
     pub(crate) fn pose(&self) -> Pose {
         let frame =
             if self.can_be_turned() { Pose::new(self.center, self.angle) } else { Pose::at(self.center) };
-        if self.further.is_empty() {
-            return frame;
-        }
-        Pose { center: frame.to_world(self.masses().center), ..frame }
+        let from_frame = if self.further.is_empty() { self.own_at } else { self.masses().center };
+        if from_frame == Vec2::ZERO { frame } else { Pose { center: frame.to_world(from_frame), ..frame } }
     }
 
     /// Mass and moment of inertia of the body, were it free to move and turn; and its centre of mass in the frame that it is
-    /// described in: what contacts do not move turns about its own shape.
+    /// described in, if it has several shapes: what contacts do not move turns about the middle of the frame.
     pub(crate) fn masses(&self) -> Masses {
         let by_density = if self.further.is_empty() {
             let of_shape = self.shape.mass_properties(self.material.density);
@@ -455,6 +461,9 @@ impl Body {
 
     /// Checks every number of the description.
     pub(crate) fn validate(&self) -> Result<(), BodyError> {
+        if self.lacks_shape {
+            return Err(BodyError::NoShape);
+        }
         check_place(self.center)?;
         check_strength("the angle", self.angle, "rad")?;
         check_vector("the velocity", self.velocity, "m/s")?;

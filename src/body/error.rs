@@ -11,6 +11,8 @@ use crate::shape::ShapeError;
 pub enum BodyError {
     /// The shape cannot be simulated.
     Shape(ShapeError),
+    /// The body was made of no piece at all.
+    NoShape,
     /// A quantity is NaN, infinite, or outside the range that the engine can compute with.
     OutOfRange {
         /// What was given.
@@ -35,6 +37,7 @@ impl fmt::Display for BodyError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Shape(error) => write!(f, "the body's shape cannot be used: {error}"),
+            Self::NoShape => write!(f, "the body has no shape: give it a piece at least"),
             Self::OutOfRange { quantity, value, min, max, unit } => {
                 let [value, min, max] = [*value, *min, *max].map(Number);
                 let space = if unit.is_empty() { "" } else { " " };
@@ -55,7 +58,7 @@ impl std::error::Error for BodyError {
     fn source(&self) -> Option<&(dyn std::error::Error + 'static)> {
         match self {
             Self::Shape(error) => Some(error),
-            Self::OutOfRange { .. } | Self::NotKinematic { .. } => None,
+            Self::NoShape | Self::OutOfRange { .. } | Self::NotKinematic { .. } => None,
         }
     }
 }

@@ -15,9 +15,11 @@ mod exposures;
 mod filter;
 pub(crate) mod limits;
 mod material;
+mod pieces;
 mod rest;
 mod role;
 mod rolling;
+mod tiles;
 
 pub(crate) use bodies::{Bodies, Forcing, Motion, NONE, Record};
 pub use collider::{Collider, ColliderId};
@@ -29,6 +31,8 @@ pub(crate) use material::Mixes;
 pub use material::{Material, Mix};
 pub(crate) use rest::{HORIZON, RestRule, RestWatch};
 pub(crate) use role::{Role, Roles};
+pub use tiles::Ground;
+pub(crate) use tiles::{body_of_tiles, boxes_of_tiles};
 
 crate::store::id_type! {
     /// Names a body of a world.

@@ -56,16 +56,21 @@ fn is_allowed(manifold: &Manifold, side: usize, exposure: &Exposure, placed: Pla
     exposure.allows(hull, rotation.unrotate(outward), places, is_of_circle)
 }
 
-/// The manifold with the exposed face that is the farthest out in front, of one of the two shapes.
+/// The manifold with the exposed face that is the farthest out in front, of one of the two shapes, and where it is exposed.
 fn on_exposed_face(side: usize, exposure: &Exposure, placed: Placed<'_>) -> Option<Manifold> {
     let Placed { shapes, rotations, offset, margin } = placed;
     let [own, other] = [side, 1 - side];
     let (hull, other_hull) = (shapes[own].hull()?, shapes[other].hull()?);
     let [rotation, other_rotation] = [own, other].map(|index| shapes[index].rotation_at(rotations[index]));
     let offset = if side == 0 { offset } else { -offset };
-    let on = |face| on_face(hull, rotation, other_hull, other_rotation, offset, face, margin);
+    let on = |face| {
+        let (gap, found) = on_face(hull, rotation, other_hull, other_rotation, offset, face, margin)?;
+        let manifold = if side == 0 { found } else { found.flipped() };
+        // Of a face that is exposed in part another part may be near.
+        is_allowed(&manifold, side, exposure, placed).then_some((gap, manifold))
+    };
     let farthest = exposure.exposed_faces().filter_map(on).max_by(|(one, _), (next, _)| one.total_cmp(next));
-    farthest.map(|(_, manifold)| if side == 0 { manifold } else { manifold.flipped() })
+    farthest.map(|(_, manifold)| manifold)
 }
 
 /// The manifold with a circle that is beyond an end of a face, over neighbours that do not fall away from it: with the plane of the

@@ -232,6 +232,14 @@ impl Shape {
         }
     }
 
+    /// Where the centre of a polygon was among the points that it was made from, m; the middle for the others.
+    pub(crate) fn place_of_input(&self) -> Vec2 {
+        match self {
+            Self::Polygon(polygon) => polygon.centroid_of_input(),
+            _ => Vec2::ZERO,
+        }
+    }
+
     /// The corners in the body's frame, m, counter-clockwise; none for a circle.
     pub fn vertices(&self) -> &[Vec2] {
         self.hull().map_or(&[], Hull::vertices)

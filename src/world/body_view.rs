@@ -155,12 +155,13 @@ impl<'a> BodyRef<'a> {
     }
 
     /// Its shapes, each with its own place, material, filter and role: most bodies have one.
-    pub fn colliders(&self) -> impl Iterator<Item = ColliderRef<'a>> {
+    pub fn colliders(&self) -> impl Iterator<Item = ColliderRef<'a>> + use<'a> {
         let world = self.world;
         world.bodies.colliders(self.slot()).map(move |slot| ColliderRef::new(world, slot))
     }
 
-    /// Where the middle of the frame is that its shapes were described in, m: the centre of its own shape, which is its
+    /// Where the middle of the frame is that its shapes were described in, m: that of its points, if it is made of
+    /// [pieces](crate::Body::dynamic_pieces) and more than one; else the centre of its own shape, which is its
     /// [position](Self::position) too, if it has no other.
     pub fn origin(&self) -> Point {
         self.world.bodies.place_of_frame(self.slot())

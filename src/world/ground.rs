@@ -65,7 +65,12 @@ impl World {
             let of = bodies.roles.of(slot);
             of.one_way.map_or(Vec2::ZERO, |up| bodies.motions[slot as usize].pose.rotation.rotate(up))
         };
+        let motion = |slot: u32| &bodies.motions[slot as usize];
         beside.retain(|&other| {
+            let reach = motion(slot).extent + motion(other).extent + Exposure::FARTHEST;
+            if motion(slot).pose.center.distance(motion(other).pose.center) > f64::from(reach) * 1.001 {
+                return false;
+            }
             let of_other = bodies.roles.of(other);
             let is_alike = of_other.filter == role.filter && !of_other.is_sensor;
             other != slot && is_alike && direction(other).distance(direction(slot)) < SAME_WAY

@@ -27,6 +27,7 @@ mod sensors;
 mod settings;
 mod sleep;
 mod step;
+mod tile_map;
 mod validate;
 
 pub use crate::compute::Lanes;
@@ -44,6 +45,7 @@ pub use joint_view::{JointGap, JointMut, JointRef};
 pub use profile::{Clock, Counters, Profile, Stage, StageReport};
 pub use query::{ClosestHit, QueryFilter, RayHit, ShapeHit};
 pub use settings::{PositionCorrection, Settings, SettingsError};
+pub use tile_map::TileMap;
 
 use crate::body::{Bodies, BodyError, BodyId};
 use crate::collision::broad_phase::BroadPhase;

@@ -3,4 +3,5 @@
 mod edits;
 mod laws;
 mod parts;
+mod pieces;
 mod thrown;

@@ -2,3 +2,4 @@
 
 mod edges;
 mod seams;
+mod tiles;
