@@ -26,6 +26,7 @@
 //! [`World::advance`] takes the time of a frame and as many ticks as fit; it comes to the same at any number of frames per
 //! second. [`World::advance_with`] calls back before each tick, for control. [`World::body_mut`] pushes, changes and reads a
 //! body, [`World::contacts_of`] tells what it touches, and [`BodyRef::interpolated_pose`] where to draw it.
+//! A character that is moved by hand is a [`Mover`], and a map of tiles a [`TileMap`].
 //! [`Events::hits`] tell where bodies met, and with which impulse; [`World::draw_lines`] draws all there is.
 //!
 //! # A step
@@ -56,12 +57,12 @@
 //! | 0 | [`math`] | vectors, places, rotations, poses, boxes, our own sine and cosine |
 //! | 0 | `store` | generational ids, slots, bit set, pair set |
 //! | 0 | `compute` | numbers in lanes (scalar, SSE2, NEON, AVX2, AVX-512), the width chosen at run time, the hot rows of bodies, threads |
-//! | 1 | [`shape`] | circle, boxes, convex polygon; mass, rays, points |
+//! | 1 | [`shape`] | circle, boxes, convex polygon; concave outlines as pieces; mass, rays, points |
 //! | 2 | [`joint`] | description of joints, and how they are kept |
 //! | 2 | [`body`] | description, material, role, and how many bodies are kept |
 //! | 3 | [`collision`] | broad phase, detection, manifolds, contacts |
 //! | 4 | `resolution` | the solver: substeps, constraint graph, contact kernel, direct solve, impacts, islands |
-//! | 5 | [`world`] | the world, its step, and everything that can be asked of it |
+//! | 5 | [`world`] | the world, its step, and everything that can be asked of it; characters and tile maps |
 //! | 6 | `report` | error against run time, for any scene; with the feature of that name |
 //!
 //! # Determinism
@@ -131,22 +132,23 @@ pub use joint::{Joint, JointError, JointId, JointKind};
 pub use math::{Aabb, Point, Pose, Rot, Vec2};
 pub use shape::{Shape, ShapeError};
 pub use world::{
-    Attractor, AttractorError, AttractorId, BodyMut, BodyRef, Clock, ClosestHit, ColliderMut, ColliderRef,
-    ContactEvent, ContactRef, Counters, DrawnPart, Events, Force, ForceError, ForceId, HitEvent, JointGap,
-    JointMut, JointRef, JointRefusal, Lanes, PositionCorrection, Profile, QueryFilter, RayHit, Refusal,
-    SensorEvent, Settings, SettingsError, ShapeHit, Stage, StageReport, StepError, Tier, TileMap, World,
+    Attractor, AttractorError, AttractorId, BodyMut, BodyRef, Character, Clock, ClosestHit, ColliderMut,
+    ColliderRef, ContactEvent, ContactRef, Counters, DrawnPart, Events, Force, ForceError, ForceId, HitEvent,
+    JointGap, JointMut, JointRef, JointRefusal, Lanes, Moved, Mover, PositionCorrection, Profile,
+    QueryFilter, RayHit, Refusal, SensorEvent, Settings, SettingsError, ShapeHit, Stage, StageReport,
+    StepError, Tier, TileMap, World,
 };
 
 /// Everything a program needs by name.
 pub mod prelude {
     pub use crate::{
         Aabb, Attractor, AttractorError, AttractorId, Body, BodyError, BodyId, BodyMut, BodyRef, BodyType,
-        Clock, ClosestHit, Collider, ColliderId, ColliderMut, ColliderRef, ContactEvent, ContactRef,
-        Counters, DrawnPart, Events, FeatureId, Filter, Force, ForceError, ForceId, Ground, HitEvent, Joint,
-        JointError, JointGap, JointId, JointKind, JointMut, JointRef, Lanes, Manifold, ManifoldPoint,
-        Material, Mix, Point, Pose, PositionCorrection, Profile, QueryFilter, RayHit, Refusal, Rot,
-        SensorEvent, Settings, SettingsError, Shape, ShapeError, ShapeHit, Stage, StageReport, StepError,
-        Tier, TileMap, Vec2, World, collision,
+        Character, Clock, ClosestHit, Collider, ColliderId, ColliderMut, ColliderRef, ContactEvent,
+        ContactRef, Counters, DrawnPart, Events, FeatureId, Filter, Force, ForceError, ForceId, Ground,
+        HitEvent, Joint, JointError, JointGap, JointId, JointKind, JointMut, JointRef, Lanes, Manifold,
+        ManifoldPoint, Material, Mix, Moved, Mover, Point, Pose, PositionCorrection, Profile, QueryFilter,
+        RayHit, Refusal, Rot, SensorEvent, Settings, SettingsError, Shape, ShapeError, ShapeHit, Stage,
+        StageReport, StepError, Tier, TileMap, Vec2, World, collision,
     };
 }
 

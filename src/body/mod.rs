@@ -25,7 +25,7 @@ pub(crate) use bodies::{Bodies, Forcing, Motion, NONE, Record};
 pub use collider::{Collider, ColliderId};
 pub use description::{Body, BodyType};
 pub use error::BodyError;
-pub(crate) use error::Number;
+pub(crate) use error::{Number, check_range};
 pub use filter::Filter;
 pub(crate) use material::Mixes;
 pub use material::{Material, Mix};

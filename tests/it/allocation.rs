@@ -1,6 +1,6 @@
 //! A settled step allocates nothing: buffers live in their owners and are used again.
 
-use rustycs::{Lanes, Settings, World};
+use rustycs::{Body, Character, Ground, Lanes, Mover, Settings, Shape, World};
 
 /// Steps a scene until it has settled, then counts the allocations of some more steps, but for those in which a body
 /// falls asleep or wakes: such a step is not settled.
@@ -73,4 +73,28 @@ fn a_world_cloned_into_one_like_it_allocates_nothing() {
             assert_eq!(world.state_hash(), ahead, "{name}");
         }
     }
+}
+
+/// A character walks over tiles, up a step, against a crate that it pushes, and falls: without allocating.
+#[test]
+fn a_move_of_a_character_allocates_nothing() {
+    let mut world = World::new(Settings { sleep: false, ..Settings::default() });
+    world.add(Ground::from_tiles(&[true; 40], 40, 0.5).at([-10.0, -0.5])).unwrap();
+    world.add(Body::fixed(Shape::rectangle(2.0, 0.2)).at([3.0, 0.1])).unwrap();
+    world.add(Body::dynamic(Shape::rectangle(0.5, 0.5)).at([7.0, 0.25])).unwrap();
+    let hero = Character::new(Shape::rectangle(0.5, 1.0)).at([0.0, 0.6]).step_height(0.25).push_force(100.0);
+    let mut hero = Mover::new(hero).unwrap();
+    let (mut count, mut walls) = (0, 0);
+    for _ in 0..400 {
+        world.step();
+        let mut moved = None;
+        let allocations =
+            allocation_counter::measure(|| moved = Some(hero.move_by(&mut world, [0.04, -0.05])));
+        // A force that is given is taken note of: room for the first of them.
+        let pushes = moved.and_then(|moved| moved.wall).is_some();
+        walls += u32::from(pushes);
+        count += if pushes && walls == 1 { 0 } else { allocations.count_total };
+    }
+    assert!(walls > 10 && hero.position().y < 0.0, "{walls}, {:?}", hero.position());
+    assert_eq!(count, 0);
 }

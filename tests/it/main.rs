@@ -2,6 +2,7 @@
 
 mod allocation;
 mod bad_input;
+mod character;
 mod closed_worlds;
 mod compounds;
 mod continuous;

@@ -5,7 +5,7 @@ use crate::collision::{Swept, detect, detect_within, sweep};
 use crate::math::{Point, Pose, Vec2};
 use crate::shape::Shape;
 use crate::world::query::ray::just_beyond;
-use crate::world::{QueryFilter, World};
+use crate::world::{ColliderRef, QueryFilter, World};
 
 /// Far enough that the nearest points of two shapes are found, wherever they are, m.
 const ANY_DISTANCE: f32 = f32::INFINITY;
@@ -75,13 +75,25 @@ impl World {
         translation: impl Into<Vec2>,
         filter: &QueryFilter<'_>,
     ) -> Option<ShapeHit> {
-        let caster = Caster { shape, pose, translation: translation.into() };
+        self.shape_cast_where(shape, pose, translation.into(), filter, Some)
+    }
+
+    /// The same of what is left of each hit: nothing, or what stands in its place at the same part of the way.
+    pub(in crate::world) fn shape_cast_where(
+        &self,
+        shape: &Shape,
+        pose: Pose,
+        translation: Vec2,
+        filter: &QueryFilter<'_>,
+        see: impl Fn(ShapeHit) -> Option<ShapeHit>,
+    ) -> Option<ShapeHit> {
+        let caster = Caster { shape, pose, translation };
         if !can_be_placed(shape, pose) || !caster.translation.is_finite() {
             return None;
         }
         let mut nearest: Option<ShapeHit> = None;
         let visit = |slot: u32, max_fraction: f32| {
-            let Some(hit) = self.cast_at_body(&caster, slot, max_fraction, filter) else {
+            let Some(hit) = self.cast_at_body(&caster, slot, max_fraction, filter).and_then(&see) else {
                 return max_fraction;
             };
             // Among equals the smallest id, whatever order the tree is searched in.
@@ -137,6 +149,22 @@ impl World {
         self.broad_phase.query(shape.bounding_box(pose), |slot| {
             let overlaps = self.is_asked_about(filter, slot) && self.overlaps_body(shape, pose, slot);
             !(overlaps && self.satisfies(filter, slot)) || visit(self.id_of(slot))
+        });
+    }
+
+    /// Calls `visit` with each shape that a shape in `pose` touches or overlaps.
+    pub(in crate::world) fn overlapping_each(
+        &self,
+        shape: &Shape,
+        pose: Pose,
+        filter: &QueryFilter<'_>,
+        mut visit: impl FnMut(ColliderRef<'_>),
+    ) {
+        self.broad_phase.query(shape.bounding_box(pose), |slot| {
+            if self.is_asked_about(filter, slot) && self.overlaps_body(shape, pose, slot) {
+                visit(ColliderRef::new(self, slot));
+            }
+            true
         });
     }
 

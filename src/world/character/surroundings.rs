@@ -1,0 +1,101 @@
+//! What a character meets, and where that leaves it.
+
+use crate::body::BodyId;
+use crate::collision::{Manifold, detect};
+use crate::math::{Pose, Vec2};
+use crate::world::character::trip::Trip;
+use crate::world::{ColliderRef, QueryFilter, ShapeHit};
+
+/// A one-way floor bears what comes from within 60° of its free side, this being the cosine, as it bears bodies.
+const FREE_SIDE: f32 = 0.5;
+
+/// What overlaps by less than so many gaps is met like a wall by what moves into it; what is deeper has caught the character, and
+/// is passed, so that it can leave.
+const SHALLOW: f32 = 4.0;
+
+/// Rounds in which a character is pushed out of what overlaps it: two things beside each other take two.
+const ROUNDS: usize = 4;
+
+impl Trip<'_> {
+    /// The first thing on a way, m; what carries the character is none.
+    pub(super) fn cast(&self, way: Vec2) -> Option<ShapeHit> {
+        let filter = self.filter().ignore_all(self.carrier.as_slice());
+        let pose = Pose::at(self.at);
+        self.world.shape_cast_where(&self.character.shape, pose, way, &filter, |hit| self.meets(hit, way))
+    }
+
+    /// What can be in the way at all.
+    pub(super) fn filter(&self) -> QueryFilter<'_> {
+        self.character.ignored.map_or(QueryFilter::new(), |body| QueryFilter::new().ignore(body))
+    }
+
+    /// What a hit on a way is to the character; `None` if it passes.
+    fn meets(&self, hit: ShapeHit, way: Vec2) -> Option<ShapeHit> {
+        let collider = self.world.collider(hit.collider)?;
+        if !self.character.filter.collides_with(collider.filter()) {
+            return None;
+        }
+        let hit = if hit.normal == Vec2::ZERO { self.overlap_as_hit(hit, collider, way)? } else { hit };
+        self.is_borne_side(collider, hit.normal, way).then_some(hit)
+    }
+
+    /// Whether a thing is solid on the side of this normal for what moves along a way: one-way floors are on one.
+    fn is_borne_side(&self, collider: ColliderRef<'_>, normal: Vec2, way: Vec2) -> bool {
+        let Some(direction) = collider.one_way() else { return true };
+        let up = collider.pose().rotation.rotate(direction);
+        !self.passes_one_way && normal.dot(up) >= FREE_SIDE && way.dot(up) <= 0.0
+    }
+
+    /// What overlaps the character a little as it moves into it.
+    fn overlap_as_hit(&self, hit: ShapeHit, collider: ColliderRef<'_>, way: Vec2) -> Option<ShapeHit> {
+        let manifold = self.manifold_with(collider)?;
+        let (depth, normal) = (depth_of(&manifold), -manifold.normal);
+        let is_met = depth <= SHALLOW * self.skin && way.dot(normal) < 0.0;
+        let point = self.at + manifold.points().first()?.anchor_a;
+        is_met.then_some(ShapeHit { point, normal, ..hit })
+    }
+
+    fn manifold_with(&self, collider: ColliderRef<'_>) -> Option<Manifold> {
+        detect(&self.character.shape, Pose::at(self.at), collider.shape(), collider.pose())
+    }
+
+    /// Gets out of what has moved into the character. If there is no room for that it stays where it is, and what is the deepest in
+    /// it is returned.
+    pub(super) fn get_out(&mut self) -> Option<BodyId> {
+        let start = self.at;
+        for _ in 0..ROUNDS {
+            let (depth, normal, _) = self.deepest_overlap()?;
+            self.at += normal * (depth + self.skin);
+        }
+        let (depth, _, body) = self.deepest_overlap()?;
+        if depth <= self.skin {
+            return None;
+        }
+        self.at = start;
+        Some(body)
+    }
+
+    /// How deep the deepest overlap is, m, in which direction it is left, and which body it is with.
+    fn deepest_overlap(&self) -> Option<(f32, Vec2, BodyId)> {
+        let mut deepest: Option<(f32, Vec2, BodyId)> = None;
+        let (shape, pose) = (&self.character.shape, Pose::at(self.at));
+        self.world.overlapping_each(shape, pose, &self.filter(), |collider| {
+            let body = collider.body();
+            let is_met =
+                self.character.filter.collides_with(collider.filter()) && collider.one_way().is_none();
+            if is_met && let Some(manifold) = self.manifold_with(collider) {
+                let depth = depth_of(&manifold);
+                // Among equals the smallest id, whatever order they come in.
+                let rank = |depth: f32, body| (-depth, body);
+                if depth > 0.0 && deepest.is_none_or(|(best, _, of)| rank(depth, body) < rank(best, of)) {
+                    deepest = Some((depth, -manifold.normal, body));
+                }
+            }
+        });
+        deepest
+    }
+}
+
+fn depth_of(manifold: &Manifold) -> f32 {
+    manifold.points().iter().map(|point| -point.separation).fold(f32::NEG_INFINITY, f32::max)
+}
