@@ -1,7 +1,8 @@
 //! Concave outlines, with holes or without, as convex pieces.
 //!
-//! Once, when a body is made; never in the step. Every decision about the outline is exact, see `orientation`. Of n points it
-//! takes time for n log n, but for outlines of which a line meets most edges.
+//! Once, when a body is made; never in the step. Every decision about the outline is exact, see `orientation`. Thousands of points
+//! take tens of milliseconds; the time grows as n log n where a line meets few edges and triangles need few exchanges, and as n² at worst:
+//! of a gear of 16,000 points about nine times as long as of one of 4,000.
 //!
 //! 1. Check: no point twice, no edges that cross or touch, an area.
 //! 2. Cut into parts that are monotone, then into triangles, then exchange diagonals so that few are thin.
