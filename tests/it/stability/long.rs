@@ -8,12 +8,6 @@ fn a_pile_does_not_creep() {
 }
 
 #[test]
-fn piles_come_to_rest_and_stay() {
-    hold(&["10-piles"]);
-}
-
-#[test]
-#[ignore = "many seconds; 10-piles is like it"]
 fn thirty_piles_come_to_rest_and_stay() {
     hold(&["30-piles"]);
 }
