@@ -57,7 +57,7 @@
 //! | 0 | [`math`] | vectors, places, rotations, poses, boxes, our own sine and cosine |
 //! | 0 | `store` | generational ids, slots, bit set, pair set |
 //! | 0 | `compute` | numbers in lanes (scalar, SSE2, NEON, AVX2, AVX-512), the width chosen at run time, the hot rows of bodies, threads |
-//! | 1 | [`shape`] | circle, boxes, convex polygon; concave outlines as pieces; mass, rays, points |
+//! | 1 | [`shape`] | circle, boxes, convex polygon, capsule, round corners; concave outlines as pieces; mass, rays, points |
 //! | 2 | [`joint`] | description of joints, and how they are kept |
 //! | 2 | [`body`] | description, material, role, and how many bodies are kept |
 //! | 3 | [`collision`] | broad phase, detection, manifolds, contacts |

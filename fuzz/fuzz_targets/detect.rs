@@ -13,6 +13,8 @@ enum Outline {
     Aabb(f32, f32),
     Obb(f32, f32),
     Polygon(Vec<[f32; 2]>),
+    Capsule([[f32; 2]; 2], f32),
+    Rounded(Vec<[f32; 2]>, f32),
 }
 
 impl Outline {
@@ -21,6 +23,8 @@ impl Outline {
             Self::Circle(radius) => Shape::circle(*radius),
             Self::Aabb(width, height) => Shape::aabb(*width, *height),
             Self::Obb(width, height) => Shape::obb(*width, *height),
+            Self::Capsule([a, b], radius) => Shape::capsule(*a, *b, *radius),
+            Self::Rounded(corners, radius) => Shape::rounded(corners.iter().copied(), *radius).ok()?,
             Self::Polygon(corners) => Shape::polygon(corners.iter().copied()).ok()?,
         };
         shape.validate().ok().map(|()| shape)

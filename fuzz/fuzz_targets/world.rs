@@ -22,10 +22,12 @@ struct Description {
 impl Description {
     fn body(&self) -> Option<Body> {
         let [width, height] = self.size;
-        let shape = match self.outline % 4 {
+        let shape = match self.outline % 6 {
             0 => Shape::circle(width),
             1 => Shape::aabb(width, height),
             2 => Shape::obb(width, height),
+            3 => Shape::capsule([0.0, 0.0], [width, 0.0], height),
+            4 => Shape::rounded([[0.0, 0.0], [width, 0.0], [width, height]], 0.5 * height).ok()?,
             _ => Shape::polygon([[0.0, 0.0], [width, 0.0], [width, height], [0.0, 0.5 * height]]).ok()?,
         };
         let body = match self.kind % 4 {

@@ -4,7 +4,7 @@
 //! It runs where a manifold is found with a shape that neighbours cover somewhere; others cost a comparison.
 
 use crate::collision::detection::on_face;
-use crate::collision::{Manifold, Touch};
+use crate::collision::{Corner, Manifold, ManifoldPoint, Touch};
 use crate::math::{Rot, Vec2};
 use crate::shape::{Exposure, Shape};
 
@@ -34,10 +34,12 @@ pub(crate) fn without_ghosts(
     }
     let (side, other) = if of_a { (0, 1) } else { (1, 0) };
     let exposure = exposures[side]?;
-    let manifold = if placed.shapes[other].hull().is_some() {
-        on_exposed_face(side, exposure, placed)?
-    } else {
-        of_circle(&found, side, exposure, placed)?
+    let is_round = placed.shapes[other].core().is_none() || found.is_of_corners();
+    let beyond = if is_round { of_round(&found, side, exposure, placed) } else { None };
+    let manifold = match beyond {
+        Some(manifold) => manifold,
+        None if placed.shapes[other].core().is_none() => return None,
+        None => on_exposed_face(side, exposure, placed)?,
     };
     // What is found for one is to be no ghost of the other.
     (!is_ghost(&manifold, other)).then_some(manifold)
@@ -51,20 +53,29 @@ fn is_allowed(manifold: &Manifold, side: usize, exposure: &Exposure, placed: Pla
     let outward = if side == 0 { manifold.normal } else { -manifold.normal };
     let places =
         manifold.points().iter().map(|point| if side == 0 { point.anchor_a } else { point.anchor_b });
-    let is_of_circle = placed.shapes[1 - side].hull().is_none();
+    let is_of_corners = manifold.is_of_corners();
+    // Round a corner from which a face goes on a round corner would turn within the step.
+    if is_of_corners && exposure.face_beyond(hull, rotation.unrotate(outward)).is_some() {
+        return false;
+    }
+    let is_round = is_of_corners || placed.shapes[1 - side].core().is_none();
     let places = places.map(|place| rotation.unrotate(place));
-    exposure.allows(hull, rotation.unrotate(outward), places, is_of_circle)
+    exposure.allows(hull, rotation.unrotate(outward), places, is_round)
 }
 
 /// The manifold with the exposed face that is the farthest out in front, of one of the two shapes, and where it is exposed.
 fn on_exposed_face(side: usize, exposure: &Exposure, placed: Placed<'_>) -> Option<Manifold> {
     let Placed { shapes, rotations, offset, margin } = placed;
     let [own, other] = [side, 1 - side];
-    let (hull, other_hull) = (shapes[own].hull()?, shapes[other].hull()?);
+    let (hull, (other_hull, radius)) = (shapes[own].hull()?, shapes[other].core()?);
     let [rotation, other_rotation] = [own, other].map(|index| shapes[index].rotation_at(rotations[index]));
     let offset = if side == 0 { offset } else { -offset };
     let on = |face| {
-        let (gap, found) = on_face(hull, rotation, other_hull, other_rotation, offset, face, margin)?;
+        let (gap, mut found) =
+            on_face(hull, rotation, other_hull, other_rotation, offset, face, margin + radius)?;
+        if radius > 0.0 {
+            found.take_off([0.0, radius]);
+        }
         let manifold = if side == 0 { found } else { found.flipped() };
         // Of a face that is exposed in part another part may be near.
         is_allowed(&manifold, side, exposure, placed).then_some((gap, manifold))
@@ -73,18 +84,31 @@ fn on_exposed_face(side: usize, exposure: &Exposure, placed: Placed<'_>) -> Opti
     farthest.map(|(_, manifold)| manifold)
 }
 
-/// The manifold with a circle that is beyond an end of a face, over neighbours that do not fall away from it: with the plane of the
-/// face. There the neighbours are as high or higher, so that nothing is held up in the air.
-fn of_circle(found: &Manifold, side: usize, exposure: &Exposure, placed: Placed<'_>) -> Option<Manifold> {
+/// The manifold with a circle or a round corner that is beyond an end of a face, over neighbours that do not fall away from it:
+/// with the plane of the face. There the neighbours are as high or higher, so that nothing is held up in the air.
+fn of_round(found: &Manifold, side: usize, exposure: &Exposure, placed: Placed<'_>) -> Option<Manifold> {
     let Placed { shapes, rotations, offset, margin } = placed;
-    let (hull, radius) = (shapes[side].hull()?, shapes[1 - side].radius()?);
-    let rotation = shapes[side].rotation_at(rotations[side]);
-    let outward = if side == 0 { found.normal } else { -found.normal };
-    let face = exposure.face_beyond(hull, rotation.unrotate(outward))?;
-    let offset = if side == 0 { offset } else { -offset };
-    let separation = hull.normals[face].dot(rotation.unrotate(offset)) - hull.planes[face] - radius;
+    let hull = shapes[side].hull()?;
+    let (round, rotation) = (shapes[1 - side], shapes[side].rotation_at(rotations[side]));
+    let found = if side == 0 { *found } else { found.flipped() };
+    let face = exposure.face_beyond(hull, rotation.unrotate(found.normal))?;
     let normal = rotation.rotate(hull.normals[face]);
-    let touch = Touch::new(normal, offset - normal * radius, offset, separation);
-    let manifold = (separation <= margin).then(|| touch.manifold())?;
+    let offset = if side == 0 { offset } else { -offset };
+    let (radius, point) = (round.corner_radius(), found.points().first()?);
+    let is_circle = round.core().is_none();
+    // A point at a round corner is halfway between the two surfaces.
+    let center =
+        if is_circle { offset } else { point.anchor_a + found.normal * (0.5 * point.separation + radius) };
+    let separation = hull.normals[face].dot(rotation.unrotate(center)) - hull.planes[face] - radius;
+    if separation.is_nan() || separation > margin {
+        return None;
+    }
+    let manifold = if is_circle {
+        Touch::new(normal, center - normal * radius, offset, separation).manifold()
+    } else {
+        let anchor = center - normal * (radius + 0.5 * separation);
+        let at = ManifoldPoint::new(anchor, offset, separation, point.feature);
+        Manifold::of_one(normal, ManifoldPoint { corner: Corner::OfB, ..at })
+    };
     Some(if side == 0 { manifold } else { manifold.flipped() })
 }

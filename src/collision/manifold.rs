@@ -29,6 +29,11 @@ impl FeatureId {
         Self((vertex_a as u16) << 8 | vertex_b as u16)
     }
 
+    /// Whether one of the two corners is that of `other`.
+    pub(crate) const fn shares_vertex(self, other: Self) -> bool {
+        self.0 >> 8 == other.0 >> 8 || self.0 & 0xFF == other.0 & 0xFF
+    }
+
     /// The id as a number.
     pub const fn to_bits(self) -> u16 {
         self.0
@@ -41,7 +46,7 @@ impl FeatureId {
     }
 }
 
-/// Whether a contact point is a corner of one shape on the face of the other that gives the normal.
+/// Whether a contact point is a corner of one shape on the face of the other that gives the normal, or one of each.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(crate) enum Corner {
     /// Neither: between corners, or with a circle.
@@ -51,6 +56,8 @@ pub(crate) enum Corner {
     OfA,
     /// A corner of b on a face of a.
     OfB,
+    /// A round corner on a corner, whose line is the normal: the only point.
+    OfBoth,
 }
 
 impl Corner {
@@ -61,6 +68,7 @@ impl Corner {
             Self::Neither => Self::Neither,
             Self::OfA => Self::OfB,
             Self::OfB => Self::OfA,
+            Self::OfBoth => Self::OfBoth,
         }
     }
 }
@@ -132,6 +140,11 @@ impl Manifold {
         &self.points[..self.count as usize]
     }
 
+    /// Whether two corners touch, of which one is round.
+    pub(crate) fn is_of_corners(&self) -> bool {
+        self.points[0].corner == Corner::OfBoth
+    }
+
     /// Whether it has points of the same features as `other`, in the same order.
     pub(crate) fn has_features_of(&self, other: &Self) -> bool {
         self.points().iter().map(|point| point.feature).eq(other.points().iter().map(|point| point.feature))
@@ -150,6 +163,16 @@ impl Manifold {
     #[inline(always)]
     pub fn points_mut(&mut self) -> &mut [ManifoldPoint] {
         &mut self.points[..self.count as usize]
+    }
+
+    /// Makes the manifold of two cores that of the shapes, which have these radii around them, m.
+    pub(crate) fn take_off(&mut self, [radius_a, radius_b]: [f32; 2]) {
+        let shift = self.normal * (0.5 * (radius_a - radius_b));
+        for point in self.points_mut() {
+            point.separation -= radius_a + radius_b;
+            point.anchor_a += shift;
+            point.anchor_b += shift;
+        }
     }
 
     /// Has the anchors count from elsewhere: by so much more, m.

@@ -334,8 +334,12 @@ impl<'a> Pair<'a> {
                 ManifoldUpdate::FindAnew(predicted)
             };
         }
+        // What rolls from corner to corner has a normal that turns, as a circle has.
+        let rolls = contact.manifold.is_of_corners();
         let keeps = contact.frozen.is_some_and(|frozen| {
-            if contact.pivots() {
+            if rolls {
+                false
+            } else if contact.pivots() {
                 let was_followed = contact.follows && contact.followed_steps < LONGEST_FOLLOWED;
                 was_followed && self.strayed(&frozen) < self.near()
             } else {
@@ -393,8 +397,13 @@ impl<'a> Pair<'a> {
         if let Some(arms) = self.arms {
             manifold.move_anchors(arms);
         }
+        // What is round rolls over a corner as a ball does, whichever of its sides comes down.
+        let rolls = matches!((manifold.points(), contact.manifold.points()), ([_], [_]))
+            && [self.shape_a, self.shape_b].iter().any(|shape| matches!(shape, Shape::Rounded(_)));
         for point in manifold.points_mut() {
-            let same = |old: &&ManifoldPoint| old.feature == point.feature;
+            let same = |old: &&ManifoldPoint| {
+                old.feature == point.feature || rolls && old.feature.shares_vertex(point.feature)
+            };
             if let Some(old) = contact.manifold.points().iter().find(same) {
                 point.normal_impulse = old.normal_impulse;
                 point.tangent_impulse = old.tangent_impulse;

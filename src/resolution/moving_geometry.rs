@@ -1,7 +1,8 @@
 //! A contact that follows the surface: where it is while its two bodies move within the step, in closed form.
 //!
 //! What touches is a tip, which is a corner or a circle, and what it touches is a face or another circle. A circle may
-//! roll past the end of a face, over the corner there: then it is from the corner that it is apart.
+//! roll past the end of a face, over the corner there: then it is from the corner that it is apart. A round corner is a circle
+//! around the corner of the core, and a face of what has round corners is a radius before that of the core.
 //!
 //! ```text
 //! from a to b  d' = d + Δx_b - Δx_a + (ΔR_b - 1) p_b - (ΔR_a - 1) p_a
@@ -15,7 +16,7 @@
 //! time are computed with, those of a [`ContactBlock`](crate::resolution::contact_block::ContactBlock).
 
 use crate::body::{Bodies, Motion};
-use crate::collision::{Contact, Corner, ManifoldPoint};
+use crate::collision::{Contact, Corner, Manifold, ManifoldPoint};
 use crate::compute::{BodyState, Lane, LaneVec2, columns};
 use crate::math::Vec2;
 use crate::resolution::constraint::Geometry;
@@ -68,7 +69,7 @@ impl MovingGeometry<f32> {
         let arms = bodies.arms(contact.colliders).unwrap_or_default();
         match motions.map(|motion| motion.is_circle) {
             [true, true] => Some(Self::of_circles(contact, motions, arms, offset)),
-            [false, false] => Self::of_corner(contact),
+            [false, false] => Self::of_corner(contact, bodies),
             round => Self::of_circle_on_hull(contact, bodies, usize::from(round[1]), offset, dt),
         }
     }
@@ -99,7 +100,7 @@ impl MovingGeometry<f32> {
         let [circle_arm, face_arm] = [circle_slot, face_slot].map(|slot| bodies.arm(slot));
         let face_motion = &bodies.motions[face_slot as usize];
         let shape = &bodies.shapes[face_slot as usize];
-        let (hull, rotation) = (shape.hull()?, shape.rotation_at(face_motion.pose.rotation));
+        let ((hull, rounding), rotation) = (shape.core()?, shape.rotation_at(face_motion.pose.rotation));
         // To the circle; first in the frame of the face's body.
         let to_circle = if circle == 1 { offset } else { -offset };
         let center = rotation.unrotate(to_circle);
@@ -116,8 +117,10 @@ impl MovingGeometry<f32> {
         let way = speed * dt;
         let stays_off_last = ends[0] < -way || along(hull.previous(face), 0) < -way;
         let stays_off_next = ends[1] > way || along(hull.next(face), 1) > way;
+        // Round the end of a capsule the other side is half a turn away.
+        let stays_on_side = hull.is_segment() && way < 0.5 * rounding;
         // Written so that NaN is nowhere.
-        if !(gap > 0.0 && stays_off_last && stays_off_next) {
+        if !(gap > 0.0 && (stays_off_last && stays_off_next || stays_on_side)) {
             return None;
         }
         let outward = rotation.rotate(hull.normals[face]);
@@ -144,30 +147,37 @@ impl MovingGeometry<f32> {
             normal: (outward * sign).into(),
             turns_with_b: 1.0 - stays_with_b,
             ends,
-            radii: radius,
+            radii: radius + rounding,
             pairs: [pair, TouchingPair::default()],
             ..Self::default()
         })
     }
 
-    fn of_corner(contact: &Contact) -> Option<Self> {
+    fn of_corner(contact: &Contact, bodies: &Bodies) -> Option<Self> {
         let manifold = &contact.manifold;
         let loaded = manifold.points().iter().find(|point| point.normal_impulse > 0.0)?;
+        let radii = contact.colliders.map(|slot| bodies.shapes[slot as usize].corner_radius());
         let face = match loaded.corner {
             Corner::OfA => 1,
             Corner::OfB => 0,
+            Corner::OfBoth => return Some(Self::of_round_corners(manifold, radii)),
             Corner::Neither => return None,
         };
         let normal = manifold.normal;
+        let radius = radii[1 - face];
         let pair = |point: &ManifoldPoint| {
             let half_gap = normal * (0.5 * point.separation);
+            let mut parts = [point.anchor_a - half_gap, point.anchor_b + half_gap];
+            // From the surface of a round corner to its middle.
+            parts[1 - face] += normal * if face == 0 { radius } else { -radius };
             // What is no corner of the other body is where the face ends.
-            let stays_with = if point.corner == Corner::Neither { face } else { 1 - face };
+            let is_end = point.corner == Corner::Neither;
+            let stays_with = if is_end { face } else { 1 - face };
             TouchingPair {
-                parts: [point.anchor_a - half_gap, point.anchor_b + half_gap].map(LaneVec2::from),
-                apart: (normal * point.separation).into(),
+                parts: parts.map(LaneVec2::from),
+                apart: (normal * (point.separation + radius)).into(),
                 stays_with_b: stays_with as f32,
-                radius: 0.0,
+                radius: if is_end { 0.0 } else { radius },
             }
         };
         let mut pairs = [TouchingPair::default(); 2];
@@ -178,10 +188,32 @@ impl MovingGeometry<f32> {
             normal: normal.into(),
             turns_with_b: face as f32,
             ends: [f32::NEG_INFINITY, f32::INFINITY],
+            radii: radius,
             gap_part: 0.5,
             pairs,
             ..Self::default()
         })
+    }
+
+    /// Two corners with these radii, m, of which one is round: as two circles around the corners of the cores.
+    fn of_round_corners(manifold: &Manifold, radii: [f32; 2]) -> Self {
+        let [radius, radius_b] = radii;
+        let (normal, point) = (manifold.normal, &manifold.points()[0]);
+        let [to_a, to_b] = radii.map(|radius| normal * (0.5 * point.separation + radius));
+        let pair = TouchingPair {
+            parts: [point.anchor_a - to_a, point.anchor_b + to_b].map(LaneVec2::from),
+            apart: (normal * (point.separation + radius + radius_b)).into(),
+            radius,
+            ..TouchingPair::default()
+        };
+        Self {
+            normal: normal.into(),
+            is_of_circles: 1.0,
+            radii: radius + radius_b,
+            gap_part: 0.5,
+            pairs: [pair, TouchingPair::default()],
+            ..Self::default()
+        }
     }
 }
 
@@ -248,7 +280,7 @@ impl<L: Lane> MovingGeometry<L> {
 mod tests {
     use super::*;
     use crate::body::Body;
-    use crate::collision::{Contacts, Manifold, detect_within};
+    use crate::collision::{Contacts, detect_within};
     use crate::compute::LaneRot;
     use crate::math::Rot;
     use crate::shape::Shape;
@@ -354,6 +386,38 @@ mod tests {
             check_in_both_orders([&Shape::obb(4.0, 0.5), &circle], [tilt, 0.7], tilted(tilt, [0.3, 0.64]));
             check_in_both_orders([&hexagon, &circle], [tilt, 0.7], tilted(tilt, [0.1, 1.44]));
             check_in_both_orders([&Shape::circle(0.7), &circle], [tilt, 0.7], tilted(tilt, [0.5, 0.97]));
+        }
+    }
+
+    /// A round end or corner on a face, and faces and ends that are round under a disc.
+    #[test]
+    fn what_is_round_is_followed_to_where_detection_finds_it() {
+        let (board, circle) = (Shape::obb(4.0, 0.5), Shape::circle(0.4));
+        let capsule = Shape::capsule([0.0, -0.5], [0.0, 0.5], 0.25);
+        let square = [[-0.4, -0.4], [0.4, -0.4], [0.4, 0.4], [-0.4, 0.4]];
+        let tile = Shape::rounded(square, 0.1).unwrap();
+        let lying = Shape::capsule([-2.0, 0.0], [2.0, 0.0], 0.25);
+        for tilt in [0.0, 0.25, -0.4] {
+            for floor in [&board, &lying] {
+                check_in_both_orders([floor, &capsule], [tilt, tilt + 0.3], tilted(tilt, [0.3, 0.97]));
+                check_in_both_orders([floor, &tile], [tilt, tilt + 0.6], tilted(tilt, [0.3, 0.89]));
+            }
+            for place in [[0.3, 0.64], [1.98, 0.64], [2.1, 0.63], [2.5, 0.4]] {
+                check_in_both_orders([&lying, &circle], [tilt, 0.7], tilted(tilt, place));
+            }
+        }
+    }
+
+    /// End on end, end on the end of a board, and corner on corner.
+    #[test]
+    fn round_corners_are_followed_as_they_roll_on_each_other() {
+        let board = Shape::obb(2.0, 0.5);
+        let [capsule, lying] =
+            [[0.0_f32, -0.5], [-0.5, 0.0]].map(|[x, y]| Shape::capsule([x, y], [-x, -y], 0.25));
+        for tilt in [0.0, 0.25, -0.4] {
+            check_in_both_orders([&capsule, &capsule], [tilt, tilt], tilted(tilt, [0.1, 1.48]));
+            check_in_both_orders([&lying, &capsule], [tilt, tilt + 0.2], tilted(tilt, [0.8, 0.93]));
+            check_in_both_orders([&board, &capsule], [tilt, tilt], tilted(tilt, [1.15, 0.92]));
         }
     }
 

@@ -17,7 +17,7 @@ const GAP_OF_WIDTH: f32 = 1e-3;
 /// m.
 const LARGEST_GAP: f32 = 1e-3;
 
-/// The same of the normal of a contact with a circle, which has all its digits.
+/// The same of the normal of a contact with a circle or a round corner, which has all its digits.
 const ROUNDING: f32 = 1e-3;
 
 /// A body that is pressed against a block overlaps it by less than this share of the width of the floor, no unit: it still stands
@@ -157,16 +157,16 @@ impl Exposure {
     }
 
     /// Whether a contact with the outline counts that has this normal, out of it, at places, m, all in the frame of the shape. The
-    /// normal of a contact with a circle is exact.
+    /// normal of a contact with a circle, or of a round corner with a corner, is exact.
     pub(crate) fn allows(
         &self,
         hull: &Hull,
         normal: Vec2,
         places: impl Iterator<Item = Vec2>,
-        is_of_circle: bool,
+        is_round: bool,
     ) -> bool {
         let (face, cosine) = most_along(hull, normal);
-        let least = if is_of_circle { ROUNDING } else { SAME_DIRECTION };
+        let least = if is_round { ROUNDING } else { SAME_DIRECTION };
         if cosine > 1.0 - 0.5 * least * least {
             let along = hull.normals[face].perp();
             let (low, high) = places

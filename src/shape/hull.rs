@@ -20,7 +20,7 @@ pub(crate) struct Hull {
     pub(crate) planes: [f32; MAX_VERTICES],
     /// Distance of the nearest edge's line from the centre, m.
     pub(crate) inradius: f32,
-    /// Number of corners, 3 to 8.
+    /// Number of corners, 3 to 8; 2 for the core of a capsule, whose two edges are its two sides.
     pub(crate) count: u8,
 }
 
@@ -33,9 +33,9 @@ impl Hull {
         count: 0,
     };
 
-    /// The hull of `corners`: 3 to 8, convex, counter-clockwise, about the centre of mass.
+    /// The hull of `corners`: 3 to 8, convex, counter-clockwise, about the centre of mass. Or 2, whose hull is a line.
     pub(crate) fn new(corners: &[Vec2]) -> Self {
-        debug_assert!((3..=MAX_VERTICES).contains(&corners.len()));
+        debug_assert!((2..=MAX_VERTICES).contains(&corners.len()));
         let mut hull = Self { count: corners.len() as u8, ..Self::EMPTY };
         for (i, &v) in corners.iter().enumerate() {
             let next = corners[(i + 1) % corners.len()];
@@ -65,6 +65,12 @@ impl Hull {
             hull.planes[i] = planes[i];
         }
         hull
+    }
+
+    /// Whether it is a line, and has no inside.
+    #[inline(always)]
+    pub(crate) fn is_segment(&self) -> bool {
+        self.count == 2
     }
 
     /// The corners, m.

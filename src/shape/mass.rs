@@ -42,6 +42,7 @@ impl Shape {
                 (w * h, w * h * (w * w + h * h) / 12.0)
             }
             Self::Polygon(polygon) => polygon_moments(polygon.vertices()),
+            Self::Rounded(rounded) => rounded.moments(),
         }
     }
 }

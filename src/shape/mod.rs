@@ -1,6 +1,7 @@
 //! Shapes: the geometry of a body, about its centre of mass.
 //!
-//! Circle, two kinds of box, and convex polygons, of which concave outlines are made up. Constructors of circles and boxes take any number;
+//! Circle, two kinds of box, convex polygons, of which concave outlines are made up, and both capsules and polygons with round
+//! corners, which are one thing: a core and a radius around it. Constructors of circles, boxes and capsules take any number;
 //! [`Shape::validate`] checks them once, when the body enters the world, so that nothing in the step has to.
 //! What is precomputed here (corners, edge normals) is what detection reads at every step.
 
@@ -11,6 +12,7 @@ mod hull;
 mod mass;
 mod polygon;
 mod query;
+mod rounded;
 #[cfg(test)]
 pub(crate) mod testing;
 #[cfg(test)]
@@ -22,11 +24,12 @@ pub use hull::MAX_VERTICES;
 pub use mass::MassProperties;
 pub use polygon::Polygon;
 pub use query::OutlineHit;
+pub use rounded::Rounded;
 
 pub(crate) use exposure::{Exposure, Neighbour};
 pub(crate) use hull::Hull;
 
-use crate::math::{Aabb, Pose, Vec2};
+use crate::math::{Aabb, Pose, Rot, Vec2};
 
 /// Smallest size of a shape, m. What moves has limits of mass and moment of inertia besides, see
 /// [`World::add`](crate::World::add): of 1 kg/m² a box has to be larger than 50 µm.
@@ -48,6 +51,8 @@ pub enum Shape {
     Obb(Rectangle),
     /// A convex polygon with 3 to 8 corners.
     Polygon(Polygon),
+    /// A capsule, or a convex polygon with 3 to 8 round corners.
+    Rounded(Rounded),
 }
 
 /// A disc.
@@ -148,20 +153,55 @@ impl Shape {
         Polygon::new(points).map(Self::Polygon)
     }
 
+    /// A capsule: all that is within `radius`, m, of the line from `a` to `b`, m.
+    ///
+    /// It is moved so that its middle is the origin of the body's frame; [`Rounded::centroid_of_input`] tells where that was.
+    ///
+    /// ```
+    /// use rustycs::prelude::*;
+    ///
+    /// // 1.6 m tall. A disc and a rectangle: π r² + 2 r l.
+    /// let capsule = Shape::capsule([0.0, -0.5], [0.0, 0.5], 0.3);
+    /// assert!((capsule.area() - (std::f32::consts::PI * 0.09 + 0.6)).abs() < 1e-6);
+    /// assert_eq!(capsule.vertices(), [[0.0, -0.5].into(), [0.0, 0.5].into()]);
+    /// ```
+    pub fn capsule(a: impl Into<Vec2>, b: impl Into<Vec2>, radius: f32) -> Self {
+        Self::Rounded(Rounded::capsule(a.into(), b.into(), radius))
+    }
+
+    /// All that is within `radius`, m, of the convex polygon of some points, m, given as for [`polygon`](Self::polygon): its
+    /// corners are round, and its faces a radius farther out. Two points make a [`capsule`](Self::capsule).
+    ///
+    /// It is moved so that its centre of mass is the origin of the body's frame; [`Rounded::centroid_of_input`] tells where that
+    /// was.
+    ///
+    /// # Errors
+    ///
+    /// Refuses what [`polygon`](Self::polygon) refuses, except for two points, and a radius outside [`MIN_SIZE`] to
+    /// [`MAX_SIZE`].
+    ///
+    /// ```
+    /// use rustycs::shape::{Shape, ShapeError};
+    ///
+    /// // A square of 1 m with corners of 10 cm.
+    /// let tile = Shape::rounded([[0.1, 0.1], [0.9, 0.1], [0.9, 0.9], [0.1, 0.9]], 0.1)?;
+    /// assert!((tile.area() - (1.0 - 0.04 + std::f32::consts::PI * 0.01)).abs() < 1e-6);
+    /// # Ok::<(), ShapeError>(())
+    /// ```
+    pub fn rounded<P: Into<Vec2>>(
+        points: impl IntoIterator<Item = P>,
+        radius: f32,
+    ) -> Result<Self, ShapeError> {
+        check("radius", radius)?;
+        polygon::rounded(points, radius).map(Self::Rounded)
+    }
+
     /// Whether the shape can be simulated.
     ///
     /// # Errors
     ///
     /// Names the first length that is not finite or outside [`MIN_SIZE`] to [`MAX_SIZE`].
     pub fn validate(&self) -> Result<(), ShapeError> {
-        let check = |what, value: f32| {
-            // NaN is in no range.
-            if (MIN_SIZE..=MAX_SIZE).contains(&value) {
-                Ok(())
-            } else {
-                Err(ShapeError::Size { what, value })
-            }
-        };
         match self {
             Self::Circle(circle) => check("radius", circle.radius()),
             Self::Aabb(rectangle) | Self::Obb(rectangle) => {
@@ -169,6 +209,11 @@ impl Shape {
             }
             Self::Polygon(_) => check("polygon's thickness", self.thickness())
                 .and_then(|()| check("polygon's size", self.extent())),
+            Self::Rounded(rounded) => check("radius", rounded.radius()).and_then(|()| {
+                let what = if rounded.is_capsule() { "capsule's length" } else { "polygon's size" };
+                let across = 2.0 * rounded.core().extent();
+                check(what, across).and_then(|()| check(what, across + 2.0 * rounded.radius()))
+            }),
         }
     }
 
@@ -183,20 +228,18 @@ impl Shape {
                 let half = Vec2::new(c * h.x + s * h.y, s * h.x + c * h.y);
                 (-half, half)
             }
-            Self::Polygon(polygon) => {
-                let (mut low, mut high) = (Vec2::splat(f32::INFINITY), Vec2::splat(f32::NEG_INFINITY));
-                for &vertex in polygon.vertices() {
-                    let turned = rotation.rotate(vertex);
-                    (low, high) = (low.min(turned), high.max(turned));
-                }
-                (low, high)
+            Self::Polygon(polygon) => bounds_of(polygon.vertices(), rotation),
+            Self::Rounded(rounded) => {
+                let (low, high) = bounds_of(rounded.vertices(), rotation);
+                let radius = Vec2::splat(rounded.radius());
+                (low - radius, high + radius)
             }
         };
         // Turning a corner rounds three times, each by at most half an epsilon of its distance. Not turned, the
-        // corner is exact.
-        let is_turned = rotation.s != 0.0 || rotation.c != 1.0;
+        // corner is exact; adding a radius rounds once.
+        let is_exact = !matches!(self, Self::Rounded(_)) && rotation == Rot::IDENTITY;
         let size = (high.x - low.x) + (high.y - low.y);
-        let slack = Vec2::splat(if is_turned { 2.0 * f32::EPSILON * size } else { 0.0 });
+        let slack = Vec2::splat(if is_exact { 0.0 } else { 2.0 * f32::EPSILON * size });
         Aabb::around(pose.center, low - slack, high + slack)
     }
 
@@ -206,6 +249,7 @@ impl Shape {
             Self::Circle(circle) => circle.radius,
             Self::Aabb(rectangle) | Self::Obb(rectangle) => rectangle.half.length(),
             Self::Polygon(polygon) => polygon.hull.extent(),
+            Self::Rounded(rounded) => rounded.core().extent() + rounded.radius(),
         }
     }
 
@@ -215,6 +259,7 @@ impl Shape {
             Self::Circle(circle) => 2.0 * circle.radius,
             Self::Aabb(rectangle) | Self::Obb(rectangle) => 2.0 * rectangle.half.x.min(rectangle.half.y),
             Self::Polygon(polygon) => polygon.hull.thickness(),
+            Self::Rounded(rounded) => rounded.core().thickness() + 2.0 * rounded.radius(),
         }
     }
 
@@ -232,26 +277,71 @@ impl Shape {
         }
     }
 
-    /// Where the centre of a polygon was among the points that it was made from, m; the middle for the others.
+    /// Where the centre was among the points that a shape was made from, m; the middle for circles and boxes.
     pub(crate) fn place_of_input(&self) -> Vec2 {
         match self {
             Self::Polygon(polygon) => polygon.centroid_of_input(),
-            _ => Vec2::ZERO,
+            Self::Rounded(rounded) => rounded.centroid_of_input(),
+            Self::Circle(_) | Self::Aabb(_) | Self::Obb(_) => Vec2::ZERO,
         }
     }
 
-    /// The corners in the body's frame, m, counter-clockwise; none for a circle.
+    /// The corners in the body's frame, m, counter-clockwise; none for a circle. Of what is rounded, those of its core: the
+    /// centres of the round corners.
     pub fn vertices(&self) -> &[Vec2] {
-        self.hull().map_or(&[], Hull::vertices)
+        self.core().map_or(&[], |(hull, _)| hull.vertices())
     }
 
-    /// The outline of boxes and polygons.
+    /// Radius of the corners, m: 0 where they are sharp, and that of a circle.
+    pub fn corner_radius(&self) -> f32 {
+        match self {
+            Self::Circle(circle) => circle.radius,
+            Self::Aabb(_) | Self::Obb(_) | Self::Polygon(_) => 0.0,
+            Self::Rounded(rounded) => rounded.radius(),
+        }
+    }
+
+    /// Greatest distance of what the shape is a radius away from, from the centre, m: how far out it is not round.
+    pub(crate) fn core_extent(&self) -> f32 {
+        match self {
+            Self::Circle(_) => 0.0,
+            Self::Aabb(_) | Self::Obb(_) | Self::Polygon(_) => self.extent(),
+            Self::Rounded(rounded) => rounded.core().extent(),
+        }
+    }
+
+    /// What a shape is a radius around, with the radius, m: 0 for boxes and polygons; `None` for a circle.
+    #[inline(always)]
+    pub(crate) fn core(&self) -> Option<(&Hull, f32)> {
+        match self {
+            Self::Rounded(rounded) => Some((rounded.core(), rounded.radius())),
+            _ => self.hull().map(|hull| (hull, 0.0)),
+        }
+    }
+
+    /// The outline of boxes and polygons, which have no radius.
     #[inline(always)]
     pub(crate) fn hull(&self) -> Option<&Hull> {
         match self {
-            Self::Circle(_) => None,
+            Self::Circle(_) | Self::Rounded(_) => None,
             Self::Aabb(rectangle) | Self::Obb(rectangle) => Some(&rectangle.hull),
             Self::Polygon(polygon) => Some(&polygon.hull),
         }
     }
+}
+
+/// Whether a length is one that shapes may have.
+fn check(what: &'static str, value: f32) -> Result<(), ShapeError> {
+    // NaN is in no range.
+    if (MIN_SIZE..=MAX_SIZE).contains(&value) { Ok(()) } else { Err(ShapeError::Size { what, value }) }
+}
+
+/// The lower left and the upper right corner of the box around some corners, turned.
+fn bounds_of(vertices: &[Vec2], rotation: Rot) -> (Vec2, Vec2) {
+    let (mut low, mut high) = (Vec2::splat(f32::INFINITY), Vec2::splat(f32::NEG_INFINITY));
+    for &vertex in vertices {
+        let turned = rotation.rotate(vertex);
+        (low, high) = (low.min(turned), high.max(turned));
+    }
+    (low, high)
 }

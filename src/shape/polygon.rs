@@ -2,7 +2,7 @@
 
 use crate::math::Vec2;
 use crate::shape::hull::{Hull, MAX_VERTICES};
-use crate::shape::{MAX_SIZE, MIN_SIZE, ShapeError};
+use crate::shape::{MAX_SIZE, MIN_SIZE, Rounded, ShapeError};
 
 /// Points closer than this part of the polygon's size are one corner, and a point nearer than this to the
 /// line of its neighbours is none. The rounding of `f32` coordinates is 6e-8 of the size: a bend of 1e-5 is
@@ -22,31 +22,8 @@ pub struct Polygon {
 impl Polygon {
     /// Checks and centres the outline given by `points`; see [`Shape::polygon`](crate::shape::Shape::polygon).
     pub(super) fn new<P: Into<Vec2>>(points: impl IntoIterator<Item = P>) -> Result<Self, ShapeError> {
-        let given: Vec<Vec2> = points.into_iter().take(MAX_GIVEN + 1).map(Into::into).collect();
-        if given.len() > MAX_GIVEN {
-            return Err(ShapeError::TooManyPoints { count: given.len() });
-        }
-        if let Some(index) = given.iter().position(|p| !p.is_finite()) {
-            return Err(ShapeError::NotFinite { index, point: given[index].into() });
-        }
-        let mut corners: Vec<Corner> = given.iter().enumerate().map(|(i, &p)| Corner::new(i, p)).collect();
-        let size = size_of(&corners);
-        weld_duplicates(&mut corners, WELD * size);
-        if corners.len() < 3 {
-            return Err(ShapeError::TooFewPoints { count: corners.len() });
-        }
-        // Written so that a size in between, and only that, passes.
-        if !(f64::from(MIN_SIZE)..=f64::from(MAX_SIZE)).contains(&size) {
-            return Err(ShapeError::Size { what: "polygon's size", value: size as f32 });
-        }
-        if lie_on_a_line(&corners, WELD * size) {
-            return Err(ShapeError::Collinear);
-        }
-        weld_straight(&mut corners, WELD * size)?;
-        check_convex(&mut corners)?;
-        if corners.len() > MAX_VERTICES {
-            return Err(ShapeError::TooManyPoints { count: corners.len() });
-        }
+        let mut corners = distinct(points)?;
+        check_outline(&mut corners)?;
         let (x, y) = centroid(&corners);
         let mut vertices = [Vec2::ZERO; MAX_VERTICES];
         for (vertex, corner) in vertices.iter_mut().zip(&corners) {
@@ -76,6 +53,58 @@ impl Polygon {
     pub fn centroid_of_input(&self) -> Vec2 {
         self.centroid_of_input
     }
+}
+
+/// All that is within `radius`, m, of the outline given by `points`; see [`Shape::rounded`](crate::shape::Shape::rounded).
+pub(super) fn rounded<P: Into<Vec2>>(
+    points: impl IntoIterator<Item = P>,
+    radius: f32,
+) -> Result<Rounded, ShapeError> {
+    let mut corners = distinct(points)?;
+    if let [a, b] = corners[..] {
+        let [a, b] = [a, b].map(|corner| Vec2::new(corner.x as f32, corner.y as f32));
+        let capsule = Rounded::capsule(a, b, radius);
+        return crate::shape::Shape::Rounded(capsule).validate().map(|()| capsule);
+    }
+    check_outline(&mut corners)?;
+    let corners: Vec<[f64; 2]> = corners.iter().map(|corner| [corner.x, corner.y]).collect();
+    Ok(Rounded::polygon(&corners, radius))
+}
+
+/// The points of an outline as they are given, of which none is the next.
+fn distinct<P: Into<Vec2>>(points: impl IntoIterator<Item = P>) -> Result<Vec<Corner>, ShapeError> {
+    let given: Vec<Vec2> = points.into_iter().take(MAX_GIVEN + 1).map(Into::into).collect();
+    if given.len() > MAX_GIVEN {
+        return Err(ShapeError::TooManyPoints { count: given.len() });
+    }
+    if let Some(index) = given.iter().position(|p| !p.is_finite()) {
+        return Err(ShapeError::NotFinite { index, point: given[index].into() });
+    }
+    let mut corners: Vec<Corner> = given.iter().enumerate().map(|(i, &p)| Corner::new(i, p)).collect();
+    let size = size_of(&corners);
+    weld_duplicates(&mut corners, WELD * size);
+    Ok(corners)
+}
+
+/// Makes an outline one of 3 to 8 corners, convex and counter-clockwise, or says why it is none.
+fn check_outline(corners: &mut Vec<Corner>) -> Result<(), ShapeError> {
+    if corners.len() < 3 {
+        return Err(ShapeError::TooFewPoints { count: corners.len() });
+    }
+    let size = size_of(corners);
+    // Written so that a size in between, and only that, passes.
+    if !(f64::from(MIN_SIZE)..=f64::from(MAX_SIZE)).contains(&size) {
+        return Err(ShapeError::Size { what: "polygon's size", value: size as f32 });
+    }
+    if lie_on_a_line(corners, WELD * size) {
+        return Err(ShapeError::Collinear);
+    }
+    weld_straight(corners, WELD * size)?;
+    check_convex(corners)?;
+    if corners.len() > MAX_VERTICES {
+        return Err(ShapeError::TooManyPoints { count: corners.len() });
+    }
+    Ok(())
 }
 
 /// A point of the outline in `f64`, and where in the user's list it was.

@@ -4,8 +4,8 @@
 //! the outline is, also for a ray from afar, and equal shapes in one place are hit at equal fractions.
 
 use crate::math::{Point, Pose, Rot, Vec2};
-use crate::shape::Shape;
 use crate::shape::hull::Hull;
+use crate::shape::{Rounded, Shape};
 
 /// Where a ray first meets the outline of a shape.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -43,6 +43,7 @@ impl Shape {
                 Self::Circle(circle) => ray_circle(f64::from(circle.radius()), start, along)?,
                 Self::Aabb(rectangle) | Self::Obb(rectangle) => ray_hull(&rectangle.hull, start, along)?,
                 Self::Polygon(polygon) => ray_hull(&polygon.hull, start, along)?,
+                Self::Rounded(rounded) => ray_rounded(rounded, start, along)?,
             }
         };
         (hit.fraction <= max_fraction).then(|| OutlineHit { normal: rotation.rotate(hit.normal), ..hit })
@@ -62,6 +63,12 @@ impl Shape {
             }
             Self::Aabb(rectangle) | Self::Obb(rectangle) => closest_on_hull(&rectangle.hull, (x, y)),
             Self::Polygon(polygon) => closest_on_hull(&polygon.hull, (x, y)),
+            Self::Rounded(rounded) => {
+                let (near_x, near_y) = closest_on_hull(rounded.core(), (x, y));
+                let (away_x, away_y) = (x - near_x, y - near_y);
+                let part = f64::from(rounded.radius()) / (away_x * away_x + away_y * away_y).sqrt();
+                (near_x + part * away_x, near_y + part * away_y)
+            }
         };
         let (x, y) = unrotate(self.rotation_at(pose.rotation).inverse(), (x, y));
         [pose.center.x + x, pose.center.y + y].into()
@@ -96,6 +103,14 @@ impl Shape {
                 x.abs() <= half_x && y.abs() <= half_y
             }
             Self::Polygon(polygon) => hull_contains(&polygon.hull),
+            Self::Rounded(rounded) => {
+                let core = rounded.core();
+                let (near_x, near_y) = closest_on_hull(core, (x, y));
+                let (away_x, away_y) = (x - near_x, y - near_y);
+                let radius = f64::from(rounded.radius());
+                away_x * away_x + away_y * away_y <= radius * radius
+                    || !core.is_segment() && hull_contains(core)
+            }
         }
     }
 }
@@ -141,6 +156,31 @@ fn ray_circle(radius: f64, start: (f64, f64), along: (f64, f64)) -> Option<Outli
     let (x, y) = (start.0 + fraction * along.0, start.1 + fraction * along.1);
     let normal = Vec2::new((x / radius) as f32, (y / radius) as f32);
     Some(OutlineHit { fraction: fraction as f32, normal })
+}
+
+/// What is round a core is the discs round its corners and the strips before its edges: the ray comes in where it first comes into
+/// one of them.
+fn ray_rounded(rounded: &Rounded, start: (f64, f64), along: (f64, f64)) -> Option<OutlineHit> {
+    let (core, radius) = (rounded.core(), f64::from(rounded.radius()));
+    let round = core.vertices().iter().filter_map(|&vertex| {
+        let (x, y) = widen(vertex);
+        ray_circle(radius, (start.0 - x, start.1 - y), along)
+    });
+    let straight = (0..core.count as usize).filter_map(|edge| {
+        let (from, to, (n_x, n_y)) =
+            (widen(core.vertices[edge]), widen(core.vertices[core.next(edge)]), widen(core.normals[edge]));
+        let gap = n_x * (start.0 - from.0) + n_y * (start.1 - from.1) - radius;
+        let speed = n_x * along.0 + n_y * along.1;
+        // Where it is before the edge, and comes nearer; NaN is nowhere.
+        let fraction = if gap >= 0.0 && speed < 0.0 { gap / -speed } else { return None };
+        let (x, y) = (start.0 + fraction * along.0, start.1 + fraction * along.1);
+        let edge_along = (to.0 - from.0, to.1 - from.1);
+        let part = (x - from.0) * edge_along.0 + (y - from.1) * edge_along.1;
+        let squared = edge_along.0 * edge_along.0 + edge_along.1 * edge_along.1;
+        let normal = core.normals[edge];
+        (0.0..=squared).contains(&part).then_some(OutlineHit { fraction: fraction as f32, normal })
+    });
+    round.chain(straight).min_by(|one, other| one.fraction.total_cmp(&other.fraction))
 }
 
 /// The ray enters the hull where it has crossed the last of the lines it comes in by, unless it has then

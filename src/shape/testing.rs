@@ -31,9 +31,24 @@ pub(crate) fn random_polygon(rng: &mut Random) -> Shape {
     Shape::polygon(random_outline(rng, count)).expect("corners of an ellipse are convex")
 }
 
+/// A capsule that leans any way, about 1 m across.
+pub(crate) fn random_capsule(rng: &mut Random) -> Shape {
+    let half =
+        Rot::from_angle(rng.random_range(0.0..6.0)).rotate(Vec2::new(rng.random_range(0.05..0.8), 0.0));
+    Shape::capsule(-half, half, rng.random_range(0.1..0.5))
+}
+
+/// A polygon with 3 to 8 round corners, about 1 m across.
+pub(crate) fn random_rounded(rng: &mut Random) -> Shape {
+    let count = rng.random_range(3..=8);
+    let corners = random_outline(rng, count).into_iter().map(|corner| corner * 0.6);
+    Shape::rounded(corners, rng.random_range(0.05..0.4)).expect("corners of an ellipse are convex")
+}
+
 /// One of each kind of shape, about 1 m across.
-pub(crate) fn random_shapes(rng: &mut Random) -> [Shape; 4] {
+pub(crate) fn random_shapes(rng: &mut Random) -> [Shape; 6] {
     let mut size = || rng.random_range(0.2..2.0);
     let (radius, w, h, v, k) = (0.5 * size(), size(), size(), size(), size());
-    [Shape::circle(radius), Shape::aabb(w, h), Shape::obb(v, k), random_polygon(rng)]
+    let [circle, aabb, obb] = [Shape::circle(radius), Shape::aabb(w, h), Shape::obb(v, k)];
+    [circle, aabb, obb, random_polygon(rng), random_capsule(rng), random_rounded(rng)]
 }

@@ -218,7 +218,7 @@ fn the_bounding_box_holds_the_shape_and_is_no_larger_than_rounding_asks() {
             let bounds = shape.bounding_box(pose);
             let rotation = shape.rotation_at(pose.rotation);
             let (mut low, mut high) = ([f64::INFINITY; 2], [f64::NEG_INFINITY; 2]);
-            let radius = f64::from(shape.radius().unwrap_or(0.0));
+            let radius = f64::from(shape.corner_radius());
             let corners = if shape.radius().is_some() { &[Vec2::ZERO][..] } else { shape.vertices() };
             for v in corners {
                 let (c, s) = (f64::from(rotation.c), f64::from(rotation.s));

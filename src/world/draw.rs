@@ -87,6 +87,19 @@ fn part_of(body: &BodyRef<'_>) -> DrawnPart {
 
 fn draw_outline(shape: &Shape, pose: Pose, mut line: impl FnMut(Point, Point)) {
     let mut circle = [Vec2::ZERO; LINES_OF_CIRCLE];
+    if let Shape::Rounded(rounded) = shape {
+        let (mut last, mut first) = (None, None);
+        for corner in rounded.outline().map(|corner| pose.to_world(corner)) {
+            first = first.or(Some(corner));
+            if let Some(last) = last.replace(corner) {
+                line(last, corner);
+            }
+        }
+        if let (Some(last), Some(first)) = (last, first) {
+            line(last, first);
+        }
+        return;
+    }
     let corners = match shape.radius() {
         None => shape.vertices(),
         Some(radius) => {

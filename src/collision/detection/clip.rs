@@ -98,6 +98,19 @@ impl Stretch {
         self.is_empty
     }
 
+    /// Its nearer end twice, if it has no length: the other end of an edge that stands upright on the face.
+    pub(super) fn without_far_end(mut self, noise: f32) -> Self {
+        let [first, second] = self.points;
+        if second.y - first.y <= noise {
+            let nearer = usize::from(self.separations[1] < self.separations[0]);
+            self.points = [self.points[nearer]; 2];
+            self.separations = [self.separations[nearer]; 2];
+            self.features = [self.features[nearer]; 2];
+            self.are_corners = [self.are_corners[nearer]; 2];
+        }
+        self
+    }
+
     /// Whether an end of the stretch is as near as the lines are, which are `separation` apart: if not, and
     /// there is a gap, the nearest points are corners outside of the stretch.
     #[inline(always)]

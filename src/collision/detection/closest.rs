@@ -4,7 +4,7 @@
 //! a corner stands out from furthest, see [`circle_polygon`](super::circle_polygon), and none where even that line is farther
 //! than what is nearest so far.
 
-use crate::collision::{FeatureId, Manifold, ManifoldPoint};
+use crate::collision::{Corner, FeatureId, Manifold, ManifoldPoint};
 use crate::math::{Rot, Vec2};
 use crate::shape::Hull;
 
@@ -18,6 +18,8 @@ pub(super) struct Closest {
     /// Unit vector from a to b across the gap.
     pub(super) normal: Vec2,
     feature: FeatureId,
+    /// Whether both are corners.
+    is_of_corners: bool,
 }
 
 impl Closest {
@@ -54,6 +56,15 @@ impl Closest {
         let point = ManifoldPoint::new(halfway, offset, self.distance, self.feature);
         Manifold::of_one(rotation_a.rotate(self.normal), point)
     }
+
+    /// The same of two cores, whose corners roll on each other.
+    pub(super) fn manifold_of_rounded(&self, rotation_a: Rot, offset: Vec2) -> Manifold {
+        let mut manifold = self.manifold(rotation_a, offset);
+        for point in manifold.points_mut() {
+            point.corner = if self.is_of_corners { Corner::OfBoth } else { Corner::Neither };
+        }
+        manifold
+    }
 }
 
 /// The corner of b nearest to an edge of a that looks at it, of those whose line is no farther than `limit`, m.
@@ -70,8 +81,8 @@ fn corner_to_edge(
         let corner = center + rotation.rotate(vertex);
         // The nearest point of the outline is on the edge whose line the corner stands out from furthest.
         let (gap, edge) = a.nearest_face(corner);
-        // Written so that NaN is nowhere.
-        if gap > 0.0 && gap <= nearest {
+        // A line is met from its ends, too. Written so that NaN is nowhere.
+        if (gap > 0.0 || a.is_segment()) && gap <= nearest {
             let closest = to_edge(a, edge, gap, corner, j, noise);
             if best.is_none() || closest.distance < nearest {
                 (best, nearest) = (Some(closest), closest.distance);
@@ -89,11 +100,12 @@ fn to_edge(a: &Hull, i: usize, gap: f32, corner: Vec2, j: usize, noise: f32) -> 
     let nearer = if part < 0.5 { i } else { a.next(i) };
     let feature = FeatureId::of_vertices(nearer as u8, j as u8);
     if (0.0..=1.0).contains(&part) {
-        return Closest { on_a: corner - normal * gap, on_b: corner, distance: gap, normal, feature };
+        let on_a = corner - normal * gap;
+        return Closest { on_a, on_b: corner, distance: gap, normal, feature, is_of_corners: false };
     }
     let on_a = a.vertices[nearer];
     let distance = (corner - on_a).length();
     // Where the gap is all rounding its direction is lost; that of the edge is as good.
     let normal = if distance > noise { (corner - on_a) / distance } else { normal };
-    Closest { on_a, on_b: corner, distance, normal, feature }
+    Closest { on_a, on_b: corner, distance, normal, feature, is_of_corners: true }
 }

@@ -43,14 +43,17 @@ pub(super) fn detect(a: Circle, b: &Shape, rotation_b: Rot, offset: Offset, marg
         ManifoldPoint { anchor_b, ..ManifoldPoint::new(anchor_a, near, separation, feature) }
     };
     let is_near = |point: &ManifoldPoint| within(point.separation, margin) && point.separation.is_finite();
-    let Some(hull) = b.hull() else {
+    let Some((hull, radius)) = b.core() else {
         let lowest = point(-normal * b.extent(), FeatureId::SINGLE);
         return is_near(&lowest).then(|| Manifold::of_one(normal, lowest));
     };
     let face = facing(hull, rotation_b.unrotate(normal));
     // Along the outline of the circle, counter-clockwise, its end comes first.
     let [first, second] = [hull.next(face), face].map(|corner| {
-        point(rotation_b.rotate(hull.vertices[corner]), FeatureId::of_vertices(0, corner as u8))
+        point(
+            rotation_b.rotate(hull.vertices[corner]) - normal * radius,
+            FeatureId::of_vertices(0, corner as u8),
+        )
     });
     match (is_near(&first), is_near(&second)) {
         (true, true) => Some(Manifold::of_two(normal, first, second)),

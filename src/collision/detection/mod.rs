@@ -13,6 +13,8 @@
 //! | aabb, aabb | gaps along the two axes | up to 2 |
 //! | box, box | separating axes from half sizes, clipping | up to 2 |
 //! | polygon, polygon | separating axes over the hulls, clipping | up to 2 |
+//! | rounded, any but a circle | the same of the cores, then the radii taken off | up to 2 |
+//! | rounded, circle | nearest point of the core | 1 point |
 //! | circle 10,000 times as large as the other shape | heights of the ends of a face above it | up to 2 |
 
 mod aabb_aabb;
@@ -24,6 +26,7 @@ mod clip;
 mod closest;
 mod large_circle;
 mod polygon_polygon;
+mod rounded;
 mod sweep;
 #[cfg(test)]
 mod tests;
@@ -37,6 +40,7 @@ pub(crate) use touch::Touch;
 use core::ops::Neg;
 
 use crate::collision::Manifold;
+use crate::collision::detection::rounded::Core;
 use crate::math::{Point, Pose, Rot, Vec2};
 use crate::shape::Shape;
 
@@ -146,7 +150,7 @@ pub(crate) fn detect_within(
     offset: Vec2,
     margin: f32,
 ) -> Option<Manifold> {
-    use Shape::{Aabb, Circle, Obb, Polygon};
+    use Shape::{Aabb, Circle, Obb, Polygon, Rounded};
     let (rot_a, rot_b) = (shape_a.rotation_at(rotation_a), shape_b.rotation_at(rotation_b));
     match (shape_a, shape_b) {
         (Circle(_), _) | (_, Circle(_)) => {
@@ -161,6 +165,9 @@ pub(crate) fn detect_within(
         (Aabb(a) | Obb(a), Polygon(b)) => {
             polygon_polygon::detect(a.hull(), rot_a, b.hull(), rot_b, offset, margin)
         }
+        (Rounded(_), _) | (_, Rounded(_)) => {
+            rounded::detect(Core::of(shape_a, rot_a)?, Core::of(shape_b, rot_b)?, offset, margin)
+        }
     }
 }
 
@@ -174,7 +181,7 @@ pub(crate) fn touch(
     offset: Vec2,
     margin: f32,
 ) -> Option<Touch> {
-    use Shape::{Aabb, Circle, Obb, Polygon};
+    use Shape::{Aabb, Circle, Obb, Polygon, Rounded};
     let (rot_a, rot_b) = (shape_a.rotation_at(rotation_a), shape_b.rotation_at(rotation_b));
     match (shape_a, shape_b) {
         (Circle(a), Circle(b)) => circle_circle::touch(*a, *b, offset, margin),
@@ -183,6 +190,10 @@ pub(crate) fn touch(
         (Polygon(a), Circle(b)) => circle_polygon::touch(a.hull(), rot_a, *b, offset, margin),
         (Circle(a), Polygon(b)) => {
             circle_polygon::touch(b.hull(), rot_b, *a, -offset, margin).map(Touch::flipped)
+        }
+        (Rounded(_), Circle(b)) => rounded::touch(Core::of(shape_a, rot_a)?, *b, offset, margin),
+        (Circle(a), Rounded(_)) => {
+            rounded::touch(Core::of(shape_b, rot_b)?, *a, -offset, margin).map(Touch::flipped)
         }
         _ => None,
     }

@@ -115,7 +115,7 @@ impl Pair<'_> {
     /// The stretch that a face of a has in common with the edge of b that faces it, and the turn from the frame of the face into
     /// a's.
     #[inline(always)]
-    fn common_stretch(&self, face: usize) -> (Stretch, Rot) {
+    pub(super) fn common_stretch(&self, face: usize) -> (Stretch, Rot) {
         let rotation = self.rotation_a.inverse() * self.rotation_b;
         let center = self.rotation_a.unrotate(self.offset);
         let normal = self.a.normals[face];
@@ -140,13 +140,27 @@ impl Pair<'_> {
         (clip(reference, incident), turn)
     }
 
+    /// Whether the edge of b that faces a face of a is as good as parallel to it.
+    pub(super) fn is_flat_on(&self, face: usize) -> bool {
+        /// rad.
+        const FLAT: f32 = 0.02;
+        let rotation = self.rotation_a.inverse() * self.rotation_b;
+        let normal = rotation.unrotate(self.a.normals[face]);
+        normal.cross(self.b.normals[facing(self.b, normal)]).abs() < FLAT
+    }
+
     /// The one point between the two nearest corners.
     #[cold]
     pub(super) fn corner_contact(&self, noise: f32, margin: f32) -> Option<Manifold> {
+        let closest = self.closest(noise, margin)?;
+        within(closest.distance, margin).then(|| closest.manifold(self.rotation_a, self.offset))
+    }
+
+    /// The nearest points of the two, if they are apart, and not farther than `margin`, m.
+    pub(super) fn closest(&self, noise: f32, margin: f32) -> Option<Closest> {
         let rotation = self.rotation_a.inverse() * self.rotation_b;
         let center = self.rotation_a.unrotate(self.offset);
-        let closest = Closest::find(self.a, self.b, rotation, center, noise, margin)?;
-        within(closest.distance, margin).then(|| closest.manifold(self.rotation_a, self.offset))
+        Closest::find(self.a, self.b, rotation, center, noise, margin)
     }
 }
 

@@ -26,7 +26,7 @@ pub(crate) struct Swept<'a> {
     pub(crate) shape: &'a Shape,
     /// As it begins.
     pub(crate) rotation: Rot,
-    /// rad/s. The outline of a circle does not turn.
+    /// rad/s. What is round about its centre does not turn.
     pub(crate) spin: f32,
     /// Its centre from that about which it turns, as it begins, m.
     pub(crate) arm: Vec2,
@@ -48,8 +48,7 @@ impl Swept<'_> {
 
     /// How fast its outline may come closer along any direction by turning, m/s.
     fn rim_speed(&self) -> f32 {
-        let extent = if matches!(self.shape, Shape::Circle(_)) { 0.0 } else { self.shape.extent() };
-        self.spin.abs() * (extent + self.arm.length())
+        self.spin.abs() * (self.shape.core_extent() + self.arm.length())
     }
 }
 
@@ -106,9 +105,11 @@ struct Gap {
 }
 
 fn gap_of(shape_a: &Shape, rotation_a: Rot, shape_b: &Shape, rotation_b: Rot, offset: Vec2) -> Option<Gap> {
-    if let (Some(a), Some(b)) = (shape_a.hull(), shape_b.hull()) {
+    if let (Some((a, radius_a)), Some((b, radius_b))) = (shape_a.core(), shape_b.core()) {
         let (rotation_a, rotation_b) = (shape_a.rotation_at(rotation_a), shape_b.rotation_at(rotation_b));
-        return Some(gap_of_hulls(a, rotation_a, b, rotation_b, offset));
+        let gap = gap_of_hulls(a, rotation_a, b, rotation_b, offset);
+        // A strip between the cores is narrower by the radii between what is round them.
+        return Some(Gap { distance: gap.distance - (radius_a + radius_b), ..gap });
     }
     // With a circle the manifold has the exact distance. Without a margin, it is always there.
     let manifold = detect_within(shape_a, rotation_a, shape_b, rotation_b, offset, f32::INFINITY)?;
@@ -132,7 +133,9 @@ fn gap_of_hulls(a: &Hull, rotation_a: Rot, b: &Hull, rotation_b: Rot, offset: Ve
         Gap { distance: face_a.separation, normal: a.normals[face_a.index] }
     };
     let noise = noise_of(center);
-    if widest.distance > noise
+    // Lines, one behind the other, have no strip along an edge between them.
+    let may_be_in_line = a.is_segment() && b.is_segment();
+    if (widest.distance > noise || may_be_in_line)
         && let Some(Closest { normal, .. }) = Closest::find(a, b, rotation, center, noise, f32::INFINITY)
     {
         let reach_a = reach(a, normal);

@@ -72,7 +72,7 @@ impl Pair<'_> {
         } else {
             (self.shape_b, self.rotation_b, self.motion_a.extent, -near)
         };
-        let (hull, rotation) = (shape.hull()?, shape.rotation_at(rotation));
+        let ((hull, rounding), rotation) = (shape.core()?, shape.rotation_at(rotation));
         let center = rotation.unrotate(to_circle);
         let (gap, face) = hull.nearest_face(center);
         let [start, end] = hull.ends_from(face, center);
@@ -85,7 +85,7 @@ impl Pair<'_> {
         let arm = outward * -radius;
         let [normal, anchor_a, anchor_b] =
             if self.motion_b.is_round { [outward, near + arm, arm] } else { [-outward, arm, arm - near] };
-        let separation = gap - radius + self.offset.missing(normal);
+        let separation = gap - (radius + rounding) + self.offset.missing(normal);
         self.meets(predicted, normal, separation).then_some(Touch { normal, anchor_a, anchor_b, separation })
     }
 

@@ -111,7 +111,7 @@ impl<'a> Trip<'a> {
     fn depth(&self) -> f32 {
         let Character { up, ref shape, .. } = *self.character;
         let depths = shape.vertices().iter().map(|corner| -corner.dot(up));
-        depths.reduce(f32::max).unwrap_or(shape.extent())
+        depths.reduce(f32::max).map_or(shape.extent(), |depth| depth + shape.corner_radius())
     }
 
     /// Whether the top of the body is walkable just beyond a place on its outline.

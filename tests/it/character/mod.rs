@@ -50,8 +50,8 @@ impl Walker {
     }
 }
 
-/// Of each kind: a box, a disc and a polygon, 1 m high.
-fn shapes() -> [Shape; 3] {
+/// Of each kind: a box, a disc, a polygon and a capsule, 1 m high.
+fn shapes() -> [Shape; 4] {
     let bevelled = [
         [-0.2, -0.5],
         [0.2, -0.5],
@@ -62,7 +62,8 @@ fn shapes() -> [Shape; 3] {
         [-0.3, 0.4],
         [-0.3, -0.4],
     ];
-    [Shape::rectangle(0.6, 1.0), Shape::circle(0.5), Shape::polygon(bevelled).unwrap()]
+    let capsule = Shape::capsule([0.0, -0.2], [0.0, 0.2], 0.3);
+    [Shape::rectangle(0.6, 1.0), Shape::circle(0.5), Shape::polygon(bevelled).unwrap(), capsule]
 }
 
 fn skin(shape: Shape) -> f64 {

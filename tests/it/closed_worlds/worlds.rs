@@ -27,6 +27,8 @@ enum Outline {
     Aabb(f32, f32),
     Obb(f32, f32),
     Polygon(Vec<[f32; 2]>),
+    /// With its radius.
+    Rounded(Vec<[f32; 2]>, f32),
 }
 
 /// What is set in mid-run: after so many ticks, rate and substeps and the switches.
@@ -201,6 +203,27 @@ impl ClosedWorld {
         world
     }
 
+    /// The world of a seed, in which most bodies are capsules or have round corners, and reach no farther out.
+    pub(super) fn of_rounded(seed: u64) -> Self {
+        let mut world = Self::new(seed);
+        let random = &mut Xoshiro256PlusPlus::seed_from_u64(seed.rotate_left(32));
+        for member in &mut world.members {
+            if matches!(member.outline, Outline::Aabb(..)) || random.random_bool(0.2) {
+                continue;
+            }
+            let reach = member.reach() as f32;
+            let radius = reach * random.random_range(0.1_f32..0.6);
+            let corners = random.random_range(2..9_u32);
+            let flat = random.random_range(0.3_f32..1.0);
+            let corner = |i: u32| {
+                let Rot { c, s } = Rot::from_angle(std::f32::consts::TAU * i as f32 / corners as f32);
+                [(reach - radius) * c, flat * (reach - radius) * s]
+            };
+            member.outline = Outline::Rounded((0..corners).map(corner).collect(), radius);
+        }
+        world
+    }
+
     /// Whether every body can be turned. What holds one that cannot takes angular momentum.
     pub(super) fn all_turn(&self) -> bool {
         self.members.iter().all(|member| member.turns && !matches!(member.outline, Outline::Aabb(..)))
@@ -244,6 +267,10 @@ impl Outline {
                 let seen = corners.iter().map(|&[x, y]| [view.handed(x), y]);
                 Shape::polygon(seen.collect::<Vec<_>>()).expect("convex corners")
             }
+            Self::Rounded(corners, radius) => {
+                let seen = corners.iter().map(|&[x, y]| [view.handed(x), y]);
+                Shape::rounded(seen.collect::<Vec<_>>(), *radius).expect("convex corners")
+            }
         }
     }
 }
@@ -256,6 +283,9 @@ impl Member {
             Outline::Circle(radius) => f64::from(*radius),
             Outline::Aabb(width, height) | Outline::Obb(width, height) => corner([0.5 * width, 0.5 * height]),
             Outline::Polygon(corners) => corners.iter().map(|&at| corner(at)).fold(0.0, f64::max),
+            Outline::Rounded(corners, radius) => {
+                corners.iter().map(|&at| corner(at)).fold(0.0, f64::max) + f64::from(*radius)
+            }
         }
     }
 

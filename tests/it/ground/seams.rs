@@ -25,14 +25,18 @@ struct Run {
 
 /// Lets a body slide for 40 m or 6 s over a floor. Returns its greatest upward speed, and its speed at the end, m/s.
 fn slide(shape: Shape, floor: &[(f64, f32)], run: Run) -> [f64; 2] {
+    slide_body(Body::dynamic(shape), floor, run)
+}
+
+fn slide_body(body: Body, floor: &[(f64, f32)], run: Run) -> [f64; 2] {
     let Run { rate, friction, restitution, speed } = run;
     let mut world = earth_with(Settings { tick_rate: rate, ..Settings::default() });
     for &(at, width) in floor {
         let tile = Body::fixed(Shape::aabb(width, 1.0)).at([at, -0.5]);
         add(&mut world, tile.friction(friction).restitution(restitution));
     }
-    let height = -shape.bounding_box(Pose::at([0.0, 0.0])).min.y;
-    let body = Body::dynamic(shape).at([0.2, f64::from(height)]).velocity([speed, 0.0]).density(1.0);
+    let height = -body.get_shape().bounding_box(Pose::at([0.0, 0.0])).min.y;
+    let body = body.at([0.2, f64::from(height)]).velocity([speed, 0.0]).density(1.0);
     let id = add(&mut world, body.friction(friction).restitution(restitution));
     let mut kick = 0.0_f64;
     for _ in 0..((40.0 / speed).min(6.0) * rate) as u32 {
@@ -117,12 +121,51 @@ fn a_disc_rolls_over_flush_tiles_as_over_one_floor() {
     check(Shape::circle(0.5), "disc", &unit_tiles(), runs());
 }
 
+/// A box of 1 m with round corners.
+fn rounded() -> Shape {
+    Shape::rounded([[-0.4, -0.4], [0.4, -0.4], [0.4, 0.4], [-0.4, 0.4]], 0.1).unwrap()
+}
+
+fn lying_capsule() -> Shape {
+    Shape::capsule([-0.5, 0.0], [0.5, 0.0], 0.25)
+}
+
+#[test]
+fn a_capsule_on_its_side_slides_over_flush_tiles_as_over_one_floor() {
+    check(lying_capsule(), "capsule", &unit_tiles(), runs());
+}
+
+#[test]
+fn a_box_with_round_corners_slides_over_flush_tiles_as_over_one_floor() {
+    check(rounded(), "rounded box", &unit_tiles(), runs());
+}
+
+/// What a game has as a character: it stands on its end, and does not turn.
+#[test]
+fn a_capsule_that_never_turns_slides_on_its_end_over_flush_tiles() {
+    for run in runs() {
+        let slide = |floor: &[(f64, f32)]| {
+            slide_body(
+                Body::dynamic(Shape::capsule([0.0, -0.5], [0.0, 0.5], 0.3)).fixed_rotation(true),
+                floor,
+                run,
+            )
+        };
+        let ([kick, speed], [_, on_one]) = (slide(&unit_tiles()), slide(&[(25.0, 120.0)]));
+        assert!(kick <= KICK, "{run:?}: kicked up at {kick:e} m/s");
+        let loss = (on_one - speed).abs() / f64::from(run.speed);
+        assert!(loss <= LOSS, "{run:?}: {speed} m/s, on one floor {on_one}");
+    }
+}
+
 #[test]
 fn over_tiles_of_mixed_widths_it_is_the_same() {
     for (name, shape) in [
         ("box", Shape::rectangle(1.0, 1.0)),
         ("small box", Shape::rectangle(0.3, 0.3)),
         ("disc", Shape::circle(0.2)),
+        ("capsule", lying_capsule()),
+        ("rounded box", rounded()),
     ] {
         check(shape, name, &mixed_tiles(), runs().filter(|run| run.rate == 60.0));
     }

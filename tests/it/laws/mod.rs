@@ -8,6 +8,7 @@ mod limits;
 mod orbits;
 mod rocking;
 mod rolling;
+mod round_corners;
 mod springs;
 mod stacks;
 mod toppling;

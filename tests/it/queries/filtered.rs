@@ -99,7 +99,7 @@ fn compare_overlaps(world: &World, question: &Question, shape: &Shape, pose: Pos
     expected.len()
 }
 
-/// Distance of a place from a body, m, by its corners or its radius.
+/// Distance of a place from a body, m, by its corners and its radius.
 fn distance_to(body: BodyRef<'_>, place: Point) -> f64 {
     let Pose { center, rotation } = body.pose();
     if body.contains(place) {
@@ -118,7 +118,7 @@ fn distance_to(body: BodyRef<'_>, place: Point) -> f64 {
         let part = part.clamp(0.0, 1.0);
         (to[0] - part * edge[0]).hypot(to[1] - part * edge[1])
     };
-    edges.map(to_edge).fold(f64::INFINITY, f64::min)
+    edges.map(to_edge).fold(f64::INFINITY, f64::min) - f64::from(body.shape().corner_radius())
 }
 
 /// Corners are turned by rotations of `f32` here, a few 1e-7 of 2 m off; centres round by a digit of where they are.

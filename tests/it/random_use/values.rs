@@ -66,12 +66,20 @@ fn polygon(length: impl Strategy<Value = f32> + Clone) -> impl Strategy<Value = 
     })
 }
 
+/// A capsule, or a polygon with round corners; flat ones may be refused.
+fn rounded(length: impl Strategy<Value = f32> + Clone) -> impl Strategy<Value = Shape> {
+    (2_u32..=8, length.clone(), length.clone(), length).prop_map(|(corners, width, height, radius)| {
+        Shape::rounded(ring(corners, width, height), radius).unwrap_or(Shape::circle(width))
+    })
+}
+
 fn shape(length: impl Strategy<Value = f32> + Clone + 'static) -> impl Strategy<Value = Shape> {
     prop_oneof![
         length.clone().prop_map(Shape::circle),
         (length.clone(), length.clone()).prop_map(|(width, height)| Shape::aabb(width, height)),
         (length.clone(), length.clone()).prop_map(|(width, height)| Shape::obb(width, height)),
-        polygon(length),
+        polygon(length.clone()),
+        rounded(length),
     ]
 }
 
@@ -177,6 +185,9 @@ pub(crate) fn usual_body() -> impl Strategy<Value = Body> {
         (size(), size()).prop_map(|(width, height)| Shape::aabb(width, height)),
         (size(), size()).prop_map(|(width, height)| Shape::obb(width, height)),
         (3_u32..=8, size()).prop_map(|(corners, size)| Shape::polygon(ring(corners, size, size)).unwrap()),
+        (2_u32..=8, size(), narrow(0.05, 0.3)).prop_map(|(corners, size, radius)| {
+            Shape::rounded(ring(corners, 0.6 * size, 0.6 * size), radius).unwrap()
+        }),
     ];
     let materials =
         [Material::DEFAULT, Material::RUBBER, Material::PLASTIC, Material::STONE, Material::METAL];

@@ -33,7 +33,7 @@ impl Solid {
         };
         let corners =
             if shape.radius().is_some() { vec![at] } else { shape.vertices().iter().map(place).collect() };
-        Self { corners, radius: f64::from(shape.radius().unwrap_or(0.0)) }
+        Self { corners, radius: f64::from(shape.corner_radius()) }
     }
 
     pub(super) fn moved(&self, by: V) -> Self {
@@ -79,7 +79,12 @@ impl Solid {
     /// Distance of a point from the outline, on either side of it.
     pub(super) fn distance_to_outline(&self, point: V) -> f64 {
         let core = self.edges().map(|(a, b)| point_to_segment(point, a, b)).fold(f64::INFINITY, f64::min);
-        (core - self.radius).abs()
+        let is_left = |(a, b): (V, V)| {
+            let (edge, to) = (sub(b, a), sub(point, a));
+            edge[0] * to[1] - edge[1] * to[0] > 0.0
+        };
+        let is_inside = self.corners.len() > 2 && self.edges().all(is_left);
+        (if is_inside { -core } else { core } - self.radius).abs()
     }
 }
 

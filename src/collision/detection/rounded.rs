@@ -1,0 +1,113 @@
+//! Shapes with round corners: the manifold of their cores, from which the radii are taken off.
+//!
+//! What is within a radius of a core reaches a radius farther in every direction. So the shapes are as deep as their cores are,
+//! and the radii deeper, and along the same normal: that of a face, or where two corners are nearest, from one to the other. As
+//! a corner comes past the end of a face, the normal turns on without a jump, and what is round rolls over it.
+//!
+//! A core may be a line (then the shape is a capsule), which has no inside: two that lie one behind the other are apart by no
+//! line along an edge. There the nearest corners are looked for, too.
+
+use crate::collision::Manifold;
+use crate::collision::detection::clip::Tolerance;
+use crate::collision::detection::polygon_polygon::{Face, Pair, best_face};
+use crate::collision::detection::touch::Touch;
+use crate::collision::detection::within;
+use crate::math::{Rot, Vec2};
+use crate::shape::{Circle, Hull, Shape};
+
+/// A core, turned, with the radius around it, m.
+#[derive(Clone, Copy)]
+pub(super) struct Core<'a> {
+    hull: &'a Hull,
+    rotation: Rot,
+    radius: f32,
+}
+
+impl<'a> Core<'a> {
+    /// That of a shape that is no circle; boxes and polygons have a radius of 0.
+    pub(super) fn of(shape: &'a Shape, rotation: Rot) -> Option<Self> {
+        shape.core().map(|(hull, radius)| Self { hull, rotation, radius })
+    }
+}
+
+pub(super) fn detect(a: Core<'_>, b: Core<'_>, offset: Vec2, margin: f32) -> Option<Manifold> {
+    let margin = margin + (a.radius + b.radius);
+    let rotation = a.rotation.inverse() * b.rotation;
+    let center = a.rotation.unrotate(offset);
+    let face_a = best_face(a.hull, b.hull, rotation, center);
+    if !within(face_a.separation, margin) {
+        return None;
+    }
+    let face_b = best_face(b.hull, a.hull, rotation.inverse(), rotation.unrotate(-center));
+    if !within(face_b.separation, margin) {
+        return None;
+    }
+    let tolerance = Tolerance::new(a.hull.inradius + a.radius, b.hull.inradius + b.radius, center);
+    let mut manifold = if face_b.separation > face_a.separation + tolerance.preference {
+        of_cores(&pair(b, a, -offset), face_b, tolerance, margin)?.flipped()
+    } else {
+        of_cores(&pair(a, b, offset), face_a, tolerance, margin)?
+    };
+    manifold.take_off([a.radius, b.radius]);
+    Some(manifold)
+}
+
+fn pair<'a>(a: Core<'a>, b: Core<'a>, offset: Vec2) -> Pair<'a> {
+    Pair { a: a.hull, rotation_a: a.rotation, b: b.hull, rotation_b: b.rotation, offset }
+}
+
+/// The manifold of the cores of a pair, of which a has the reference face.
+fn of_cores(pair: &Pair<'_>, face: Face, tolerance: Tolerance, margin: f32) -> Option<Manifold> {
+    let Tolerance { noise, preference } = tolerance;
+    let (stretch, turn) = pair.common_stretch(face.index);
+    // What leans round the end of a face is not to be taken for flat on it: its normal turns.
+    let tolerance = if pair.is_flat_on(face.index) { preference } else { noise };
+    let are_apart = face.separation > noise && !stretch.is_nearest(face.separation, tolerance);
+    let are_in_line =
+        stretch.is_empty() && face.separation > -preference && pair.a.is_segment() && pair.b.is_segment();
+    if !(are_apart || are_in_line) {
+        let stretch = stretch.without_far_end(noise);
+        return stretch.manifold(pair.rotation_a * turn, pair.offset, noise, margin);
+    }
+    let closest = pair.closest(noise, margin)?;
+    within(closest.distance, margin).then(|| closest.manifold_of_rounded(pair.rotation_a, pair.offset))
+}
+
+/// Where b, a circle, touches a.
+pub(super) fn touch(a: Core<'_>, b: Circle, offset: Vec2, margin: f32) -> Option<Touch> {
+    let Core { hull, rotation, radius } = a;
+    let center = rotation.unrotate(offset);
+    let (mut gap, face) = hull.nearest_face(center);
+    let radii = b.radius() + radius;
+    if !within(gap - radii, margin) {
+        return None;
+    }
+    let mut normal = hull.normals[face];
+    let mut nearest = center - normal * gap;
+    // A line has no inside.
+    if gap > 0.0 || hull.is_segment() {
+        let [start, end] = hull.ends_from(face, center);
+        let corner = if start > 0.0 {
+            Some(hull.vertices[face])
+        } else if end < 0.0 {
+            Some(hull.vertices[hull.next(face)])
+        } else {
+            None
+        };
+        if let Some(corner) = corner {
+            let distance = (center - corner).length();
+            // A distance whose square is lost leaves the face's normal, which is as near.
+            if distance * distance >= f32::MIN_POSITIVE {
+                (gap, normal, nearest) = (distance, (center - corner) / distance, corner);
+            }
+        }
+    }
+    let separation = gap - radii;
+    // The corner may be further than its face; NaN got here without a face.
+    if !(within(separation, margin) && separation.is_finite()) {
+        return None;
+    }
+    // On the circle: the arm of friction is its radius, however far it has sunk in.
+    let on_circle = rotation.rotate(nearest + normal * (radius + separation));
+    Some(Touch::new(rotation.rotate(normal), on_circle, offset, separation))
+}
