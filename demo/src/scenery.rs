@@ -88,7 +88,11 @@ impl Scenery {
     fn trace(&mut self, shape: &Shape, pose: Pose, camera: Camera) {
         self.outer.clear();
         let Some(radius) = shape.radius() else {
-            self.outer.extend(shape.vertices().iter().map(|&at| camera.to_screen(pose.to_world(at))));
+            let place = |at: Vec2| camera.to_screen(pose.to_world(at));
+            match shape {
+                Shape::Rounded(rounded) => self.outer.extend(rounded.outline().map(place)),
+                _ => self.outer.extend(shape.vertices().iter().copied().map(place)),
+            }
             inset(&self.outer, OUTLINE, &mut self.inner);
             return;
         };

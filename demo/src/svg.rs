@@ -105,9 +105,13 @@ fn write_shape(out: &mut String, shape: &Shape, pose: Pose) -> fmt::Result {
         );
     }
     out.write_str(r#"<path d=""#)?;
-    for (index, &vertex) in shape.vertices().iter().enumerate() {
+    let mut write_corner = |(index, vertex): (usize, Vec2)| {
         let corner = pose.to_world(vertex);
-        write!(out, "{}{:.3} {:.3}", if index == 0 { 'M' } else { 'L' }, corner.x, corner.y)?;
+        write!(out, "{}{:.3} {:.3}", if index == 0 { 'M' } else { 'L' }, corner.x, corner.y)
+    };
+    match shape {
+        Shape::Rounded(rounded) => rounded.outline().enumerate().try_for_each(&mut write_corner)?,
+        _ => shape.vertices().iter().copied().enumerate().try_for_each(&mut write_corner)?,
     }
     writeln!(out, r#"Z"/>"#)
 }

@@ -20,6 +20,7 @@ pub mod ball_pit;
 pub mod billiards;
 pub mod bounce;
 pub mod bridge;
+pub mod capsules;
 pub mod car;
 pub mod card_house;
 pub mod confined;
@@ -216,6 +217,7 @@ pub fn all() -> &'static [Scene] {
         platforms::SCENE,
         attractor::SCENE,
         polygons::SCENE,
+        capsules::SCENE,
         letters::SCENE,
         solar_system::SCENE,
         sandbox::SCENE,

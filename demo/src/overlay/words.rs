@@ -56,6 +56,8 @@ pub(crate) fn shape_name(shape: &Shape) -> &'static str {
         Shape::Aabb(_) => "upright box",
         Shape::Obb(_) => "box",
         Shape::Polygon(_) => "polygon",
+        Shape::Rounded(rounded) if rounded.is_capsule() => "capsule",
+        Shape::Rounded(_) => "rounded polygon",
         _ => "shape",
     }
 }
