@@ -91,7 +91,7 @@ pub struct ManifoldPoint {
     pub normal_impulse: f32,
     /// Impulse along the tangent in the last substep, N s.
     pub tangent_impulse: f32,
-    /// What it bears along the normal without yielding, N s in half a substep, as it has borne it for long.
+    /// What it bears along the normal without yielding, N s in half a substep: the part of its load that has lasted.
     pub(crate) lasting_impulse: f32,
 }
 
@@ -105,9 +105,7 @@ impl ManifoldPoint {
 
     /// Velocity of b against a at the point, m/s, with anchors from their centres of mass.
     pub(crate) fn relative_velocity(&self, a: &BodyState, b: &BodyState) -> Vec2 {
-        let tip_a = Vec2::from(a.velocity) + self.anchor_a.perp() * a.angular_velocity;
-        let tip_b = Vec2::from(b.velocity) + self.anchor_b.perp() * b.angular_velocity;
-        tip_b - tip_a
+        (b.velocity_at(self.anchor_b.into()) - a.velocity_at(self.anchor_a.into())).into()
     }
 }
 

@@ -51,6 +51,12 @@ impl BodyState {
 }
 
 impl<L: Lane> BodyState<L> {
+    /// Velocity of the body at a place, m/s, that is `arm` from its centre of mass, m.
+    #[inline(always)]
+    pub(crate) fn velocity_at(&self, arm: LaneVec2<L>) -> LaneVec2<L> {
+        self.velocity + arm.perp() * self.angular_velocity
+    }
+
     /// As many bodies, from the first four numbers of their rows and the second four.
     #[inline(always)]
     pub(super) fn of_numbers([x, y, angular_velocity, padding]: [L; 4], [dx, dy, c, s]: [L; 4]) -> Self {

@@ -96,7 +96,7 @@ pub(crate) struct ContactConstraint<C> {
     /// Coupling of the two points along the normal, 1/kg: what a unit impulse at one does to the other's vn.
     pub(crate) coupling: C,
     pub(crate) points: [ConstraintPoint<C>; 2],
-    /// By point, what it bears along the normal without yielding, N s: the part of its load that has lasted for long.
+    /// By point, what it bears along the normal without yielding, N s in half a substep: the part of its load that has lasted.
     pub(crate) lasting_impulses: [C; 2],
     /// Coefficient of friction.
     pub(crate) friction: C,
@@ -145,9 +145,7 @@ impl<L: Lane> ConstraintPoint<L> {
     /// Velocity of b against a at the point, m/s.
     #[inline(always)]
     pub(crate) fn relative_velocity(&self, a: &BodyState<L>, b: &BodyState<L>) -> LaneVec2<L> {
-        let tip_a = a.velocity + self.anchor_a.perp() * a.angular_velocity;
-        let tip_b = b.velocity + self.anchor_b.perp() * b.angular_velocity;
-        tip_b - tip_a
+        b.velocity_at(self.anchor_b) - a.velocity_at(self.anchor_a)
     }
 }
 

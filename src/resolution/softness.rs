@@ -7,8 +7,11 @@
 //! substeps buy less error: at rest the overlap is s = γ·g·h/(2·BIAS_RATE) per unit of load.
 //!
 //! Under a great load that would be deep. So a contact yields to what its load differs from a part λ* that has lasted,
-//! γ·k·(λ - λ*), and λ* follows the load within half a second (the multiplier of an augmented Lagrangian; M. R. Hestenes,
-//! 1969). What is new is still shared.
+//! γ·k·(λ - λ*), and λ* follows the load as a lag of the first order does (the multiplier of an augmented Lagrangian; M. R.
+//! Hestenes, 1969). What is new is still shared.
+//!
+//! Where the kick is split, contacts yield in the sweep before the bodies move, to half of the impulse of the substep: k λ is that
+//! of this half here, but in [`sag`].
 
 use crate::compute::Lane;
 
@@ -18,7 +21,7 @@ use crate::compute::Lane;
 /// rest more slowly.
 const COMPLIANCE: f32 = 0.14;
 
-/// A contact yields in full up to this speed, m/s, and `COMPLIANCE_SHARE_BEYOND` of what is more: where heavy bodies
+/// A contact yields by γ k λ up to this speed, m/s, and by `COMPLIANCE_SHARE_BEYOND` of what is more: where heavy bodies
 /// press on light ones, the full compliance would let them sink in.
 const FULL_COMPLIANCE_SPEED: f32 = 0.5;
 
@@ -29,16 +32,16 @@ const COMPLIANCE_SHARE_BEYOND: f32 = 0.15;
 /// Beyond this speed, m/s, the compliance does not change any more: it is within 0.3 % of what it comes to.
 const LAST_COMPLIANCE_SPEED: f32 = 1e3;
 
-/// To a load that lasts a contact yields in full up to this speed, m/s, which is 5 mm of overlap, and by `LASTING_SHARE` of
-/// what is more. Of the contacts of the scene `pile` that are deeper than 10 mm without it one in fifteen still is; with twice
+/// To a load that lasts a contact yields by γ k λ up to this speed, m/s, and by `LASTING_SHARE` of what is more: 5 mm of overlap,
+/// at `BIAS_RATE`. Of the contacts of the scene `pile` that are deeper than 10 mm without it one in fifteen still is; with twice
 /// as much a third are, with half as much a loaded arch trembles at 1 cm/s, and with 0 pyramids of 40 rows fall.
-const LASTING_SPEED: f32 = 0.14;
+const LASTING_SPEED: f32 = 0.005 * BIAS_RATE;
 
 /// What remains of the compliance to a load that lasts, no unit. With 0.3 half as many contacts again are deeper than 10 mm;
 /// with 0.05, light bodies are pressed out of heaps at twice the speed.
 const LASTING_SHARE: f32 = 0.1;
 
-/// A load lasts that has been there for so long, s. With a tenth of it four times as many contacts are deeper than 10 mm, as
+/// What lasts of a load follows it with this time constant, s. With a tenth of it four times as many contacts are deeper than 10 mm, as
 /// the loads of a heap that is still falling are taken for such; with three times as much it is the same.
 const LASTING_TIME: f32 = 0.5;
 
@@ -88,14 +91,14 @@ pub(crate) fn one_and_compliance<L: Lane>(separation: L, load: L) -> [L; 2] {
     [L::select(separation.greater(L::splat(0.0)), whole, soft), whole]
 }
 
-/// Whether a contact yields in full to a load, k λ in m/s, also if that lasts.
+/// Whether a contact yields in full to a load, k λ of half a substep in m/s, also if that lasts.
 #[inline(always)]
-pub(crate) fn yields_in_full(load: f32) -> bool {
-    COMPLIANCE * load <= LASTING_SPEED
+pub(crate) fn yields_in_full(half_load: f32) -> bool {
+    COMPLIANCE * half_load <= LASTING_SPEED
 }
 
-/// What a point with this k, 1/kg, bears without yielding after one more step of length `dt`, s, in which it bore `impulse`,
-/// N s.
+/// What a point with this k, 1/kg, bears without yielding after one more step of length `dt`, s, in which it bore this impulse in
+/// half a substep, N s.
 #[inline(always)]
 pub(crate) fn lasting_after(lasting_impulse: f32, [k, impulse]: [f32; 2], dt: f32) -> f32 {
     if yields_in_full(k * impulse) {
@@ -111,8 +114,6 @@ pub(crate) fn lasting_after(lasting_impulse: f32, [k, impulse]: [f32; 2], dt: f3
 mod tests {
     use super::*;
 
-    /// The compliance as its constants say it, in `f64`: `COMPLIANCE` of a load up to the full speed,
-    /// `COMPLIANCE_SHARE_BEYOND` of that of what is more. Beyond the last speed it is 0.3 % of the compliance off, 1e-4 of the whole; the rest is rounding.
     /// k (λ - λ*) comes to what lasts of the load k λ, and k λ* at once to no more than the load when that ends. The closed form
     /// of the first order lag after n steps is 1 - (1 - dt/T)ⁿ of the whole.
     #[test]
@@ -130,10 +131,16 @@ mod tests {
                     "{load}, {step}"
                 );
             }
+            // What a tenth less of a load bears is what lasts at once.
+            let less = lasting_after(lasting, [k, 0.9 * load / k], dt);
+            let expected = (1.0 - LASTING_SHARE) * (0.9 * load - whole).max(0.0);
+            assert!((k * less - expected).abs() <= 1e-5 * load, "{load} less a tenth");
             assert_eq!(lasting_after(lasting, [k, 0.0], dt), 0.0, "a load that ended");
         }
     }
 
+    /// The compliance as its constants say it, in `f64`: `COMPLIANCE` of a load up to the full speed,
+    /// `COMPLIANCE_SHARE_BEYOND` of that of what is more. Beyond the last speed it is 0.3 % of the compliance off, 1e-4 of the whole; the rest is rounding.
     #[test]
     fn compliance_is_what_its_constants_say_and_fits_into_products_under_any_load() {
         for load in [0.0, 1.0, 3.5, 3.6, 10.0, 1e3, 1e4, 1e6, 1e27_f32] {

@@ -112,10 +112,11 @@ impl<L: Lane> ContactConstraint<L> {
     /// approach: the row and its q of
     ///
     /// ```text
-    /// (1 + γ) k x + coupling x' + q ≥ 0,   q = vn + bias - k λ - coupling λ'
+    /// (1 + γ) k x + coupling x' + q ≥ 0,   q = vn + bias - γ k λ* - k λ - coupling λ'
     /// ```
     ///
-    /// where the impulses so far, λ and λ', have brought about vn.
+    /// where the impulses so far, λ and λ', have brought about vn, and λ* is the part of λ that has lasted. γ is 0 in a sweep that is
+    /// not `biased`.
     #[inline(always)]
     fn row(
         &self,
@@ -134,11 +135,12 @@ impl<L: Lane> ContactConstraint<L> {
             let row = Row { own: point.normal_k * soft, other: coupling * whole, scale: whole };
             // No more than it bears now: what it has ceased to bear would push the bodies apart.
             let held = point.normal_k * self.lasting_impulses[index].min(point.normal_impulse);
-            let mut yielding = L::splat(0.0);
+            let mut spared = zero;
+            // Few have any, and a division takes long.
             if L::bits(held.greater(zero)) != 0 {
-                yielding = (soft - whole) / whole * held;
+                spared = (soft - whole) / whole * held;
             }
-            (row, bias(separation, per_substep) - yielding)
+            (row, bias(separation, per_substep) - spared)
         } else {
             (Row { own: point.normal_k, other: coupling, scale: one }, gap_bias(separation, per_substep))
         };

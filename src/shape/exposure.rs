@@ -14,11 +14,8 @@ use crate::shape::{Hull, MAX_VERTICES};
 /// Neighbours are flush within this share of the width of the shape, no unit, but not more than [`LARGEST_GAP`]: less, and
 /// tiles that were placed by hand are not flush; more, and a small step does not hold anything.
 const GAP_OF_WIDTH: f32 = 1e-3;
-/// m.
+/// At most so far apart are what is flush, m.
 const LARGEST_GAP: f32 = 1e-3;
-
-/// The same of the normal of a contact with a circle or a round corner, which has all its digits.
-const ROUNDING: f32 = 1e-3;
 
 /// A body that is pressed against a block overlaps it by less than this share of the width of the floor, no unit: it still stands
 /// on the floor.
@@ -26,6 +23,9 @@ const OVERLAP_OF_WIDTH: f32 = 0.05;
 
 /// Directions that differ by less than this, rad, are the same: what lies flat on a face leans by less as it trembles.
 const SAME_DIRECTION: f32 = 0.02;
+
+/// The same where the normal has all its digits, as of a contact with a circle or of a round corner with a corner, rad.
+const SAME_EXACT_DIRECTION: f32 = 1e-3;
 
 /// A neighbour, as it is in the frame of the shape.
 #[derive(Clone, Copy, Debug)]
@@ -166,7 +166,7 @@ impl Exposure {
         is_round: bool,
     ) -> bool {
         let (face, cosine) = most_along(hull, normal);
-        let least = if is_round { ROUNDING } else { SAME_DIRECTION };
+        let least = if is_round { SAME_EXACT_DIRECTION } else { SAME_DIRECTION };
         if cosine > 1.0 - 0.5 * least * least {
             let along = hull.normals[face].perp();
             let (low, high) = places
@@ -198,7 +198,7 @@ impl Exposure {
     /// The face that a contact with a normal, out of the outline and in its frame, is on; `None` where it is at a corner.
     pub(crate) fn face_of(hull: &Hull, normal: Vec2) -> Option<usize> {
         let (face, cosine) = most_along(hull, normal);
-        (cosine > 1.0 - 0.5 * ROUNDING * ROUNDING).then_some(face)
+        (cosine > 1.0 - 0.5 * SAME_EXACT_DIRECTION * SAME_EXACT_DIRECTION).then_some(face)
     }
 
     /// Whether the surface goes on beyond the start and the end of a face, along neighbours that do not fall away from it.

@@ -9,12 +9,11 @@
 //! |---|---|---|
 //! | circle, circle | distance of the centres | 1 point |
 //! | box, circle | nearest point of the box, by clamping | 1 point |
-//! | polygon, circle | face of greatest separation, then its ends | 1 point |
+//! | polygon or rounded, circle | face of greatest separation, then its ends | 1 point |
 //! | aabb, aabb | gaps along the two axes | up to 2 |
 //! | box, box | separating axes from half sizes, clipping | up to 2 |
 //! | polygon, polygon | separating axes over the hulls, clipping | up to 2 |
 //! | rounded, any but a circle | the same of the cores, then the radii taken off | up to 2 |
-//! | rounded, circle | nearest point of the core | 1 point |
 //! | circle 10,000 times as large as the other shape | heights of the ends of a face above it | up to 2 |
 
 mod aabb_aabb;
@@ -40,9 +39,8 @@ pub(crate) use touch::Touch;
 use core::ops::Neg;
 
 use crate::collision::Manifold;
-use crate::collision::detection::rounded::Core;
 use crate::math::{Point, Pose, Rot, Vec2};
-use crate::shape::Shape;
+use crate::shape::{Hull, Shape};
 
 /// Where two shapes touch or overlap, without a world; `None` where there is a gap between them.
 ///
@@ -65,6 +63,21 @@ pub fn detect(shape_a: &Shape, pose_a: Pose, shape_b: &Shape, pose_b: Pose) -> O
         is_flat([shape_a, shape_b].map(|shape| (matches!(shape, Shape::Circle(_)), shape.extent())));
     let detect = if is_flat { detect_flat } else { detect_from };
     detect(shape_a, pose_a.rotation, shape_b, pose_b.rotation, offset, 0.0)
+}
+
+/// A core, turned, with the radius around it, m.
+#[derive(Clone, Copy)]
+struct Core<'a> {
+    hull: &'a Hull,
+    rotation: Rot,
+    radius: f32,
+}
+
+impl<'a> Core<'a> {
+    /// That of a shape that is no circle; boxes and polygons have a radius of 0.
+    fn of(shape: &'a Shape, rotation: Rot) -> Option<Self> {
+        shape.core().map(|(hull, radius)| Self { hull, rotation, radius })
+    }
 }
 
 /// The centre of b from the centre of a, with more digits than `f32` has, m.
@@ -187,13 +200,11 @@ pub(crate) fn touch(
         (Circle(a), Circle(b)) => circle_circle::touch(*a, *b, offset, margin),
         (Aabb(a) | Obb(a), Circle(b)) => circle_box::touch(a, rot_a, *b, offset, margin),
         (Circle(a), Aabb(b) | Obb(b)) => circle_box::touch(b, rot_b, *a, -offset, margin).map(Touch::flipped),
-        (Polygon(a), Circle(b)) => circle_polygon::touch(a.hull(), rot_a, *b, offset, margin),
-        (Circle(a), Polygon(b)) => {
-            circle_polygon::touch(b.hull(), rot_b, *a, -offset, margin).map(Touch::flipped)
+        (Polygon(_) | Rounded(_), Circle(b)) => {
+            circle_polygon::touch(Core::of(shape_a, rot_a)?, *b, offset, margin)
         }
-        (Rounded(_), Circle(b)) => rounded::touch(Core::of(shape_a, rot_a)?, *b, offset, margin),
-        (Circle(a), Rounded(_)) => {
-            rounded::touch(Core::of(shape_b, rot_b)?, *a, -offset, margin).map(Touch::flipped)
+        (Circle(a), Polygon(_) | Rounded(_)) => {
+            circle_polygon::touch(Core::of(shape_b, rot_b)?, *a, -offset, margin).map(Touch::flipped)
         }
         _ => None,
     }

@@ -8,27 +8,11 @@
 //! line along an edge. There the nearest corners are looked for, too.
 
 use crate::collision::Manifold;
+use crate::collision::detection::Core;
 use crate::collision::detection::clip::Tolerance;
 use crate::collision::detection::polygon_polygon::{Face, Pair, best_face};
-use crate::collision::detection::touch::Touch;
 use crate::collision::detection::within;
-use crate::math::{Rot, Vec2};
-use crate::shape::{Circle, Hull, Shape};
-
-/// A core, turned, with the radius around it, m.
-#[derive(Clone, Copy)]
-pub(super) struct Core<'a> {
-    hull: &'a Hull,
-    rotation: Rot,
-    radius: f32,
-}
-
-impl<'a> Core<'a> {
-    /// That of a shape that is no circle; boxes and polygons have a radius of 0.
-    pub(super) fn of(shape: &'a Shape, rotation: Rot) -> Option<Self> {
-        shape.core().map(|(hull, radius)| Self { hull, rotation, radius })
-    }
-}
+use crate::math::Vec2;
 
 pub(super) fn detect(a: Core<'_>, b: Core<'_>, offset: Vec2, margin: f32) -> Option<Manifold> {
     let margin = margin + (a.radius + b.radius);
@@ -71,43 +55,4 @@ fn of_cores(pair: &Pair<'_>, face: Face, tolerance: Tolerance, margin: f32) -> O
     }
     let closest = pair.closest(noise, margin)?;
     within(closest.distance, margin).then(|| closest.manifold_of_rounded(pair.rotation_a, pair.offset))
-}
-
-/// Where b, a circle, touches a.
-pub(super) fn touch(a: Core<'_>, b: Circle, offset: Vec2, margin: f32) -> Option<Touch> {
-    let Core { hull, rotation, radius } = a;
-    let center = rotation.unrotate(offset);
-    let (mut gap, face) = hull.nearest_face(center);
-    let radii = b.radius() + radius;
-    if !within(gap - radii, margin) {
-        return None;
-    }
-    let mut normal = hull.normals[face];
-    let mut nearest = center - normal * gap;
-    // A line has no inside.
-    if gap > 0.0 || hull.is_segment() {
-        let [start, end] = hull.ends_from(face, center);
-        let corner = if start > 0.0 {
-            Some(hull.vertices[face])
-        } else if end < 0.0 {
-            Some(hull.vertices[hull.next(face)])
-        } else {
-            None
-        };
-        if let Some(corner) = corner {
-            let distance = (center - corner).length();
-            // A distance whose square is lost leaves the face's normal, which is as near.
-            if distance * distance >= f32::MIN_POSITIVE {
-                (gap, normal, nearest) = (distance, (center - corner) / distance, corner);
-            }
-        }
-    }
-    let separation = gap - radii;
-    // The corner may be further than its face; NaN got here without a face.
-    if !(within(separation, margin) && separation.is_finite()) {
-        return None;
-    }
-    // On the circle: the arm of friction is its radius, however far it has sunk in.
-    let on_circle = rotation.rotate(nearest + normal * (radius + separation));
-    Some(Touch::new(rotation.rotate(normal), on_circle, offset, separation))
 }

@@ -245,8 +245,7 @@ fn write_back(
         contacts.prefetch_written(place);
         let contact = contacts.get_mut(place);
         let load = residuals.load.get(place);
-        block.follow_load(place, contact, load, measure.dt);
-        block.write_back(place, contact);
+        block.write_back(place, contact, load, measure.dt);
         let is_lasting = measure.is_lasting(contact, loads.get_mut(place), load);
         block.marks.lasting.set(place, is_lasting);
         let touches = contact.has_bounced || residuals.touching.get(place);

@@ -87,35 +87,29 @@ impl ContactBlock {
         residuals.touching.write::<L>(place, touching);
     }
 
-    /// Lets what points bear without yielding follow their load at the end of a step of length `dt`, s. The contact has that of
-    /// the step before still, and `load` is the greatest k λ of its points, m/s.
+    /// Writes the end of a step of length `dt`, s, back into a contact; the greatest k λ of its points is `load`, m/s.
     #[inline(always)]
-    pub(crate) fn follow_load(&self, place: usize, contact: &mut Contact, load: f32, dt: f32) {
+    pub(crate) fn write_back(&self, place: usize, contact: &mut Contact, load: f32, dt: f32) {
         // Half of the impulses act before the move, where contacts yield.
         const HALF: f32 = 0.5;
-        if yields_in_full(HALF * load) {
-            contact.manifold.points_mut().iter_mut().for_each(|point| point.lasting_impulse = 0.0);
-            return;
-        }
-        for (point, now) in contact.manifold.points_mut().iter_mut().zip(&self.columns.points) {
-            // What it did not bear a step ago may be a blow.
-            let impulse = HALF * now.normal_impulse.get(place).min(point.normal_impulse);
-            point.lasting_impulse =
-                lasting_after(point.lasting_impulse, [now.normal_k.get(place), impulse], dt);
-        }
-    }
-
-    /// Writes the end of the step back into a contact.
-    #[inline(always)]
-    pub(crate) fn write_back(&self, place: usize, contact: &mut Contact) {
+        // Nearly all do, so that a point is asked only where one of the two may not.
+        let yields_in_full = yields_in_full(HALF * load);
         contact.manifold.normal = self.columns.normal.load::<f32>(place).into();
         for (index, stored) in contact.manifold.points_mut().iter_mut().enumerate() {
             let point = &self.columns.points[index];
             stored.anchor_a = point.anchor_a.load::<f32>(place).into();
             stored.anchor_b = point.anchor_b.load::<f32>(place).into();
             stored.separation = point.separation.get(place);
-            stored.normal_impulse = point.normal_impulse.get(place);
+            let impulse_before =
+                std::mem::replace(&mut stored.normal_impulse, point.normal_impulse.get(place));
             stored.tangent_impulse = self.columns.frictions[index].impulse.get(place);
+            stored.lasting_impulse = if yields_in_full {
+                0.0
+            } else {
+                // What it did not bear a step ago may be a blow.
+                let impulse = HALF * stored.normal_impulse.min(impulse_before);
+                lasting_after(stored.lasting_impulse, [point.normal_k.get(place), impulse], dt)
+            };
         }
     }
 }

@@ -20,7 +20,7 @@ mod triangles;
 pub use rings::MAX_OUTLINE_POINTS;
 
 use crate::math::Vec2;
-use crate::shape::{Ring, Shape, ShapeError};
+use crate::shape::{Shape, ShapeError};
 use monotone::cut_into_monotone;
 use pieces::pieces_of;
 use rings::rings_of;
@@ -32,8 +32,9 @@ impl Shape {
     ///
     /// [`Body::dynamic_pieces`](crate::Body::dynamic_pieces) and its like make a body of them. Each piece is a
     /// [`Shape::Polygon`] of 3 to 8 corners, and [`Polygon::centroid_of_input`](crate::shape::Polygon::centroid_of_input) tells
-    /// where its centre was. No corners are added; there are at most about four times as many pieces as any division needs.
-    /// What is thinner than 1e-5 of its length, and would be refused as a polygon, is left out.
+    /// where its centre was. No corners are added; there are at most about four times as many pieces as a division without
+    /// a limit of corners needs. What is thinner than 1e-5 of its length, or than 1e-5 m, and would be refused as a polygon, is
+    /// left out.
     ///
     /// # Errors
     ///
@@ -89,11 +90,12 @@ fn pieces(outline: Vec<Vec2>, holes: Vec<Vec<Vec2>>) -> Result<Vec<Shape>, Shape
     let mut nodes = rings_of(outline, holes)?;
     cut_into_monotone(&mut nodes);
     let triangles = Triangles::new(&nodes);
-    // A piece that is no polygon is all but a line.
-    let shapes: Vec<Shape> =
-        pieces_of(&triangles).into_iter().filter_map(|outline| Shape::polygon(outline).ok()).collect();
-    if shapes.is_empty() {
-        return Err(ShapeError::OutlineTooSmall { ring: Ring::Outline, area: 0.0 });
+    // A piece that is no polygon is all but a line, or too thin for any shape.
+    let mut refused = None;
+    let polygon = |outline| Shape::polygon(outline).map_err(|error| refused = Some(error)).ok();
+    let shapes: Vec<Shape> = pieces_of(&triangles).into_iter().filter_map(polygon).collect();
+    match refused {
+        Some(error) if shapes.is_empty() => Err(error),
+        _ => Ok(shapes),
     }
-    Ok(shapes)
 }

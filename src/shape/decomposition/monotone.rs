@@ -64,7 +64,7 @@ impl Sweep<'_> {
             // Both edges begin: the area does, or it forks around them.
             (false, false) => {
                 if is_reflex {
-                    self.cut_to_helper(place - 1, index, false);
+                    self.cut_to_helper(place - 1, index);
                 }
                 self.floors.insert(place, floor);
             }
@@ -93,16 +93,16 @@ impl Sweep<'_> {
     }
 
     /// Cuts from a node to the helper of a floor, and makes the node its helper.
-    fn cut_to_helper(&mut self, place: usize, index: usize, is_merge: bool) {
+    fn cut_to_helper(&mut self, place: usize, index: usize) {
         let floor = &mut self.floors[place];
         self.cuts.push([index, floor.helper]);
-        (floor.helper, floor.is_merge) = (index, is_merge);
+        (floor.helper, floor.is_merge) = (index, false);
     }
 
     /// The same if parts of the area have met at the helper.
     fn cut_to_merge(&mut self, place: usize, index: usize) {
         if self.floors[place].is_merge {
-            self.cut_to_helper(place, index, false);
+            self.cut_to_helper(place, index);
         }
     }
 }

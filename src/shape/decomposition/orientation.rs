@@ -8,7 +8,8 @@ use core::cmp::Ordering;
 
 use crate::math::Vec2;
 
-/// Rounding of the determinant as a share of the sum of its two products: three roundings of 2⁻⁵³ each, and a little more.
+/// Rounding of the determinant as a share of the sum of its two products: three roundings of 2⁻⁵³ each, and more than
+/// twice as much.
 const ROUNDING: f64 = 4.0 * f64::EPSILON;
 
 /// How the way from a over b to c turns: `Greater` to the left, `Less` to the right, `Equal` where the three are on a line.

@@ -31,7 +31,7 @@ pub(super) fn pieces_of(triangles: &Triangles) -> Vec<Vec<Vec2>> {
     };
     let mut diagonals: Vec<Side> =
         (0..count).filter(|&side| triangles.twins[side].is_some_and(|twin| side < twin)).collect();
-    diagonals.sort_by(|&one, &other| links.length(other).total_cmp(&links.length(one)));
+    diagonals.sort_by(|&one, &other| links.squared_length(other).total_cmp(&links.squared_length(one)));
     for side in diagonals {
         if let Some(twin) = triangles.twins[side]
             && links.may_go(side, twin)
@@ -48,7 +48,7 @@ impl Links<'_> {
     }
 
     /// The square of the length of a side, m².
-    fn length(&self, side: Side) -> f64 {
+    fn squared_length(&self, side: Side) -> f64 {
         let (start, end) = (self.start(side), self.start(next_of(side)));
         let along = [f64::from(end.x) - f64::from(start.x), f64::from(end.y) - f64::from(start.y)];
         along[0] * along[0] + along[1] * along[1]

@@ -114,7 +114,8 @@ fn size_of(points: &[Vec2]) -> f32 {
     (high.x - low.x).max(high.y - low.y)
 }
 
-/// Twice the signed area, m²: positive counter-clockwise. Counted from the first point, so that it has all its digits far away.
+/// Twice the signed area, m²: positive counter-clockwise. Counted from the first point, so that it has all its digits far away, and
+/// the edge that ends there adds nothing.
 fn doubled_area(points: &[Vec2]) -> f64 {
     let from_first = |point: Vec2| {
         [f64::from(point.x) - f64::from(points[0].x), f64::from(point.y) - f64::from(points[0].y)]

@@ -4,8 +4,8 @@
 //! small gap to all of it, and changes nothing but what it pushes. A move takes a few casts and allocates nothing.
 //!
 //! 1. Where the ground has gone since the last move, the character goes too.
-//! 2. What overlaps it pushes it out; what does so from two sides crushes it.
-//! 3. It goes along its way, and at each thing that it meets along that; see `trip`.
+//! 2. The character is pushed out of what overlaps it; between two such things without room it is crushed.
+//! 3. It goes along its way, and turns along each surface that it meets; see `trip`.
 //! 4. On the ground it is set down to it again, so that it does not hop down slopes and steps.
 
 mod description;
@@ -82,7 +82,8 @@ impl Footing {
 pub struct Moved {
     /// From where it was to where it is, m, with where it was carried.
     pub translation: Vec2,
-    /// What it stands on.
+    /// What it stands on. Between two slopes that are too steep and face each other it stands as on the level, with the direction up
+    /// for a normal.
     pub ground: Option<ShapeHit>,
     /// What stopped it on its way, if that was too steep to walk.
     pub wall: Option<ShapeHit>,
@@ -193,7 +194,8 @@ impl Mover {
         let way = at - self.position;
         (self.position, self.tick) = (at, world.ticks());
         self.footing = ground.and_then(|hit| Footing::new(world, hit));
-        for hit in [wall, ceiling].into_iter().flatten() {
+        let also_ceiling = ceiling.filter(|above| wall.is_none_or(|beside| beside.body != above.body));
+        for hit in [wall, also_ceiling].into_iter().flatten() {
             self.push(world, hit, translation);
         }
         Moved { translation: way, ground, wall, ceiling, crushed_by }

@@ -2,9 +2,9 @@
 
 use crate::body::BodyId;
 use crate::collision::{Manifold, detect};
-use crate::math::{Pose, Vec2};
+use crate::math::{Point, Pose, Vec2};
 use crate::world::character::trip::Trip;
-use crate::world::{ColliderRef, QueryFilter, ShapeHit};
+use crate::world::{BodyRef, ColliderRef, QueryFilter, RayHit, ShapeHit};
 
 /// A one-way floor bears what comes from within 60° of its free side, this being the cosine, as it bears bodies.
 const FREE_SIDE: f32 = 0.5;
@@ -19,31 +19,46 @@ const ROUNDS: usize = 4;
 impl Trip<'_> {
     /// The first thing on a way, m; what carries the character is none.
     pub(super) fn cast(&self, way: Vec2) -> Option<ShapeHit> {
-        let filter = self.filter().ignore_all(self.carrier.as_slice());
+        let filter = self.all_but_ignored().ignore_all(self.carrier.as_slice());
         let pose = Pose::at(self.at);
         self.world.shape_cast_where(&self.character.shape, pose, way, &filter, |hit| self.meets(hit, way))
     }
 
-    /// What can be in the way at all.
-    pub(super) fn filter(&self) -> QueryFilter<'_> {
+    /// All but the body that it is told to ignore. Filters, which shapes have each for itself, are asked of what is found.
+    pub(super) fn all_but_ignored(&self) -> QueryFilter<'_> {
         self.character.ignored.map_or(QueryFilter::new(), |body| QueryFilter::new().ignore(body))
     }
 
     /// What a hit on a way is to the character; `None` if it passes.
     fn meets(&self, hit: ShapeHit, way: Vec2) -> Option<ShapeHit> {
         let collider = self.world.collider(hit.collider)?;
-        if !self.character.filter.collides_with(collider.filter()) {
+        if !self.collides_with(collider) {
             return None;
         }
         let hit = if hit.normal == Vec2::ZERO { self.overlap_as_hit(hit, collider, way)? } else { hit };
         self.is_borne_side(collider, hit.normal, way).then_some(hit)
     }
 
+    fn collides_with(&self, collider: ColliderRef<'_>) -> bool {
+        self.character.filter.collides_with(collider.filter())
+    }
+
+    /// Whether a body has a solid place at the end of a ray, and nothing before it: one-way floors are not solid.
+    pub(super) fn sees(&self, body: BodyId, from: Point, way: Vec2) -> Option<RayHit> {
+        let is_solid = |other: BodyRef<'_>| {
+            let is_solid =
+                |collider: ColliderRef<'_>| self.collides_with(collider) && collider.one_way().is_none();
+            other.id() == body || other.colliders().any(is_solid)
+        };
+        let filter = self.all_but_ignored().predicate(&is_solid);
+        self.world.ray_cast_with(from, way, &filter).filter(|hit| hit.body == body)
+    }
+
     /// Whether a thing is solid on the side of this normal for what moves along a way: one-way floors are on one.
     fn is_borne_side(&self, collider: ColliderRef<'_>, normal: Vec2, way: Vec2) -> bool {
         let Some(direction) = collider.one_way() else { return true };
-        let up = collider.pose().rotation.rotate(direction);
-        !self.passes_one_way && normal.dot(up) >= FREE_SIDE && way.dot(up) <= 0.0
+        let free = collider.pose().rotation.rotate(direction);
+        !self.passes_one_way && normal.dot(free) >= FREE_SIDE && way.dot(free) <= 0.0
     }
 
     /// What overlaps the character a little as it moves into it.
@@ -79,10 +94,9 @@ impl Trip<'_> {
     fn deepest_overlap(&self) -> Option<(f32, Vec2, BodyId)> {
         let mut deepest: Option<(f32, Vec2, BodyId)> = None;
         let (shape, pose) = (&self.character.shape, Pose::at(self.at));
-        self.world.overlapping_each(shape, pose, &self.filter(), |collider| {
+        self.world.overlapping_each(shape, pose, &self.all_but_ignored(), |collider| {
             let body = collider.body();
-            let is_met =
-                self.character.filter.collides_with(collider.filter()) && collider.one_way().is_none();
+            let is_met = self.collides_with(collider) && collider.one_way().is_none();
             if is_met && let Some(manifold) = self.manifold_with(collider) {
                 let depth = depth_of(&manifold);
                 // Among equals the smallest id, whatever order they come in.

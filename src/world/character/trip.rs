@@ -83,9 +83,9 @@ impl<'a> Trip<'a> {
         let level = way - up * rise;
         self.walk(level, on.normal);
         if !self.set_down(self.character.snap.max(2.0 * self.skin) - rise) {
-            // The ground has ended.
+            // The ground has ended; or it stands between two slopes, which is found by going down a little.
             self.ground = None;
-            self.slide(up * rise);
+            self.slide(up * (rise - 2.0 * self.skin));
         }
     }
 
@@ -120,8 +120,8 @@ impl<'a> Trip<'a> {
         let inward = -(hit.normal - up * hit.normal.dot(up));
         let probe = 2.0 * self.skin;
         let above = hit.point + inward.normalized_or_zero() * probe + up * probe;
-        let ray = self.world.ray_cast_with(above, up * (-2.0 * probe), &self.filter());
-        ray.is_some_and(|ray| ray.body == hit.body && ray.normal.dot(up) >= self.walkable)
+        let top = self.sees(hit.body, above, up * (-2.0 * probe));
+        top.is_some_and(|top| top.normal.dot(up) >= self.walkable)
     }
 
     /// How far there is room in a direction, m, and what is met there, if anything is within a distance: where the gap to it is
@@ -153,7 +153,7 @@ impl<'a> Trip<'a> {
         }
     }
 
-    /// Walks along the ground, which has a normal, as far as the length of a way across the direction up.
+    /// Walks as far as a way is long, which is level, along ground with this normal.
     fn walk(&mut self, level: Vec2, normal: Vec2) {
         let up = self.character.up;
         let Some(forward) = level.normalized() else { return };
@@ -246,10 +246,10 @@ impl<'a> Trip<'a> {
                 }
             };
             if last.is_some_and(|normal| way.dot(normal) < -1e-3 * way.length()) {
-                // Between two slopes that face each other it stands.
+                // Between two slopes that face each other it stands, as on the level.
                 if last.is_some_and(|normal| (normal + hit.normal).dot(up) > 0.0) && surface == Surface::Wall
                 {
-                    self.ground = Some(hit);
+                    self.ground = Some(ShapeHit { normal: up, ..hit });
                 }
                 return;
             }

@@ -206,3 +206,23 @@ fn up_may_be_anywhere() {
         assert!(moved.is_grounded() && moved.translation.distance(across) < 1e-4, "{moved:?}");
     }
 }
+
+/// A box that it does not collide with, and a one-way floor, over the edge of a step hide neither edge nor top.
+#[test]
+fn what_it_passes_does_not_hide_a_step() {
+    let other = Filter { category: 2, mask: u64::MAX, group: 0 };
+    let one_way = Body::fixed(Shape::aabb(4.0, 0.02)).at([4.0, 0.21]).one_way([0.0, 1.0]);
+    let box_ = Body::fixed(Shape::aabb(4.0, 1.0)).at([4.0, 0.7]).filter(other);
+    for obstacle in [one_way, box_] {
+        for shape in shapes() {
+            let mut world = space();
+            add_floor(&mut world, 0.5);
+            add(&mut world, Body::fixed(Shape::aabb(4.0, 0.2)).at([4.0, 0.1]));
+            add(&mut world, obstacle.clone());
+            let character = Character::new(shape).at([0.0, 0.6]).step_height(0.25);
+            let mut walker = Walker::new(character.filter(Filter { mask: 1, ..Filter::DEFAULT }), 3.0);
+            walker.run(&mut world, 1.5);
+            assert!(walker.place()[0] > 3.0, "{shape:?} stops at {:?}", walker.place());
+        }
+    }
+}

@@ -78,6 +78,7 @@ fn ceilings_stop_a_jump() {
 }
 
 /// Between two slopes that are too steep to stand on it stands.
+/// Also where it does not fall while it stands, and where it tries to walk up one of them.
 #[test]
 fn it_stands_between_steep_slopes() {
     for shape in shapes() {
@@ -92,6 +93,15 @@ fn it_stands_between_steep_slopes() {
         assert!(walker.mover.is_grounded(), "at {before}");
         walker.run(&mut world, 2.0);
         assert!(walker.mover.position().distance(before) < 1e-3);
+        for speed in [0.0, 2.0, -2.0] {
+            for _ in 0..60 {
+                world.step();
+                let moved = walker.mover.move_by(&mut world, [speed * DT, 0.0]);
+                assert!(moved.is_grounded(), "at {speed} m/s");
+            }
+            let now = walker.mover.position();
+            assert!(now.distance(before) < 0.02, "{speed} m/s: from {before} to {now}");
+        }
     }
 }
 
