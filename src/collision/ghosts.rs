@@ -76,11 +76,18 @@ fn on_exposed_face(side: usize, exposure: &Exposure, placed: Placed<'_>) -> Opti
         if radius > 0.0 {
             found.take_off([0.0, radius]);
         }
+        // What is behind the plane of a face may be beside the shape.
+        let normal = found.normal;
+        let found = found.filtered(|point| {
+            let deepest = point.anchor_a + normal * (0.5 * point.separation);
+            point.separation >= 0.0 || exposure.holds(hull, rotation.unrotate(deepest))
+        })?;
         let manifold = if side == 0 { found } else { found.flipped() };
         // Of a face that is exposed in part another part may be near.
         is_allowed(&manifold, side, exposure, placed).then_some((gap, manifold))
     };
-    let farthest = exposure.exposed_faces().filter_map(on).max_by(|(one, _), (next, _)| one.total_cmp(next));
+    let faces = (0..hull.normals().len()).filter(|&face| exposure.is_exposed(face));
+    let farthest = faces.filter_map(on).max_by(|(one, _), (next, _)| one.total_cmp(next));
     farthest.map(|(_, manifold)| manifold)
 }
 
@@ -93,6 +100,9 @@ fn of_round(found: &Manifold, side: usize, exposure: &Exposure, placed: Placed<'
     let found = if side == 0 { *found } else { found.flipped() };
     let face = exposure.face_beyond(hull, rotation.unrotate(found.normal))?;
     let normal = rotation.rotate(hull.normals[face]);
+    if found.normal.dot(normal) <= 0.0 {
+        return None;
+    }
     let offset = if side == 0 { offset } else { -offset };
     let (radius, point) = (round.corner_radius(), found.points().first()?);
     let is_circle = round.core().is_none();

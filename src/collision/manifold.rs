@@ -157,6 +157,16 @@ impl Manifold {
         Some(restricted)
     }
 
+    /// The manifold with those of its points that pass; `None` if none does.
+    pub(crate) fn filtered(&self, passes: impl Fn(&ManifoldPoint) -> bool) -> Option<Self> {
+        let mut kept = self.points().iter().filter(|point| passes(point));
+        let first = *kept.next()?;
+        Some(match kept.next() {
+            Some(&second) => Self::of_two(self.normal, first, second),
+            None => Self::of_one(self.normal, first),
+        })
+    }
+
     /// The points, to write impulses into.
     #[inline(always)]
     pub fn points_mut(&mut self) -> &mut [ManifoldPoint] {
@@ -171,6 +181,13 @@ impl Manifold {
             point.anchor_a += shift;
             point.anchor_b += shift;
         }
+    }
+
+    /// The centres of the round corners that touch at a point, with these radii, m, from the centres of their bodies: the point is
+    /// halfway between the two surfaces.
+    pub(crate) fn corner_centers(&self, point: &ManifoldPoint, radii: [f32; 2]) -> [Vec2; 2] {
+        let [to_a, to_b] = radii.map(|radius| self.normal * (0.5 * point.separation + radius));
+        [point.anchor_a - to_a, point.anchor_b + to_b]
     }
 
     /// Has the anchors count from elsewhere: by so much more, m.

@@ -104,7 +104,7 @@ pub(crate) struct SweepOver {
     /// Whether bodies have moved since separations were found.
     pub(crate) have_moved: bool,
     /// One over the length of the substep, 1/s.
-    pub(crate) per_substep: f32,
+    pub(crate) substep_rate: f32,
     /// Whether what no contact of a block needs is left out.
     pub(crate) is_fitted: bool,
     /// Whether there is a warm start after the move, which cold contacts can count on.
@@ -163,7 +163,7 @@ impl SweepOver {
         } else {
             states.gather_velocities(place)
         };
-        contact.solve::<POINTS, STILL>(sweep, self.per_substep, surface_speed, &mut pair);
+        contact.solve::<POINTS, STILL>(sweep, self.substep_rate, surface_speed, &mut pair);
         block.store_normal_impulses::<L, POINTS>(place, &contact);
         if sweep.friction {
             block.store_friction_impulses::<L, POINTS>(place, &contact);
@@ -189,7 +189,7 @@ impl SweepOver {
         let surface_speed = block.surface_speed::<L>(place);
         for _ in 0..COLD_SWEEPS {
             let sweep = Sweep { friction: true, ..self.sweep };
-            after.solve::<2, false>(sweep, self.per_substep, surface_speed, &mut pair);
+            after.solve::<2, false>(sweep, self.substep_rate, surface_speed, &mut pair);
         }
         for index in 0..2 {
             let (point, friction) = (&mut after.points[index], &mut after.frictions[index]);
@@ -228,7 +228,7 @@ pub(crate) fn work_of_a_substep() -> Count {
         let push = SweepOver {
             sweep: Sweep::PUSH,
             have_moved: false,
-            per_substep: 1.0,
+            substep_rate: 1.0,
             is_fitted,
             starts_again: true,
         };

@@ -74,23 +74,23 @@ pub(crate) struct LoadMeasure {
     /// Length of the step, s.
     pub(crate) dt: f32,
     /// One over the length of the substep that sags are told for, 1/s.
-    per_substep: f32,
+    substep_rate: f32,
     /// How many substeps of now that one takes, no unit; 0 where loads do not matter.
     factor: f32,
 }
 
 impl LoadMeasure {
-    /// For substeps of length 1/`per_substep`, s. More of them than usual do not make an island less worth its direct
+    /// For substeps of length 1/`substep_rate`, s. More of them than usual do not make an island less worth its direct
     /// solve: they are asked for to have less error. Nothing counts as a load unless `loads_matter`.
-    pub(crate) fn new(loads_matter: bool, dt: f32, per_substep: f32) -> Self {
-        let usual = per_substep.min(USUAL_RATE);
-        Self { dt, per_substep: usual, factor: if loads_matter { per_substep / usual } else { 0.0 } }
+    pub(crate) fn new(loads_matter: bool, dt: f32, substep_rate: f32) -> Self {
+        let usual = substep_rate.min(USUAL_RATE);
+        Self { dt, substep_rate: usual, factor: if loads_matter { substep_rate / usual } else { 0.0 } }
     }
 
     /// Takes note of the load of a contact, whose greatest k λ is `speed`, m/s. Returns whether it lasts.
     #[inline(always)]
     pub(crate) fn is_lasting(self, contact: &Contact, load: &mut ContactLoad, speed: f32) -> bool {
-        let sag = sag(self.factor * speed, self.per_substep);
+        let sag = sag(self.factor * speed, self.substep_rate);
         if !contact.holds_still || sag <= CALM_SHARE * DIRECT_SHARE * contact.thickness {
             load.steps = 0;
             return false;

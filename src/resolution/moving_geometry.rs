@@ -47,8 +47,8 @@ pub(crate) struct MovingGeometry<C> {
     turns_with_b: C,
     /// 1 where two circles touch: the normal is the line of their centres.
     is_of_circles: C,
-    /// How far the face goes on to both sides of the first point on it, m: at most 0, and at least 0. Endless for a corner,
-    /// which does not go past an end without a new manifold.
+    /// How far the face goes on from its first point, m: to its start, at most 0, and to its end, at least 0. Infinite for a
+    /// corner on a face, which does not go past an end without a new manifold.
     ends: [C; 2],
     /// Sum of the radii of the circles, m.
     radii: C,
@@ -117,24 +117,21 @@ impl MovingGeometry<f32> {
         let way = speed * dt;
         let stays_off_last = ends[0] < -way || along(hull.previous(face), 0) < -way;
         let stays_off_next = ends[1] > way || along(hull.next(face), 1) > way;
-        // Round the end of a capsule the other side is half a turn away.
+        // The other face of a capsule is πr away, round its end.
         let stays_on_side = hull.is_segment() && way < 0.5 * rounding;
-        // Written so that NaN is nowhere.
-        if !(gap > 0.0 && (stays_off_last && stays_off_next || stays_on_side)) {
+        let is_followed = gap > 0.0 && (stays_off_last && stays_off_next || stays_on_side);
+        if !is_followed {
             return None;
         }
-        let outward = rotation.rotate(hull.normals[face]);
-        let past = if ends[0] > 0.0 {
-            Some(0)
-        } else if ends[1] < 0.0 {
-            Some(1)
-        } else {
-            None
-        };
+        let face_normal = rotation.rotate(hull.normals[face]);
+        let [start, end] = ends;
+        let passed_end = (start > 0.0).then_some(0).or((end < 0.0).then_some(1));
         // From the nearest point of the face.
-        let (apart, ends) = match past {
-            None => (outward * gap, ends),
-            Some(end) => (rotation.rotate(center - corners[end]), ends.map(|other| other - ends[end])),
+        let (apart, ends) = match passed_end {
+            None => (face_normal * gap, ends),
+            Some(passed) => {
+                (rotation.rotate(center - corners[passed]), ends.map(|other| other - ends[passed]))
+            }
         };
         let mut parts = [LaneVec2::default(); 2];
         parts[circle] = circle_arm.into();
@@ -144,7 +141,7 @@ impl MovingGeometry<f32> {
         let stays_with_b = circle as f32;
         let pair = TouchingPair { parts, apart: (apart * sign).into(), stays_with_b, radius };
         Some(Self {
-            normal: (outward * sign).into(),
+            normal: (face_normal * sign).into(),
             turns_with_b: 1.0 - stays_with_b,
             ends,
             radii: radius + rounding,
@@ -165,11 +162,10 @@ impl MovingGeometry<f32> {
         };
         let normal = manifold.normal;
         let radius = radii[1 - face];
+        // Of the face it is the surface that is touched, also where its body has round corners.
+        let tip_radii = if face == 0 { [0.0, radius] } else { [radius, 0.0] };
         let pair = |point: &ManifoldPoint| {
-            let half_gap = normal * (0.5 * point.separation);
-            let mut parts = [point.anchor_a - half_gap, point.anchor_b + half_gap];
-            // From the surface of a round corner to its middle.
-            parts[1 - face] += normal * if face == 0 { radius } else { -radius };
+            let parts = manifold.corner_centers(point, tip_radii);
             // What is no corner of the other body is where the face ends.
             let is_end = point.corner == Corner::Neither;
             let stays_with = if is_end { face } else { 1 - face };
@@ -199,9 +195,8 @@ impl MovingGeometry<f32> {
     fn of_round_corners(manifold: &Manifold, radii: [f32; 2]) -> Self {
         let [radius, radius_b] = radii;
         let (normal, point) = (manifold.normal, &manifold.points()[0]);
-        let [to_a, to_b] = radii.map(|radius| normal * (0.5 * point.separation + radius));
         let pair = TouchingPair {
-            parts: [point.anchor_a - to_a, point.anchor_b + to_b].map(LaneVec2::from),
+            parts: manifold.corner_centers(point, radii).map(LaneVec2::from),
             apart: (normal * (point.separation + radius + radius_b)).into(),
             radius,
             ..TouchingPair::default()

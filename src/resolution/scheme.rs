@@ -65,9 +65,9 @@ impl Scheme {
 
     /// A sweep of this kind; `have_moved` says whether bodies have since the last.
     pub(crate) fn sweep_over(&self, sweep: Sweep, have_moved: bool) -> SweepOver {
-        let per_substep = 1.0 / self.substep_time();
+        let substep_rate = 1.0 / self.substep_time();
         let starts_again = self.split_kick && self.warm_starting;
-        SweepOver { sweep, have_moved, per_substep, is_fitted: self.fitted_kernels, starts_again }
+        SweepOver { sweep, have_moved, substep_rate, is_fitted: self.fitted_kernels, starts_again }
     }
 
     /// What of the last impulses is applied before the move, and again after it where the kick is split.

@@ -60,23 +60,23 @@ const PUSH_SPEED: f32 = 3.0;
 /// Overlap at rest under a load that has not lasted yet, m, whose impulse times k is `speed`, m/s, per substep: there the bias makes up for
 /// what yields to the half of it that acts before the move.
 #[inline(always)]
-pub(crate) fn sag(speed: f32, per_substep: f32) -> f32 {
-    0.5 * COMPLIANCE * speed / BIAS_RATE.min(LARGEST_SHARE * per_substep)
+pub(crate) fn sag(speed: f32, substep_rate: f32) -> f32 {
+    0.5 * COMPLIANCE * speed / BIAS_RATE.min(LARGEST_SHARE * substep_rate)
 }
 
 /// Speed with which the contact wants to close (positive, while apart: it may close the gap s within one
-/// substep of length 1/`per_substep`) or to open (negative, where bodies overlap), m/s: the greatest of three straight
+/// substep of length 1/`substep_rate`) or to open (negative, where bodies overlap), m/s: the greatest of three straight
 /// lines over the separation, each less steep than the one before.
 #[inline(always)]
-pub(crate) fn bias<L: Lane>(separation: L, per_substep: L) -> L {
-    let rate = L::splat(BIAS_RATE).min(L::splat(LARGEST_SHARE) * per_substep);
-    (separation * per_substep).max((separation * rate).max(L::splat(-PUSH_SPEED)))
+pub(crate) fn bias<L: Lane>(separation: L, substep_rate: L) -> L {
+    let rate = L::splat(BIAS_RATE).min(L::splat(LARGEST_SHARE) * substep_rate);
+    (separation * substep_rate).max((separation * rate).max(L::splat(-PUSH_SPEED)))
 }
 
 /// The bias of a sweep that must not push: only the gap counts.
 #[inline(always)]
-pub(crate) fn gap_bias<L: Lane>(separation: L, per_substep: L) -> L {
-    separation.max(L::splat(0.0)) * per_substep
+pub(crate) fn gap_bias<L: Lane>(separation: L, substep_rate: L) -> L {
+    separation.max(L::splat(0.0)) * substep_rate
 }
 
 /// 1 + γ of a contact with this separation and `load`, k λ in m/s, as a fraction: numerator and denominator, both

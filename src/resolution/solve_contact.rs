@@ -53,11 +53,11 @@ impl<L: Lane> ContactConstraint<L> {
     pub(crate) fn solve<const POINTS: usize, const STILL: bool>(
         &mut self,
         sweep: Sweep,
-        per_substep: f32,
+        substep_rate: f32,
         surface_speed: Option<L>,
         pair: &mut [BodyState<L>; 2],
     ) {
-        let mut impulse = self.solve_normals::<POINTS, STILL>(sweep, per_substep, pair);
+        let mut impulse = self.solve_normals::<POINTS, STILL>(sweep, substep_rate, pair);
         if sweep.friction {
             // The push along the normal, which is still to come, is across to the tangent.
             impulse = impulse + self.solve_frictions::<POINTS, STILL>(surface_speed, pair);
@@ -71,18 +71,18 @@ impl<L: Lane> ContactConstraint<L> {
     fn solve_normals<const POINTS: usize, const STILL: bool>(
         &mut self,
         sweep: Sweep,
-        per_substep: f32,
+        substep_rate: f32,
         [a, b]: &mut [BodyState<L>; 2],
     ) -> LaneVec2<L> {
         let axis = Axis::<L, POINTS, STILL>::new(self, self.normal);
         let speeds = axis.speeds(a, b);
         let mut changes = [L::splat(0.0); POINTS];
         if sweep.block && POINTS == 2 {
-            changes = self.solve_normals_together(speeds, sweep.biased, per_substep);
+            changes = self.solve_normals_together(speeds, sweep.biased, substep_rate);
         } else {
             for index in 0..POINTS {
                 let vn = axis.speed_after(index, speeds, self, changes);
-                changes[index] = self.solve_normal(index, vn, sweep.biased, per_substep);
+                changes[index] = self.solve_normal(index, vn, sweep.biased, substep_rate);
             }
         }
         axis.turn(self, changes, a, b);
@@ -124,9 +124,9 @@ impl<L: Lane> ContactConstraint<L> {
         vn: L,
         [coupling, other_impulse]: [L; 2],
         biased: bool,
-        per_substep: f32,
+        substep_rate: f32,
     ) -> (Row<L>, L) {
-        let (point, per_substep) = (&self.points[index], L::splat(per_substep));
+        let (point, substep_rate) = (&self.points[index], L::splat(substep_rate));
         let (zero, one) = (L::splat(0.0), L::splat(1.0));
         let separation = point.separation_now;
         let load = point.normal_k * point.normal_impulse;
@@ -140,9 +140,9 @@ impl<L: Lane> ContactConstraint<L> {
             if L::bits(held.greater(zero)) != 0 {
                 spared = (soft - whole) / whole * held;
             }
-            (row, bias(separation, per_substep) - spared)
+            (row, bias(separation, substep_rate) - spared)
         } else {
-            (Row { own: point.normal_k, other: coupling, scale: one }, gap_bias(separation, per_substep))
+            (Row { own: point.normal_k, other: coupling, scale: one }, gap_bias(separation, substep_rate))
         };
         // What is small is added first: of that less is lost by rounding.
         let q = ((vn + bias) - (load + coupling * other_impulse)).max(L::splat(-LARGEST_SPEED_CHANGE));
@@ -157,12 +157,12 @@ impl<L: Lane> ContactConstraint<L> {
         &mut self,
         speeds: [L; POINTS],
         biased: bool,
-        per_substep: f32,
+        substep_rate: f32,
     ) -> [L; POINTS] {
         let before = [self.points[0].normal_impulse, self.points[1].normal_impulse];
         let coupling = self.coupling;
-        let (first, q_1) = self.row(0, speeds[0], [coupling, before[1]], biased, per_substep);
-        let (second, q_2) = self.row(1, speeds[1], [coupling, before[0]], biased, per_substep);
+        let (first, q_1) = self.row(0, speeds[0], [coupling, before[1]], biased, substep_rate);
+        let (second, q_2) = self.row(1, speeds[1], [coupling, before[0]], biased, substep_rate);
         let after = solve_pair([first, second], [q_1, q_2]);
         let mut changes = [L::splat(0.0); POINTS];
         for (index, change) in changes.iter_mut().enumerate() {
@@ -174,10 +174,10 @@ impl<L: Lane> ContactConstraint<L> {
 
     /// One point on its own. Returns by how much its impulse changes, N s.
     #[inline(always)]
-    fn solve_normal(&mut self, index: usize, vn: L, biased: bool, per_substep: f32) -> L {
+    fn solve_normal(&mut self, index: usize, vn: L, biased: bool, substep_rate: f32) -> L {
         let zero = L::splat(0.0);
         let before = self.points[index].normal_impulse;
-        let (row, q) = self.row(index, vn, [zero; 2], biased, per_substep);
+        let (row, q) = self.row(index, vn, [zero; 2], biased, substep_rate);
         // By the inverse, as two points together: a contact of one gets the same either way.
         let after = (-(row.scale * (L::splat(1.0) / row.own)) * q).max(zero);
         self.points[index].normal_impulse = after;

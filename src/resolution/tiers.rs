@@ -56,7 +56,7 @@ pub(crate) struct TierRule {
     /// Whether at all: not by schemes that solve velocities once per substep.
     pub(crate) allows_direct: bool,
     /// One over the length of a substep, 1/s.
-    pub(crate) per_substep: f32,
+    pub(crate) substep_rate: f32,
     /// What all bodies are accelerated by, m/s².
     pub(crate) acceleration: f32,
 }
@@ -65,7 +65,7 @@ impl TierRule {
     /// The overlap that sweeps would leave in the end in a contact under the weight of `mass`, kg, whose k is `k`, 1/kg,
     /// m.
     fn sag_under(&self, mass: f32, k: f32) -> f32 {
-        let rate = self.per_substep.min(USUAL_RATE);
+        let rate = self.substep_rate.min(USUAL_RATE);
         sag(k * mass * self.acceleration / rate, rate)
     }
 }

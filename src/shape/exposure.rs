@@ -94,13 +94,15 @@ impl Neighbour<'_> {
         (low < high).then_some([low, high])
     }
 
-    /// The normals of its faces that go through a place, m.
-    fn faces_through(&self, place: Vec2, gap: f32) -> impl Iterator<Item = Vec2> {
+    /// The normals of its faces that go on from a place, m, for at least `reach`, m: counter-clockwise around it where `side` is 1,
+    /// clockwise where it is -1.
+    fn faces_from(&self, place: Vec2, side: f32, reach: f32) -> impl Iterator<Item = Vec2> {
         (0..self.hull.normals().len()).filter_map(move |index| {
             let (normal, plane) = self.face(index);
             let local = self.rotation.unrotate(place - self.center);
             let [start, end] = self.hull.ends_from(index, local);
-            let is_there = (normal.dot(place) - plane).abs() <= gap && start <= gap && end >= -gap;
+            let [behind, ahead] = if side > 0.0 { [-start, end] } else { [end, -start] };
+            let is_there = (normal.dot(place) - plane).abs() <= reach && behind >= -reach && ahead >= reach;
             is_there.then_some(normal)
         })
     }
@@ -146,10 +148,24 @@ impl Exposure {
             (true, false) => (before, 1.0),
         };
         let (own, place) = (hull.normals[face], hull.vertices[corner]);
-        let falls = |&other: &Vec2| side * own.cross(other) > SAME_DIRECTION && own.dot(other) > 0.0;
-        let beyond = neighbours.iter().flat_map(|neighbour| neighbour.faces_through(place, reach));
+        let falls = |other: Vec2| {
+            let turn = side * own.cross(other);
+            turn > if own.dot(other) > 0.0 { SAME_DIRECTION } else { 0.0 }
+        };
+        let itself = Neighbour { hull, rotation: Rot::IDENTITY, center: Vec2::ZERO };
+        // Pieces meet at corners of the outline with faces that others cover.
+        let is_exposed = |other: Vec2| {
+            let (distance, at) = (other.dot(place), other.perp().dot(place) + side * reach);
+            let covers = |piece: &Neighbour<'_>| {
+                piece.covers(other, distance, self.gap).is_some_and(|[low, high]| low < at && at < high)
+            };
+            !covers(&itself) && !neighbours.iter().any(covers)
+        };
+        let beyond = neighbours.iter().flat_map(|neighbour| neighbour.faces_from(place, side, reach));
         // Of the surfaces that go on from here, the one that falls away least is the next.
-        let next = beyond.filter(falls).max_by(|one, other| own.dot(*one).total_cmp(&own.dot(*other)));
+        let next = beyond
+            .filter(|&other| falls(other) && is_exposed(other))
+            .max_by(|one, other| own.dot(*one).total_cmp(&own.dot(*other)));
         match next {
             None => Corner::Flush(face),
             Some(next) => Corner::Ridge(if side < 0.0 { [next, own] } else { [own, next] }),
@@ -187,11 +203,11 @@ impl Exposure {
     }
 
     /// The face whose plane goes on beyond the corner that a contact with a normal is at, over neighbours that do not fall away
-    /// from it; `None` where there is none.
+    /// from it; `None` where there is none, and for a contact on another face.
     pub(crate) fn face_beyond(&self, hull: &Hull, normal: Vec2) -> Option<usize> {
         match self.corners[farthest_corner(hull, normal)] {
-            Corner::Flush(face) => Some(face),
-            Corner::Open | Corner::Ridge(_) | Corner::Covered => None,
+            Corner::Flush(face) if Self::face_of(hull, normal).is_none_or(|on| on == face) => Some(face),
+            Corner::Flush(_) | Corner::Open | Corner::Ridge(_) | Corner::Covered => None,
         }
     }
 
@@ -207,9 +223,14 @@ impl Exposure {
             .map(|corner| matches!(self.corners[corner], Corner::Flush(_) | Corner::Covered))
     }
 
-    /// The faces of which a part is exposed.
-    pub(crate) fn exposed_faces(&self) -> impl Iterator<Item = usize> {
-        (0..MAX_VERTICES).filter(|&face| self.faces[face].is_some())
+    /// Whether a place, m, is in the shape, or not farther from it than neighbours are.
+    pub(crate) fn holds(&self, hull: &Hull, place: Vec2) -> bool {
+        hull.nearest_face(place).0 <= self.gap
+    }
+
+    /// Whether a part of a face is exposed.
+    pub(crate) fn is_exposed(&self, face: usize) -> bool {
+        self.faces[face].is_some()
     }
 }
 
@@ -274,7 +295,7 @@ mod tests {
         assert_eq!(Exposure::new(&tile, &[]), None);
         assert_eq!(Exposure::new(&tile, &[beside(&tile, [-1.1, 0.0])]), None, "a gap of 10 cm");
         let middle = Exposure::new(&tile, &[beside(&tile, [-1.0, 0.0]), beside(&tile, [1.0, 0.0])]).unwrap();
-        assert_eq!(middle.exposed_faces().collect::<Vec<_>>(), [0, 2]);
+        assert_eq!([0, 1, 2, 3].map(|face| middle.is_exposed(face)), [true, false, true, false]);
         assert!(!allows(&middle, &tile, LEFT, [-0.5, 0.49]), "the side");
         assert!(allows(&middle, &tile, 0.0, [-0.5, 0.5]) && allows(&middle, &tile, 0.01, [-0.5, 0.5]));
         assert!(!allows(&middle, &tile, 0.3, [-0.5, 0.5]) && !allows(&middle, &tile, -0.3, [0.5, 0.5]));
@@ -315,6 +336,51 @@ mod tests {
         let of_block = Exposure::new(&block, &[beside(&floor, [-3.0, -1.5])]).unwrap();
         assert!(!allows(&of_block, &block, core::f32::consts::PI, [0.0, -1.0]), "below it is the floor");
         assert!(allows(&of_block, &block, LEFT, [-1.0, -0.999]));
+    }
+
+    /// An outline of two pieces, whose common face ends at an outer corner: the corner is met as that of the whole outline, also
+    /// where the outline turns by a right angle or more.
+    #[test]
+    fn a_corner_that_two_pieces_share_is_that_of_the_outline() {
+        // The corner is the origin. One edge goes up; the other comes from the right, and turns with the angle.
+        for turn in [0.3, 1.2, LEFT, 2.2, 2.8] {
+            let ray = |angle: f32, length: f32| Rot::from_angle(angle).rotate(Vec2::new(length, 0.0));
+            let interior = core::f32::consts::PI - turn;
+            let inner = ray(LEFT - 0.5 * interior, 1.0);
+            let left = Hull::new(&[Vec2::ZERO, inner, ray(LEFT, 1.0)]);
+            let right = Hull::new(&[Vec2::ZERO, ray(LEFT - interior, 1.0), inner]);
+            let exposure = Exposure::new(&left, &[beside(&right, [0.0, 0.0])]).unwrap();
+            // Outwards of the upright edge is to the left; from there the normals turn counter-clockwise.
+            for (share, counts) in [(0.1, true), (0.5, true), (0.9, true), (1.2, false), (1.5, false)] {
+                let angle = LEFT + share * turn;
+                assert_eq!(allows(&exposure, &left, angle, [0.0, 0.0]), counts, "{turn}: {share}");
+            }
+        }
+    }
+
+    /// A flat edge of pieces that meet in a point of it, with faces that go down from there at all angles.
+    #[test]
+    fn covered_faces_make_no_ridge_of_a_flat() {
+        let ray = |angle: f32| Rot::from_angle(angle).rotate(Vec2::new(1.0, 0.0));
+        let angles = [LEFT, 1.3 * LEFT, 1.8 * LEFT, 2.2 * LEFT, 2.6 * LEFT, 3.0 * LEFT];
+        let pieces: Vec<Hull> = angles
+            .windows(2)
+            .map(|pair| Hull::new(&[Vec2::ZERO, ray(pair[0] + LEFT), ray(pair[1] + LEFT)]))
+            .collect();
+        for (index, piece) in pieces.iter().enumerate() {
+            let others: Vec<Neighbour<'_>> = (0..pieces.len())
+                .filter(|&other| other != index)
+                .map(|other| beside(&pieces[other], [0.0, 0.0]))
+                .collect();
+            let exposure = Exposure::new(piece, &others).unwrap();
+            for angle in [-1.0, -0.3, 0.3, 1.0] {
+                // The ends of the flat are corners, and may be met as such.
+                if index == 0 && angle > 0.0 || index + 1 == pieces.len() && angle < 0.0 {
+                    continue;
+                }
+                assert!(!allows(&exposure, piece, angle, [0.0, 0.0]), "piece {index} at {angle}");
+            }
+        }
     }
 
     /// Where a slope falls away from a flat, the ridge may be met from between the two.

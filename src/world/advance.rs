@@ -35,14 +35,15 @@ impl World {
     /// - **Events** are those of all ticks of this call, tick by tick. A call without a tick leaves none.
     /// - **Forces and torques** given since the last call act for `frame_seconds` of simulated time, in as many ticks as that
     ///   takes: in three ticks of a slow frame, or as a part of one. Where no tick is due they wait for it.
-    /// - **What must happen in each tick**, as control does, is said by [`advance_with`](Self::advance_with).
+    /// - **What must happen in each tick** is said by [`advance_with`](Self::advance_with), as control is, and by
+    ///   [`advance_then`](Self::advance_then), as a [`Mover`](crate::Mover) is moved.
     /// - **At most [`Settings::max_ticks_per_advance`](crate::Settings::max_ticks_per_advance)** ticks are taken: time beyond
     ///   them is dropped, so that a slow frame cannot make the next one slower still.
     ///   [`dropped_seconds`](Self::dropped_seconds) tells of it.
     ///
     /// Time that is negative or not finite counts as none.
     pub fn advance(&mut self, frame_seconds: impl Into<f64>) -> u32 {
-        self.advance_with(frame_seconds, |_| ())
+        self.advance_around(frame_seconds, |_| (), |_| ())
     }
 
     /// [Advances](Self::advance), and calls `before_tick` before each tick.
@@ -64,10 +65,39 @@ impl World {
     /// assert_eq!(ticks, 6);
     /// # Ok::<(), BodyError>(())
     /// ```
-    pub fn advance_with(
+    pub fn advance_with(&mut self, frame_seconds: impl Into<f64>, before_tick: impl FnMut(&mut Self)) -> u32 {
+        self.advance_around(frame_seconds, before_tick, |_| ())
+    }
+
+    /// [Advances](Self::advance), and calls `after_tick` after each tick: for what goes by where bodies are now, as a
+    /// [`Mover`](crate::Mover) on a lift does, and for what answers to the events of the tick.
+    ///
+    /// A force given there acts for the next tick. The events are those of the ticks of this call so far.
+    ///
+    /// ```
+    /// # use rustycs::prelude::*;
+    /// # let mut world = World::new(Settings::default());
+    /// let lift = Body::kinematic(Shape::rectangle(2.0, 0.4)).velocity([0.0, 1.0]);
+    /// let lift = world.add(lift)?;
+    /// let mut hero = Mover::new(Character::new(Shape::rectangle(0.4, 0.9)).at([0.0, 0.66]))?;
+    /// for _ in 0..20 {
+    ///     world.advance_then(1.0 / 20.0, |world| { // three ticks
+    ///         hero.move_by(world, [0.0, -0.01]);
+    ///     });
+    /// }
+    /// let above = hero.position().y - world.body(lift).unwrap().position_f64()[1];
+    /// assert!((above - 0.65).abs() < 0.01, "it stands on the lift");
+    /// # Ok::<(), BodyError>(())
+    /// ```
+    pub fn advance_then(&mut self, frame_seconds: impl Into<f64>, after_tick: impl FnMut(&mut Self)) -> u32 {
+        self.advance_around(frame_seconds, |_| (), after_tick)
+    }
+
+    fn advance_around(
         &mut self,
         frame_seconds: impl Into<f64>,
         mut before_tick: impl FnMut(&mut Self),
+        mut after_tick: impl FnMut(&mut Self),
     ) -> u32 {
         let frame_seconds: f64 = frame_seconds.into();
         self.events.clear();
@@ -89,6 +119,7 @@ impl World {
             self.tick();
             self.unused_time = (self.unused_time - tick).max(0.0);
             ticks += 1;
+            after_tick(self);
         }
         self.held_forces.end_frame(self.unused_time);
         ticks

@@ -47,17 +47,18 @@ impl World {
         let bodies = &self.bodies;
         let record = bodies.records.at(slot)?;
         let hull = bodies.shapes[slot as usize].hull().filter(|_| !bodies.is_compound(slot))?;
-        let mut beside = Vec::new();
-        if record.body_type == BodyType::Fixed {
-            self.broad_phase.query(self.broad_phase.fat_aabb(slot).grown(Exposure::FARTHEST), |other| {
-                if bodies.records[other].body_type == BodyType::Fixed {
-                    beside.push(other);
-                }
-                true
-            });
-        } else if bodies.body_of(slot) != slot {
-            beside.extend(bodies.colliders(bodies.body_of(slot)));
+        let (is_fixed, body) = (record.body_type == BodyType::Fixed, bodies.body_of(slot));
+        if !is_fixed && body == slot {
+            return None;
         }
+        let mut beside = Vec::new();
+        self.broad_phase.query(self.broad_phase.fat_aabb(slot).grown(Exposure::FARTHEST), |other| {
+            let of_other = bodies.records[other].body_type;
+            if if is_fixed { of_other == BodyType::Fixed } else { bodies.body_of(other) == body } {
+                beside.push(other);
+            }
+            true
+        });
         // Only what is met by all that this one is met by covers it. Bodies that are parted from some are another matter, see
         // `Bodies::exposures_of`.
         let role = bodies.roles.of(slot);

@@ -229,7 +229,7 @@ impl Settings {
         let is_biased = self.position_correction == PositionCorrection::Bias;
         TierRule {
             allows_direct: self.adaptive && self.split_kick && is_biased,
-            per_substep: 1.0 / self.substep_seconds(),
+            substep_rate: 1.0 / self.substep_seconds(),
             acceleration,
         }
     }

@@ -81,7 +81,7 @@ fn corner_to_edge(
         let corner = center + rotation.rotate(vertex);
         // The nearest point of the outline is on the edge whose line the corner stands out from furthest.
         let (gap, edge) = a.nearest_face(corner);
-        // A line is met from its ends, too. Written so that NaN is nowhere.
+        // A line is met from its ends, too. NaN passes neither comparison.
         if (gap > 0.0 || a.is_segment()) && gap <= nearest {
             let closest = to_edge(a, edge, gap, corner, j, noise);
             if best.is_none() || closest.distance < nearest {

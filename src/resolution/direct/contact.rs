@@ -48,7 +48,7 @@ impl ContactPoint {
         Self { home, index, surface_speed, first_row }
     }
 
-    /// Fills its rows, from the constraint of the contact and the states of the bodies. `per_substep` is one over the
+    /// Fills its rows, from the constraint of the contact and the states of the bodies. `substep_rate` is one over the
     /// length of a substep, 1/s.
     pub(super) fn fill_rows(
         &self,
@@ -56,7 +56,7 @@ impl ContactPoint {
         graph: &ConstraintGraph,
         states: &[BodyState],
         aim: Aim,
-        per_substep: f32,
+        substep_rate: f32,
     ) {
         let constraint = graph.constraint(self.home);
         let sides = graph.rows(self.home).map(|row| &states[row as usize]);
@@ -68,8 +68,8 @@ impl ContactPoint {
         let reach = moved.map(|side| anchors[side].length()).fold(0.0, f32::max);
         let bias = match aim {
             _ if (0.0..SMALLEST_GAP * reach).contains(&separation) => 0.0,
-            Aim::Push => bias(separation, per_substep),
-            Aim::Relax => gap_bias(separation, per_substep),
+            Aim::Push => bias(separation, substep_rate),
+            Aim::Relax => gap_bias(separation, substep_rate),
         };
         // Half the forces have acted before the move, all of them after it.
         let share = if aim == Aim::Push { 0.5 } else { 1.0 };

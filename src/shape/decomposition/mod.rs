@@ -92,7 +92,10 @@ fn pieces(outline: Vec<Vec2>, holes: Vec<Vec<Vec2>>) -> Result<Vec<Shape>, Shape
     let triangles = Triangles::new(&nodes);
     // A piece that is no polygon is all but a line, or too thin for any shape.
     let mut refused = None;
-    let polygon = |outline| Shape::polygon(outline).map_err(|error| refused = Some(error)).ok();
+    let polygon = |outline| {
+        let shape = Shape::polygon(outline).and_then(|shape| shape.validate().map(|()| shape));
+        shape.map_err(|error| refused = Some(error)).ok()
+    };
     let shapes: Vec<Shape> = pieces_of(&triangles).into_iter().filter_map(polygon).collect();
     match refused {
         Some(error) if shapes.is_empty() => Err(error),

@@ -38,8 +38,9 @@ use crate::world::{ShapeHit, World};
 /// # Ok::<(), BodyError>(())
 /// ```
 ///
-/// Call [`move_by`](Self::move_by) once per tick, after the step: so the character is where the platforms are that carry it. In
-/// [`World::advance_with`], which calls back before a tick, it is a tick behind them.
+/// Call [`move_by`](Self::move_by) once per tick, after the step, as [`World::advance_then`] does: so the character is where the
+/// platforms are that carry it, and moves alike at any number of frames per second. Draw it at its
+/// [`interpolated_pose`](Self::interpolated_pose).
 ///
 /// The world does not see it. Where others are to meet it, add a kinematic body of the same shape, have the character
 /// [ignore](Character::ignore) it, and [move](crate::BodyMut::move_to) it to the [pose](Self::pose) after each move.
@@ -49,8 +50,9 @@ pub struct Mover {
     position: Point,
     footing: Option<Footing>,
     passes_one_way: bool,
-    /// The tick of the last move.
+    /// The tick of the last move, and where the character was before that tick.
     tick: u64,
+    previous: Point,
 }
 
 /// What a character stands on, and where on it.
@@ -109,7 +111,7 @@ impl Mover {
     pub fn new(character: Character) -> Result<Self, BodyError> {
         character.validate()?;
         let position = character.at;
-        Ok(Self { character, position, footing: None, passes_one_way: false, tick: 0 })
+        Ok(Self { character, position, footing: None, passes_one_way: false, tick: 0, previous: position })
     }
 
     /// Where its centre is, m.
@@ -120,6 +122,12 @@ impl Mover {
     /// Where it is. It is never turned.
     pub fn pose(&self) -> Pose {
         Pose::at(self.position)
+    }
+
+    /// Where to draw it between two ticks: between where it was before the last tick, at an [`alpha`](World::alpha) of 0, and where
+    /// it is now, at 1. What was [put elsewhere](Self::set_position) is drawn there at once.
+    pub fn interpolated_pose(&self, alpha: f32) -> Pose {
+        Pose::at(self.previous.lerp(self.position, alpha))
     }
 
     /// Its description, with the place where it began.
@@ -147,7 +155,7 @@ impl Mover {
     pub fn set_position(&mut self, position: impl Into<Point>) -> Result<(), BodyError> {
         let position = position.into();
         crate::body::limits::check_place(position)?;
-        (self.position, self.footing) = (position, None);
+        (self.position, self.previous, self.footing) = (position, position, None);
         Ok(())
     }
 
@@ -192,6 +200,10 @@ impl Mover {
         trip.go(translation - up * fall);
         let Trip { at, ground, wall, ceiling, .. } = trip;
         let way = at - self.position;
+        // Several moves in a tick are drawn as one.
+        if world.ticks() != self.tick {
+            self.previous = self.position;
+        }
         (self.position, self.tick) = (at, world.ticks());
         self.footing = ground.and_then(|hit| Footing::new(world, hit));
         let also_ceiling = ceiling.filter(|above| wall.is_none_or(|beside| beside.body != above.body));

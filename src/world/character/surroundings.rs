@@ -43,15 +43,20 @@ impl Trip<'_> {
         self.character.filter.collides_with(collider.filter())
     }
 
-    /// Whether a body has a solid place at the end of a ray, and nothing before it: one-way floors are not solid.
+    /// The place of a body that a ray finds, with nothing solid before it.
     pub(super) fn sees(&self, body: BodyId, from: Point, way: Vec2) -> Option<RayHit> {
+        self.first_solid(from, way, Some(body)).filter(|hit| hit.body == body)
+    }
+
+    /// The first solid thing along a ray, or this body: one-way floors are not solid.
+    pub(super) fn first_solid(&self, from: Point, way: Vec2, or: Option<BodyId>) -> Option<RayHit> {
         let is_solid = |other: BodyRef<'_>| {
             let is_solid =
                 |collider: ColliderRef<'_>| self.collides_with(collider) && collider.one_way().is_none();
-            other.id() == body || other.colliders().any(is_solid)
+            Some(other.id()) == or || other.colliders().any(is_solid)
         };
         let filter = self.all_but_ignored().predicate(&is_solid);
-        self.world.ray_cast_with(from, way, &filter).filter(|hit| hit.body == body)
+        self.world.ray_cast_with(from, way, &filter)
     }
 
     /// Whether a thing is solid on the side of this normal for what moves along a way: one-way floors are on one.

@@ -12,8 +12,14 @@ use crate::world::{ShapeHit, World};
 /// Surfaces along which a character goes on in one move: more are met only where it hardly moves any more.
 const MOST_SURFACES: usize = 6;
 
-/// Surfaces that are met at a small angle are met late: a way is looked at beyond its end for as many gaps.
+/// Of a surface that is met at a small angle the gap ends long before the surface is met: a way is looked at beyond its end for as
+/// many gaps. That keeps the gap down to an angle of 7°, the arc sine of one over this; at less a character comes nearer to the
+/// surface, and is lifted when it is set down.
 const LOOK_AHEAD: f32 = 8.0;
+
+/// A way that would go back into the surface before by more than this sine ends: rounding of two parallel surfaces is 1e-6, and a
+/// corner of less than half a degree is none.
+const TURNED_BACK: f32 = 1e-3;
 
 /// A surface that leans out over the character by more than this, the sine of 1°, is above it.
 const OVERHANG: f32 = 0.0175;
@@ -33,6 +39,8 @@ pub(super) struct Trip<'a> {
     pub(super) ceiling: Option<ShapeHit>,
     /// Least cosine between the normal of a surface that can be walked and the direction up.
     walkable: f32,
+    /// Where it walks to, across up, m.
+    heading: Vec2,
 }
 
 /// What is met on a way.
@@ -56,8 +64,8 @@ impl<'a> Trip<'a> {
         // A little more, so that rounding does not make a slope of just that angle too steep.
         let walkable = Vec2::from_angle(character.max_slope).x - 1e-4;
         let (skin, carrier) = (character.get_skin(), None);
-        let (ground, wall, ceiling) = (None, None, None);
-        Self { world, character, passes_one_way, skin, carrier, at, ground, wall, ceiling, walkable }
+        let (ground, wall, ceiling, heading) = (None, None, None, Vec2::ZERO);
+        Self { world, character, passes_one_way, skin, carrier, at, ground, wall, ceiling, walkable, heading }
     }
 
     /// Goes with what the character stands on.
@@ -72,6 +80,7 @@ impl<'a> Trip<'a> {
     pub(super) fn go(&mut self, way: Vec2) {
         let up = self.character.up;
         let rise = way.dot(up);
+        self.heading = way - up * rise;
         let Some(on) = self.ground.filter(|_| rise <= 0.0) else {
             self.ground = None;
             self.slide(way);
@@ -80,8 +89,7 @@ impl<'a> Trip<'a> {
             }
             return;
         };
-        let level = way - up * rise;
-        self.walk(level, on.normal);
+        self.walk(self.heading, on.normal);
         if !self.set_down(self.character.snap.max(2.0 * self.skin) - rise) {
             // The ground has ended; or it stands between two slopes, which is found by going down a little.
             self.ground = None;
@@ -100,11 +108,21 @@ impl<'a> Trip<'a> {
         }
     }
 
-    /// Whether a round or bevelled part of the character touches the edge of something that can be walked, low enough for a step.
+    /// Whether a round or bevelled part of the character touches the edge of something that can be walked, low enough for a step, as
+    /// it walks up over it or down to the next step. Where there is none it slides off the ledge as from a slope.
     fn is_low_edge(&self, met: &Meeting) -> bool {
         let Character { up, step_height, .. } = *self.character;
-        let height = met.arm.dot(up) + self.depth();
-        met.hit.normal.dot(up) > 0.0 && height <= step_height && self.is_walkable_beyond(&met.hit)
+        let (rise, height) = (met.hit.normal.dot(up), met.arm.dot(up) + self.depth());
+        let is_step = rise > 0.0 && height <= step_height && self.is_walkable_beyond(&met.hit);
+        is_step && (self.heading.dot(met.hit.normal) < 0.0 || self.is_floor_below())
+    }
+
+    /// Whether below its lowest place there is something that can be walked, not farther than it snaps to.
+    fn is_floor_below(&self) -> bool {
+        let Character { up, snap, .. } = *self.character;
+        let foot = self.at - up * self.depth();
+        let floor = self.first_solid(foot, up * -(snap + self.skin), None);
+        floor.is_some_and(|floor| floor.normal.dot(up) >= self.walkable)
     }
 
     /// How far below its centre the lowest place of the character is, m.
@@ -186,9 +204,9 @@ impl<'a> Trip<'a> {
         let (start, ground) = (self.at, self.ground);
         // As far as it takes to be above the step.
         let distance = left.max(2.0 * self.skin);
-        let _ = self.advance(up * (step_height + self.skin));
+        self.advance(up * (step_height + self.skin));
         let risen = (self.at - start).dot(up);
-        let _ = self.advance(forward * distance);
+        self.advance(forward * distance);
         let gone = (self.at - start).dot(forward);
         let is_there = gone > self.skin && self.set_down(risen);
         if is_there && let Some(on) = self.ground {
@@ -211,7 +229,7 @@ impl<'a> Trip<'a> {
         if room >= 0.0 {
             self.at -= up * room;
         } else {
-            let _ = self.advance(up * -room);
+            self.advance(up * -room);
         }
         self.note(Surface::Ground, met.hit);
         true
@@ -245,7 +263,7 @@ impl<'a> Trip<'a> {
                     kept - hit.normal * kept.dot(hit.normal).min(0.0)
                 }
             };
-            if last.is_some_and(|normal| way.dot(normal) < -1e-3 * way.length()) {
+            if last.is_some_and(|normal| way.dot(normal) < -TURNED_BACK * way.length()) {
                 // Between two slopes that face each other it stands, as on the level.
                 if last.is_some_and(|normal| (normal + hit.normal).dot(up) > 0.0) && surface == Surface::Wall
                 {

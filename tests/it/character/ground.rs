@@ -213,3 +213,26 @@ fn a_box_stands_on_a_ledge_to_its_edge() {
     walker.run(&mut world, 0.5);
     assert!(!walker.mover.is_grounded() && walker.place()[1] < 0.0);
 }
+
+/// A round foot slides off a ledge where it stands steeper than the character can walk, and onto the ledge it still walks.
+#[test]
+fn a_capsule_does_not_hang_on_a_ledge() {
+    let capsule = Shape::capsule([0.0, -0.3], [0.0, 0.3], 0.3);
+    let on_ledge = |x: f64, speed: f32| {
+        let mut world = space();
+        add(&mut world, Body::fixed(Shape::aabb(4.0, 1.0)).at([-2.0, -0.5]));
+        let hero = Character::new(capsule).at([x, 0.61]).step_height(0.3).max_slope(45.0_f32.to_radians());
+        let mut walker = Walker::new(hero, speed);
+        walker.run(&mut world, 1.0);
+        walker
+    };
+    // Of a radius of 0.3 m, 45° are 0.212 m past the edge.
+    for (x, stands) in [(0.0, true), (0.1, true), (0.2, true), (0.22, false), (0.28, false), (0.299, false)] {
+        let walker = on_ledge(x, 0.0);
+        assert_eq!(walker.mover.is_grounded(), stands, "{x} m past the edge");
+        assert_eq!(walker.place()[1] > 0.5, stands, "{x} m past the edge: at {:?}", walker.place());
+    }
+    // Where it walks to the ledge it gets onto it.
+    let walker = on_ledge(0.28, -1.0);
+    assert!(walker.mover.is_grounded() && walker.place()[1] > 0.6, "{:?}", walker.place());
+}

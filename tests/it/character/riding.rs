@@ -142,3 +142,36 @@ fn it_falls_when_its_ground_is_removed() {
     assert!(!walker.tick(&mut world).is_grounded());
     assert_eq!(walker.mover.ground_velocity(&world), Vec2::ZERO);
 }
+
+/// A game that moves its character after each tick comes to the same at any number of frames per second, and what is drawn between
+/// two ticks stands on the lift that is drawn there.
+#[test]
+fn it_moves_and_is_drawn_alike_at_any_frame_rate() {
+    let ride = |rate: u32| {
+        let mut world = space();
+        let lift = Body::kinematic(Shape::rectangle(30.0, 0.2)).at([0.0, -0.1]).velocity([0.5, 2.0]);
+        let lift = add(&mut world, lift);
+        let hero = Character::new(Shape::rectangle(0.6, 1.0)).at([0.0, 0.51]);
+        let gap = skin(Shape::rectangle(0.6, 1.0));
+        let mut mover = Mover::new(hero).unwrap();
+        let mut drawn_before = f64::NEG_INFINITY;
+        for frame in 0..2 * rate {
+            world.advance_then(1.0 / f64::from(rate), |world| {
+                mover.move_by(world, [1.5 * DT, -0.01]);
+            });
+            let drawn = mover.interpolated_pose(world.alpha()).center;
+            let below = world.body(lift).unwrap().interpolated_pose(world.alpha()).center;
+            // After the first frames, in which it is set down.
+            if frame > rate / 4 {
+                assert!((drawn.y - below.y - 0.6 - gap).abs() < 1e-4, "{rate}, frame {frame}");
+                // 2 m/s of its own and of the lift.
+                let gone = drawn.x - drawn_before;
+                assert!((gone * f64::from(rate) - 2.0).abs() < 1e-3, "{rate}, frame {frame}: {gone} m");
+            }
+            drawn_before = drawn.x;
+        }
+        (world.ticks(), mover.position())
+    };
+    let places = [20, 30, 60, 144, 240].map(ride);
+    assert!(places.iter().all(|place| *place == places[0]), "{places:?}");
+}
