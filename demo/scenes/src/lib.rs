@@ -24,11 +24,13 @@ pub mod capsules;
 pub mod car;
 pub mod card_house;
 pub mod confined;
+pub mod conveyor;
 pub mod cradle;
 pub mod dominoes;
 pub mod double_pendulum;
 pub mod friction_ramp;
 pub mod galaxy;
+pub mod gears;
 mod joined;
 pub mod letters;
 mod mark;
@@ -238,6 +240,8 @@ pub fn all() -> &'static [Scene] {
         spinner::SCENE,
         wind_tunnel::SCENE,
         pinball::SCENE,
+        gears::SCENE,
+        conveyor::SCENE,
         car::SCENE,
         bridge::SCENE,
         wrecking_ball::SCENE,
