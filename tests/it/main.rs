@@ -1,4 +1,4 @@
-//! One test binary: the laws of physics, twins of fast paths, determinism, bad input, and the house itself.
+//! The large test binary: the laws of physics, every part of the interface, bad input, and the house itself.
 
 mod allocation;
 mod bad_input;
@@ -6,14 +6,11 @@ mod character;
 mod closed_worlds;
 mod compounds;
 mod continuous;
-mod determinism;
-mod golden;
 mod ground;
 mod house;
 mod interface;
 mod issues;
 mod joints;
-mod lanes;
 mod laws;
 mod motion;
 mod queries;
@@ -24,6 +21,5 @@ mod roles;
 mod sleep;
 mod slow_motion;
 mod stability;
-mod support;
-mod threads;
-mod twins;
+
+use rustycs_tests::support;

@@ -1,11 +1,11 @@
 //! Golden hashes: what some scenes come to, bit for bit; together they use every kind of shape, contact and event.
 //!
 //! The table is the same for debug and release builds and for every machine, so each of them checks all the
-//! others. It changes when the motion does, and only then: such a commit says why, and [`motion`](crate::motion) says
-//! whether it has got worse. To renew it, run
+//! others. It changes when the motion does, and only then: such a commit says why, and the test
+//! `motion` of `it` says whether it has got worse. To renew it, run
 //!
 //! ```text
-//! RUSTYCS_PRINT_HASHES=1 cargo test --release --test it golden -- --nocapture
+//! RUSTYCS_PRINT_HASHES=1 cargo test --release --test bits golden -- --nocapture
 //! ```
 //!
 //! and paste what it prints, once both builds print the same.
