@@ -57,7 +57,7 @@
 //! | 0 | [`math`] | vectors, places, rotations, poses, boxes, our own sine and cosine |
 //! | 0 | `store` | generational ids, slots, bit set, pair set |
 //! | 0 | `compute` | numbers in lanes (scalar, SSE2, NEON, AVX2, AVX-512), the width chosen at run time, the hot rows of bodies, threads |
-//! | 1 | [`shape`] | circle, boxes, convex polygon, capsule, round corners; concave outlines as pieces; mass, rays, points |
+//! | 1 | [`shape`] | circle, boxes, convex polygon, capsule, round corners, segment; concave outlines as pieces; mass, rays, points |
 //! | 2 | [`joint`] | description of joints, and how they are kept |
 //! | 2 | [`body`] | description, material, role, and how many bodies are kept |
 //! | 3 | [`collision`] | broad phase, detection, manifolds, contacts |
@@ -126,7 +126,10 @@ pub(crate) mod store;
 pub(crate) mod testing;
 pub mod world;
 
-pub use body::{Body, BodyError, BodyId, BodyType, Collider, ColliderId, Filter, Ground, Material, Mix};
+pub use body::{
+    Body, BodyError, BodyId, BodyType, Collider, ColliderId, ContactFilter, Filter, FilteredShape, Ground,
+    Material, Mix,
+};
 pub use collision::{FeatureId, Manifold, ManifoldPoint};
 pub use joint::{Joint, JointError, JointId, JointKind};
 pub use math::{Aabb, Point, Pose, Rot, Vec2};
@@ -144,11 +147,11 @@ pub mod prelude {
     pub use crate::{
         Aabb, Attractor, AttractorError, AttractorId, Body, BodyError, BodyId, BodyMut, BodyRef, BodyType,
         Character, Clock, ClosestHit, Collider, ColliderId, ColliderMut, ColliderRef, ContactEvent,
-        ContactRef, Counters, DrawnPart, Events, FeatureId, Filter, Force, ForceError, ForceId, Ground,
-        HitEvent, Joint, JointError, JointGap, JointId, JointKind, JointMut, JointRef, Lanes, Manifold,
-        ManifoldPoint, Material, Mix, Moved, Mover, Point, Pose, PositionCorrection, Profile, QueryFilter,
-        RayHit, Refusal, Rot, SensorEvent, Settings, SettingsError, Shape, ShapeError, ShapeHit, Stage,
-        StageReport, StepError, Tier, TileMap, Vec2, World, collision,
+        ContactFilter, ContactRef, Counters, DrawnPart, Events, FeatureId, Filter, Force, ForceError,
+        ForceId, Ground, HitEvent, Joint, JointError, JointGap, JointId, JointKind, JointMut, JointRef,
+        Lanes, Manifold, ManifoldPoint, Material, Mix, Moved, Mover, Point, Pose, PositionCorrection,
+        Profile, QueryFilter, RayHit, Refusal, Rot, SensorEvent, Settings, SettingsError, Shape, ShapeError,
+        ShapeHit, Stage, StageReport, StepError, Tier, TileMap, Vec2, World, collision,
     };
 }
 

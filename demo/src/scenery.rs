@@ -72,6 +72,10 @@ impl Scenery {
         camera: Camera,
     ) {
         let BodyStyle { fill, outline } = style;
+        if let Shape::Segment(segment) = shape {
+            let [from, to] = [0, 1].map(|end| camera.to_screen(pose.to_world(segment.vertices()[end])));
+            return batch.line(from, to, OUTLINE, outline.rgba(255));
+        }
         self.trace(shape, pose, camera);
         batch.polygon(&self.outer, outline.rgba(255));
         if shape.thickness() * camera.scale() < 3.0 * OUTLINE {

@@ -15,6 +15,7 @@ enum Outline {
     Polygon(Vec<[f32; 2]>),
     Capsule([[f32; 2]; 2], f32),
     Rounded(Vec<[f32; 2]>, f32),
+    Segment([[f32; 2]; 2]),
 }
 
 impl Outline {
@@ -24,6 +25,7 @@ impl Outline {
             Self::Aabb(width, height) => Shape::aabb(*width, *height),
             Self::Obb(width, height) => Shape::obb(*width, *height),
             Self::Capsule([a, b], radius) => Shape::capsule(*a, *b, *radius),
+            Self::Segment([a, b]) => Shape::segment(*a, *b),
             Self::Rounded(corners, radius) => Shape::rounded(corners.iter().copied(), *radius).ok()?,
             Self::Polygon(corners) => Shape::polygon(corners.iter().copied()).ok()?,
         };

@@ -3,7 +3,7 @@
 use crate::body::collider::Masses;
 use crate::body::compound::Compounds;
 use crate::body::exposures::Exposures;
-use crate::body::{Body, BodyId, BodyType, Material, Mixes, RestRule, RestWatch, Roles};
+use crate::body::{Body, BodyId, BodyType, ContactFilter, Material, RestRule, RestWatch, Roles};
 use crate::compute::{BodyState, COLUMN, DistinctIndices, GROUND_ROW, prefetch};
 use crate::math::{Aabb, Point, Pose, Rot, Vec2};
 use crate::shape::{Exposure, Shape};
@@ -48,7 +48,7 @@ pub(crate) struct Motion {
     pub(crate) inverse_inertia: f32,
     /// Greatest distance of the outline from the centre, m.
     pub(crate) extent: f32,
-    /// Smallest width of the shape, m.
+    /// Smallest width of the shape, m, by which overlaps are judged; infinite for segments, which leave it to what they meet.
     pub(crate) thickness: f32,
     /// Whether the shape is a circle around the centre of mass, whose outline does not turn with it.
     pub(crate) is_round: bool,
@@ -77,7 +77,7 @@ impl Motion {
         self.inverse_mass = if is_dynamic { 1.0 / mass } else { 0.0 };
         self.inverse_inertia = if is_dynamic && body.can_turn() { 1.0 / inertia } else { 0.0 };
         self.extent = body.shape.extent();
-        self.thickness = body.shape.thickness();
+        self.thickness = body.shape.width_of_overlaps();
         self.is_circle = matches!(body.shape, Shape::Circle(_));
         self.is_round = self.is_circle;
     }
@@ -120,14 +120,6 @@ impl Forcing {
     }
 }
 
-impl Mixes {
-    /// Coefficients of friction and restitution between the bodies in two slots.
-    pub(crate) fn of(self, bodies: &Bodies, slots: [u32; 2]) -> (f32, f32) {
-        let [a, b] = slots.map(|slot| bodies.records[slot].material);
-        (self.friction.mix(a.friction, b.friction), self.restitution.mix(a.restitution, b.restitution))
-    }
-}
-
 /// All bodies of a world. A body keeps its slot for life; only the rows of the awake move.
 #[derive(Debug)]
 pub(crate) struct Bodies {
@@ -143,6 +135,8 @@ pub(crate) struct Bodies {
     pub(crate) roles: Roles,
     pub(crate) compounds: Compounds,
     pub(crate) exposures: Exposures,
+    /// What says beside the roles whether two shapes collide.
+    pub(crate) contact_filter: Option<ContactFilter>,
     /// By row: the ground, then every awake body that can move; and rows at rest that are no body's, to whole columns.
     pub(crate) states: Vec<BodyState>,
     /// By row: the pose before the last tick, or since when the body is there; that of the ground has no meaning.
@@ -164,6 +158,7 @@ clone_into_buffers!(Bodies {
     roles,
     compounds,
     exposures,
+    contact_filter,
     states,
     previous,
     awake,
@@ -182,6 +177,7 @@ impl Default for Bodies {
             roles: Roles::default(),
             compounds: Compounds::default(),
             exposures: Exposures::default(),
+            contact_filter: None,
             states: vec![BodyState::REST; COLUMN],
             previous: vec![Pose::default()],
             awake: DistinctIndices::default(),
@@ -452,12 +448,6 @@ impl Bodies {
     #[inline(always)]
     pub(crate) fn is_dynamic(&self, slot: u32) -> bool {
         self.motions[slot as usize].inverse_mass > 0.0
-    }
-
-    /// Whether the bodies in two slots collide where they meet.
-    #[inline(always)]
-    pub(crate) fn may_collide(&self, a: u32, b: u32) -> bool {
-        (self.is_dynamic(a) || self.is_dynamic(b)) && self.roles.may_collide([a, b], self.bodies_of([a, b]))
     }
 
     /// What neighbours leave of two shapes; `None` where that is all. A body that was parted from another passes through what may

@@ -40,7 +40,7 @@ pub struct Collider {
     restitution: Option<f32>,
     filter: Option<Filter>,
     /// But for its filter.
-    role: Role,
+    pub(super) role: Role,
     pub(crate) user_data: u64,
 }
 
@@ -178,15 +178,20 @@ impl Collider {
         self.user_data
     }
 
-    /// It on a body of a material and a filter.
-    pub(crate) fn on(&self, material: Material, filter: Filter) -> Part {
+    /// It on a body of a material and a role.
+    pub(crate) fn on(&self, material: Material, of_body: Role) -> Part {
         let Self { shape, at, angle, density, friction, restitution, user_data, .. } = *self;
         let material = Material {
             density: density.unwrap_or(material.density),
             friction: friction.unwrap_or(material.friction),
             restitution: restitution.unwrap_or(material.restitution),
         };
-        let role = Role { filter: self.filter.unwrap_or(filter), ..self.role };
+        let role = Role {
+            filter: self.filter.unwrap_or(of_body.filter),
+            friction_mix: self.role.friction_mix.or(of_body.friction_mix),
+            restitution_mix: self.role.restitution_mix.or(of_body.restitution_mix),
+            ..self.role
+        };
         Part { shape, at, angle, material, role, user_data }
     }
 }

@@ -225,7 +225,7 @@ impl Bodies {
             self.records[collider].body_type = body.body_type;
             self.roles.set(collider, part.role);
             let motion = &mut self.motions[index];
-            (motion.extent, motion.thickness) = (part.shape.extent(), part.shape.thickness());
+            (motion.extent, motion.thickness) = (part.shape.extent(), part.shape.width_of_overlaps());
             motion.is_circle = matches!(part.shape, Shape::Circle(_));
             motion.is_round = motion.is_circle && arm == Vec2::ZERO;
             extent = extent.max(motion.extent + arm.length());

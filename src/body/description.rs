@@ -410,7 +410,7 @@ impl Body {
     pub(crate) fn parts(&self) -> Vec<Part> {
         let Self { shape, material, role, .. } = *self;
         let own = Part { shape, at: self.own_at, angle: 0.0, material, role, user_data: 0 };
-        let further = self.further.iter().map(|collider| collider.on(material, role.filter));
+        let further = self.further.iter().map(|collider| collider.on(material, role));
         std::iter::once(own).chain(further).collect()
     }
 
@@ -444,9 +444,13 @@ impl Body {
         match self.mass {
             None => by_density,
             Some(mass) if self.further.is_empty() => {
-                let inertia = self.shape.mass_properties(1.0).inertia * (mass / self.shape.area());
+                let area = self.shape.area();
+                let inertia =
+                    if area > 0.0 { self.shape.mass_properties(1.0).inertia * (mass / area) } else { 0.0 };
                 Masses { mass, inertia, ..by_density }
             }
+            // What does not move may weigh nothing.
+            Some(mass) if by_density.mass == 0.0 => Masses { mass, ..by_density },
             Some(mass) => {
                 Masses { mass, inertia: by_density.inertia * (mass / by_density.mass), ..by_density }
             }
@@ -472,6 +476,9 @@ impl Body {
         let is_dynamic = self.body_type == BodyType::Dynamic;
         for part in self.parts() {
             part.validate(is_dynamic)?;
+            if is_dynamic && part.shape.is_segment() {
+                return Err(BodyError::DynamicSegment);
+            }
         }
         if let Some(mass) = self.mass {
             check_range("the mass", f64::from(mass), MASSES, "kg")?;

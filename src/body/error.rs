@@ -13,6 +13,8 @@ pub enum BodyError {
     Shape(ShapeError),
     /// The body was made of no piece at all.
     NoShape,
+    /// A dynamic body has a segment, which has no mass.
+    DynamicSegment,
     /// A quantity is NaN, infinite, or outside the range that the engine can compute with.
     OutOfRange {
         /// What was given.
@@ -38,6 +40,11 @@ impl fmt::Display for BodyError {
         match self {
             Self::Shape(error) => write!(f, "the body's shape cannot be used: {error}"),
             Self::NoShape => write!(f, "the body has no shape: give it a piece at least"),
+            Self::DynamicSegment => write!(
+                f,
+                "a segment has no thickness and no mass: make the body fixed or kinematic, or give it a capsule in the place of \
+                 the segment"
+            ),
             Self::OutOfRange { quantity, value, min, max, unit } => {
                 let [value, min, max] = [*value, *min, *max].map(Number);
                 let space = if unit.is_empty() { "" } else { " " };
@@ -58,7 +65,9 @@ impl std::error::Error for BodyError {
     fn source(&self) -> Option<&(dyn std::error::Error + 'static)> {
         match self {
             Self::Shape(error) => Some(error),
-            Self::NoShape | Self::OutOfRange { .. } | Self::NotKinematic { .. } => None,
+            Self::NoShape | Self::DynamicSegment | Self::OutOfRange { .. } | Self::NotKinematic { .. } => {
+                None
+            }
         }
     }
 }

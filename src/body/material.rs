@@ -31,6 +31,9 @@ impl Default for Material {
 }
 
 /// How the coefficients of two touching bodies give the coefficient of their contact.
+///
+/// Each surface has a rule: [its own](crate::Body::friction_mix), or that of the [settings](crate::Settings::friction_mix). Of two
+/// rules the [stronger](Self::stronger) one counts.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Mix {
@@ -56,6 +59,37 @@ pub(crate) struct Mixes {
 }
 
 impl Mix {
+    /// The stronger of two rules. From the weakest to the strongest they are [`Average`](Self::Average),
+    /// [`GeometricMean`](Self::GeometricMean), [`Min`](Self::Min), [`Multiply`](Self::Multiply) and [`Max`](Self::Max): what is
+    /// usual gives way to what is slippery, and that to what always grips.
+    ///
+    /// ```
+    /// use rustycs::Mix;
+    ///
+    /// assert_eq!(Mix::Average.stronger(Mix::Min), Mix::Min);
+    /// assert_eq!(Mix::Max.stronger(Mix::Multiply), Mix::Max);
+    /// ```
+    #[must_use]
+    pub fn stronger(self, other: Self) -> Self {
+        if other.strength() > self.strength() { other } else { self }
+    }
+
+    pub(crate) fn strength(self) -> u8 {
+        match self {
+            Self::Average => 0,
+            Self::GeometricMean => 1,
+            Self::Min => 2,
+            Self::Multiply => 3,
+            Self::Max => 4,
+        }
+    }
+
+    /// The rule of a contact between two surfaces, of which those that have no rule of their own have this one.
+    pub(super) fn of_two(self, own: [Option<Self>; 2]) -> Self {
+        let [a, b] = own.map(|own| own.unwrap_or(self));
+        a.stronger(b)
+    }
+
     /// The coefficient of a contact between coefficients `a` and `b`, both 0 or more.
     pub fn mix(self, a: f32, b: f32) -> f32 {
         match self {

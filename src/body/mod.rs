@@ -7,14 +7,18 @@
 //! A body of several shapes has a slot for itself and one for each of its shapes.
 
 mod bodies;
+mod chain;
+mod collide;
 mod collider;
 mod compound;
+mod contact_filter;
 mod description;
 mod error;
 mod exposures;
 mod filter;
 pub(crate) mod limits;
 mod material;
+mod mixing;
 mod pieces;
 mod rest;
 mod role;
@@ -23,6 +27,7 @@ mod tiles;
 
 pub(crate) use bodies::{Bodies, Forcing, Motion, NONE, Record};
 pub use collider::{Collider, ColliderId};
+pub use contact_filter::{ContactFilter, FilteredShape};
 pub use description::{Body, BodyType};
 pub use error::BodyError;
 pub(crate) use error::{Number, check_range};

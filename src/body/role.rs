@@ -3,7 +3,7 @@
 //! Kept in tables of their own, which end with the last body that has a role of its own: a world in which none has keeps
 //! nothing, and asks nothing but whether there is one.
 
-use crate::body::Filter;
+use crate::body::{Filter, Mix};
 use crate::math::Vec2;
 
 /// What a body is to what it meets.
@@ -16,6 +16,9 @@ pub(crate) struct Role {
     pub(crate) surface_speed: f32,
     /// Coefficient of rolling resistance, no unit.
     pub(crate) rolling_resistance: f32,
+    /// Rules of its own by which its friction and its restitution mix with those of others.
+    pub(crate) friction_mix: Option<Mix>,
+    pub(crate) restitution_mix: Option<Mix>,
     /// Of a one-way floor, the direction in which bodies pass it, in its frame; length 1.
     pub(crate) one_way: Option<Vec2>,
 }
@@ -32,12 +35,13 @@ pub(crate) struct Roles {
     sensors: Vec<u32>,
     /// The slots of bodies with rolling resistance, ascending.
     rolling: Vec<u32>,
-    /// The slots of bodies whose surface moves, and of one-way floors, ascending.
+    /// The slots of bodies whose surface moves, ascending.
     belts: Vec<u32>,
-    one_ways: Vec<u32>,
+    /// How many one-way floors there are.
+    one_way_count: usize,
 }
 
-clone_into_buffers!(Roles { by_slot, parted, sensors, rolling, belts, one_ways });
+clone_into_buffers!(Roles { by_slot, parted, sensors, rolling, belts, one_way_count });
 
 impl Roles {
     /// The role of the body in `slot`.
@@ -55,11 +59,12 @@ impl Roles {
             }
             self.by_slot.resize(place + 1, Role::default());
         }
-        self.by_slot[place] = role;
+        let before = std::mem::replace(&mut self.by_slot[place], role);
         list(&mut self.sensors, slot, role.is_sensor);
         list(&mut self.rolling, slot, role.rolling_resistance > 0.0);
         list(&mut self.belts, slot, role.surface_speed != 0.0);
-        list(&mut self.one_ways, slot, role.one_way.is_some());
+        self.one_way_count += usize::from(role.one_way.is_some());
+        self.one_way_count -= usize::from(before.one_way.is_some());
     }
 
     /// The slots of bodies with rolling resistance, ascending.
@@ -138,7 +143,7 @@ impl Roles {
     /// Whether one of two bodies is a one-way floor.
     #[inline(always)]
     pub(crate) fn are_one_way(&self, slots: [u32; 2]) -> bool {
-        !self.one_ways.is_empty() && slots.into_iter().any(|slot| self.of(slot).one_way.is_some())
+        self.one_way_count > 0 && slots.into_iter().any(|slot| self.of(slot).one_way.is_some())
     }
 
     /// Speed of the surface of the second of two bodies against that of the first, beside how these move, along the tangent of

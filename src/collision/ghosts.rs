@@ -109,8 +109,10 @@ fn of_round(found: &Manifold, side: usize, exposure: &Exposure, placed: Placed<'
     // A point at a round corner is halfway between the two surfaces.
     let center =
         if is_circle { offset } else { point.anchor_a + found.normal * (0.5 * point.separation + radius) };
-    let separation = hull.normals[face].dot(rotation.unrotate(center)) - hull.planes[face] - radius;
-    if separation.is_nan() || separation > margin {
+    let height = hull.normals[face].dot(rotation.unrotate(center)) - hull.planes[face];
+    let separation = height - radius;
+    // A line has no inside: what is behind it is not in it.
+    if hull.is_segment() && height <= 0.0 || separation.is_nan() || separation > margin {
         return None;
     }
     let manifold = if is_circle {

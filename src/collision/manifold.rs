@@ -173,6 +173,13 @@ impl Manifold {
         &mut self.points[..self.count as usize]
     }
 
+    /// Makes the manifold of two cores that of shapes with sharp corners, on which nothing rolls.
+    pub(crate) fn forget_round_corners(&mut self) {
+        for point in self.points_mut().iter_mut().filter(|point| point.corner == Corner::OfBoth) {
+            point.corner = Corner::Neither;
+        }
+    }
+
     /// Makes the manifold of two cores that of the shapes, which have these radii around them, m.
     pub(crate) fn take_off(&mut self, [radius_a, radius_b]: [f32; 2]) {
         let shift = self.normal * (0.5 * (radius_a - radius_b));

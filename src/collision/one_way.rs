@@ -8,12 +8,15 @@
 //! It runs on contacts with a one-way floor, where manifolds are brought up to date; others cost a comparison.
 
 use crate::body::Bodies;
-use crate::collision::{Contact, Manifold};
-use crate::math::Vec2;
+use crate::collision::{Contact, Manifold, Swept, gap_between};
+use crate::math::{Pose, Vec2};
 
 /// A body is on the free side if the normal is within 60° of the direction, this being the cosine: beyond, it is at the end of
 /// the floor, and would be stopped by it as by a wall.
 const FREE_SIDE: f32 = 0.5;
+
+/// The links of a chain have the whole side, up to their ends: their neighbours go on from there.
+const FREE_SIDE_OF_LINK: f32 = 1e-3;
 
 /// Along a normal this near to the direction, by its cosine, a body above the floor is there however it moves: it stands or
 /// leaves. Farther off, about 8°, one that rises has not been above yet, and meets a corner.
@@ -22,6 +25,10 @@ const FACE: f32 = 0.99;
 /// A body that overlaps by up to this share of the width of the thinner of the two is still on the surface, no unit: as deep
 /// as a load sags before it is solved directly. Deeper, it is within the floor.
 const ON_SURFACE: f32 = 0.0125;
+
+/// A body that overlaps a link of a chain by up to this share of the width of the body, no unit, and has not come through it, is
+/// before it: the middle of a triangle is a third of its height from its sides, that of all else farther.
+const BEFORE_LINK: f32 = 0.25;
 
 /// Slower along the direction, m/s, is how what stands and slides trembles: as slow as a manifold without load is kept. What is
 /// about to come out of a floor is faster until it is all but at its highest point, where it is borne as well.
@@ -47,10 +54,18 @@ pub(super) fn decide(contact: &mut Contact, before: OneWay, bodies: &Bodies) {
         // What has slid off another floor of this height came by its end, and is on the surface now.
         OneWay::Passes if gap <= 0.0 => {
             is_on_free_side(bodies, contact.colliders, &contact.manifold, b - a)
-                && leans(bodies, contact.colliders, &contact.manifold).all(|(_, up)| !rises(up, b - a))
+                && leans(bodies, contact.colliders, &contact.manifold)
+                    .all(|Lean { up, .. }| !rises(up, b - a))
         }
-        OneWay::Bears => leans(bodies, contact.colliders, &contact.manifold).all(|(lean, _)| lean > 0.0),
-        _ => is_on_free_side(bodies, contact.colliders, &contact.manifold, b - a),
+        OneWay::Bears => {
+            leans(bodies, contact.colliders, &contact.manifold).all(|Lean { lean, .. }| lean > 0.0)
+        }
+        _ => {
+            is_on_free_side(bodies, contact.colliders, &contact.manifold, b - a) || {
+                let poses = contact.colliders.map(|slot| bodies.previous_pose(slot));
+                was_before_links(bodies, contact.colliders, &contact.manifold, b - a, poses)
+            }
+        }
     };
     if !bears {
         contact.clear();
@@ -71,7 +86,31 @@ pub(crate) fn is_on_free_side(
     let is_outside = gap >= -ON_SURFACE * a.min(b);
     is_outside
         && leans(bodies, colliders, manifold)
-            .all(|(lean, up)| lean >= FACE || lean >= FREE_SIDE && !rises(up, velocity))
+            .all(|Lean { lean, least, up, .. }| lean >= FACE || lean >= least && !rises(up, velocity))
+}
+
+/// Whether a shape that is found to overlap a link of a chain, as fast corners do that swing into it, or what was put there, was
+/// before it when both were in some poses: a link has no inside by which that shows later.
+pub(crate) fn was_before_links(
+    bodies: &Bodies,
+    colliders: [u32; 2],
+    manifold: &Manifold,
+    velocity: Vec2,
+    poses: [Pose; 2],
+) -> bool {
+    let still = |side: usize| Swept {
+        shape: &bodies.shapes[colliders[side] as usize],
+        rotation: poses[side].rotation,
+        spin: 0.0,
+        arm: Vec2::ZERO,
+    };
+    let offset = poses[1].center - poses[0].center;
+    let [a, b] = colliders.map(|slot| bodies.motions[slot as usize].thickness);
+    let was_before = |lean: Lean| {
+        lean.is_link && lean.lean >= lean.least && !rises(lean.up, velocity) && lean.up.dot(offset) > 0.0
+    };
+    leans(bodies, colliders, manifold).all(was_before)
+        && gap_between(still(0), still(1), offset).is_some_and(|gap| gap >= -BEFORE_LINK * a.min(b))
 }
 
 /// Whether a body with this velocity, m/s, moves along the direction.
@@ -79,16 +118,30 @@ fn rises(up: Vec2, velocity: Vec2) -> bool {
     up.dot(velocity) > STANDS_BELOW
 }
 
-/// Of each of two bodies that is a one-way floor: the cosine between its direction and the normal towards the other body, and
-/// the direction in which b moves against a when the other body moves along it.
+/// How a one-way floor leans towards what is on it.
+#[derive(Clone, Copy)]
+struct Lean {
+    /// The cosine between its direction and the normal towards the other body.
+    lean: f32,
+    /// Whether it is a link of a chain.
+    is_link: bool,
+    /// Up to this cosine the other body is at its end.
+    least: f32,
+    /// The direction in which b moves against a when the other body moves along that of the floor.
+    up: Vec2,
+}
+
+/// Of each of two bodies that is a one-way floor.
 fn leans<'a>(
     bodies: &'a Bodies,
     colliders: [u32; 2],
     manifold: &'a Manifold,
-) -> impl Iterator<Item = (f32, Vec2)> + 'a {
+) -> impl Iterator<Item = Lean> + 'a {
     colliders.into_iter().zip([1.0, -1.0]).filter_map(move |(slot, sign)| {
         let direction = bodies.roles.of(slot).one_way?;
         let up = bodies.motions[slot as usize].pose.rotation.rotate(direction) * sign;
-        Some((up.dot(manifold.normal), up))
+        let is_link = bodies.shapes[slot as usize].link().is_some();
+        let least = if is_link { FREE_SIDE_OF_LINK } else { FREE_SIDE };
+        Some(Lean { lean: up.dot(manifold.normal), is_link, least, up })
     })
 }

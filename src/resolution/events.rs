@@ -15,7 +15,7 @@ mod strikes;
 
 use crate::body::{Bodies, Mixes};
 use crate::collision::broad_phase::BroadPhase;
-use crate::collision::{Contacts, OneWay, is_on_free_side};
+use crate::collision::{Contacts, OneWay, is_on_free_side, was_before_links};
 use crate::compute::BodyState;
 use crate::joint::Joints;
 use crate::math::Vec2;
@@ -35,6 +35,9 @@ use crate::resolution::scheme::Scheme;
 /// Bodies come much nearer if it is by more than this share of the width of the thinner in a step, no unit: less, and heaps
 /// would be solved by pairs; half of the width, and one may leave the other on the far side.
 const MUCH_NEARER: f32 = 0.25;
+
+/// The same of what has met a link of a chain: its middle is to stay before the link, and bodies may go so much deeper twice.
+const MUCH_NEARER_LINK: f32 = 0.05;
 
 /// What events happen to.
 #[derive(Debug)]
@@ -123,7 +126,10 @@ impl EventScene<'_> {
             Some(OneWay::Passes) => true,
             _ => {
                 let manifold = manifold_in(colliders, self.bodies, [a, b]);
-                !is_on_free_side(self.bodies, colliders, &manifold, (b.velocity - a.velocity).into())
+                let velocity = (b.velocity - a.velocity).into();
+                let as_step_began = colliders.map(|slot| self.bodies.motions[slot as usize].pose);
+                !is_on_free_side(self.bodies, colliders, &manifold, velocity)
+                    && !was_before_links(self.bodies, colliders, &manifold, velocity, as_step_began)
             }
         }
     }
@@ -139,6 +145,12 @@ impl EventScene<'_> {
         let rows = self.rows(colliders);
         rows.into_iter().any(|row| self.courses.is_off(self.bodies, row))
             && self.may_come_much_nearer(colliders, &self.states(rows), self.h())
+    }
+
+    /// By which share of the width of the thinner shape two that have met may go deeper before they meet again, no unit.
+    fn much_nearer(&self, colliders: [u32; 2]) -> f32 {
+        let are_linked = colliders.into_iter().any(|slot| self.bodies.shapes[slot as usize].link().is_some());
+        if are_linked { MUCH_NEARER_LINK } else { MUCH_NEARER }
     }
 
     /// Whether two shapes, with their bodies in these states, may come much nearer within a step, if so in each of its

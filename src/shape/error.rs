@@ -37,7 +37,7 @@ impl fmt::Display for Ring {
 pub enum ShapeError {
     /// A length of the shape is not a number, or outside [`MIN_SIZE`] to [`MAX_SIZE`].
     Size {
-        /// Which length: `"radius"`, `"width"`, `"height"`, `"capsule's length"`, `"polygon's size"`, `"polygon's thickness"` or
+        /// Which length: `"radius"`, `"width"`, `"height"`, `"capsule's length"`, `"segment's length"`, `"polygon's size"`, `"polygon's thickness"` or
         /// `"outline's size"`.
         what: &'static str,
         /// Its value, m.
@@ -117,6 +117,27 @@ pub enum ShapeError {
         /// That of the other.
         other: usize,
     },
+    /// A point of a chain has a coordinate that is NaN or infinite.
+    ChainNotFinite {
+        /// Its place in the list, from 0.
+        index: usize,
+        /// Its coordinates, m.
+        point: [f32; 2],
+    },
+    /// A chain of fewer than two points, or a ring of fewer than three.
+    ChainTooShort {
+        /// How many points it has.
+        count: usize,
+        /// How many it needs.
+        least: usize,
+    },
+    /// A link of a chain has a length outside [`MIN_SIZE`] to [`MAX_SIZE`]: 0 where two points that follow each other are one.
+    ChainLink {
+        /// The place of the point it begins at in the list, from 0.
+        index: usize,
+        /// Its length, m.
+        length: f32,
+    },
 }
 
 impl fmt::Display for ShapeError {
@@ -146,6 +167,17 @@ impl fmt::Display for ShapeError {
             Self::SelfIntersecting => write!(
                 f,
                 "the polygon's outline crosses itself: list the points in order around the outline, once"
+            ),
+            Self::ChainNotFinite { index, point: [x, y] } => {
+                write!(f, "point {index} of the chain is ({x}, {y}): give it finite coordinates")
+            }
+            Self::ChainTooShort { count, least } => {
+                write!(f, "the chain has {count} points: give at least {least}")
+            }
+            Self::ChainLink { index, length } => write!(
+                f,
+                "the link of the chain from point {index} to the next is {length} m long: choose one from {MIN_SIZE} m to \
+                 {MAX_SIZE} m, and leave out points that repeat the one before"
             ),
             _ => self.say_of_outline(f),
         }

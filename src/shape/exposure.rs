@@ -7,9 +7,11 @@
 //! - On a face it is, where a part of the face is exposed: no neighbour lies in front of it.
 //! - At a corner it is, between the normals of the two faces that meet there, as far as these are exposed there. Where one is
 //!   covered, the surface goes on along the neighbour's, and so does what is allowed, if that falls away.
+//!
+//! A link of a chain knows its neighbours by itself. Its right side is covered, and at an open end the chain falls away.
 
 use crate::math::{Rot, Vec2};
-use crate::shape::{Hull, MAX_VERTICES};
+use crate::shape::{Hull, Link, MAX_VERTICES};
 
 /// Neighbours are flush within this share of the width of the shape, no unit, but not more than [`LARGEST_GAP`]: less, and
 /// tiles that were placed by hand are not flush; more, and a small step does not hold anything.
@@ -133,6 +135,29 @@ impl Exposure {
         Some(exposure)
     }
 
+    /// What its neighbours leave of a link of a chain.
+    pub(crate) fn of_link(hull: &Hull, link: Link) -> Self {
+        let (mut faces, mut corners) = ([None; MAX_VERTICES], [Corner::Covered; MAX_VERTICES]);
+        let [start, end] = ends(hull, Link::FACE);
+        faces[Link::FACE] = Some([start, end]);
+        let own = hull.normals[Link::FACE];
+        let along = -own.perp();
+        let [before, after] = link.left_of_neighbours();
+        let side = |next: Vec2, is_after: bool| {
+            let falls = if is_after { next.cross(own) } else { own.cross(next) };
+            let turns_back = own.dot(next) < 0.0 && falls > -SAME_EXACT_DIRECTION;
+            if falls <= SAME_EXACT_DIRECTION && !turns_back {
+                Corner::Flush(Link::FACE)
+            } else {
+                Corner::Ridge(if is_after { [next, own] } else { [own, next] })
+            }
+        };
+        corners[0] = side(before.unwrap_or(-along), false);
+        corners[1] = side(after.unwrap_or(along), true);
+        let overlap = LARGEST_GAP.min(GAP_OF_WIDTH * (end - start));
+        Self { faces, corners, gap: 0.0, overlap }
+    }
+
     /// What neighbours leave of a corner.
     fn corner(&self, hull: &Hull, corner: usize, neighbours: &[Neighbour<'_>]) -> Corner {
         let (before, after) = (hull.previous(corner), corner);
@@ -223,9 +248,10 @@ impl Exposure {
             .map(|corner| matches!(self.corners[corner], Corner::Flush(_) | Corner::Covered))
     }
 
-    /// Whether a place, m, is in the shape, or not farther from it than neighbours are.
+    /// Whether a place, m, behind a face is in the shape, or not farther from it than neighbours are. Behind a line is all that it
+    /// has.
     pub(crate) fn holds(&self, hull: &Hull, place: Vec2) -> bool {
-        hull.nearest_face(place).0 <= self.gap
+        hull.is_segment() || hull.nearest_face(place).0 <= self.gap
     }
 
     /// Whether a part of a face is exposed.

@@ -16,7 +16,7 @@ pub struct MassProperties {
 }
 
 impl Shape {
-    /// Area, m².
+    /// Area, m²; 0 for a segment.
     pub fn area(&self) -> f32 {
         self.moments().0 as f32
     }
@@ -43,6 +43,7 @@ impl Shape {
             }
             Self::Polygon(polygon) => polygon_moments(polygon.vertices()),
             Self::Rounded(rounded) => rounded.moments(),
+            Self::Segment(_) => (0.0, 0.0),
         }
     }
 }

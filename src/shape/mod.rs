@@ -1,8 +1,8 @@
 //! Shapes: the geometry of a body, about its centre of mass.
 //!
 //! Circle, two kinds of box, convex polygons, of which concave outlines are made up, and both capsules and polygons with round
-//! corners, which are one thing: a core and a radius around it. Constructors of circles, boxes and capsules take any number;
-//! [`Shape::validate`] checks them once, when the body enters the world, so that nothing in the step has to.
+//! corners, which are one thing: a core and a radius around it. And segments, which have neither thickness nor mass, for ground.
+//! Constructors of circles, boxes, capsules and segments take any number; [`Shape::validate`] checks them once, when the body enters the world, so that nothing in the step has to.
 //! What is precomputed here (corners, edge normals) is what detection reads at every step.
 
 mod decomposition;
@@ -13,6 +13,7 @@ mod mass;
 mod polygon;
 mod query;
 mod rounded;
+mod segment;
 #[cfg(test)]
 pub(crate) mod testing;
 #[cfg(test)]
@@ -25,9 +26,11 @@ pub use mass::MassProperties;
 pub use polygon::Polygon;
 pub use query::OutlineHit;
 pub use rounded::Rounded;
+pub use segment::Segment;
 
 pub(crate) use exposure::{Exposure, Neighbour};
 pub(crate) use hull::Hull;
+pub(crate) use segment::Link;
 
 use crate::math::{Aabb, Pose, Rot, Vec2};
 
@@ -53,6 +56,8 @@ pub enum Shape {
     Polygon(Polygon),
     /// A capsule, or a convex polygon with 3 to 8 round corners.
     Rounded(Rounded),
+    /// A line without thickness, for bodies that contacts do not move.
+    Segment(Segment),
 }
 
 /// A disc.
@@ -196,6 +201,29 @@ impl Shape {
         polygon::rounded(points, radius).map(Self::Rounded)
     }
 
+    /// A segment: the line from `a` to `b`, m, without thickness, and solid on both sides. It has no mass, so that only
+    /// fixed and kinematic bodies can be made of it. Ground of many is a [`Ground::chain`](crate::Ground::chain), whose corners
+    /// do not catch what slides over them.
+    ///
+    /// It is moved so that its middle is the origin of the body's frame; [`Segment::centroid_of_input`] tells where that was.
+    ///
+    /// ```
+    /// use rustycs::prelude::*;
+    ///
+    /// let mut world = World::new(Settings::default());
+    /// world.add_force(Force::EARTH_GRAVITY);
+    /// world.add(Body::fixed(Shape::segment([-5.0, 0.0], [5.0, 0.0])))?;
+    /// let crate_ = world.add(Body::dynamic(Shape::rectangle(1.0, 1.0)).at([0.0, 0.5]))?;
+    /// for _ in 0..60 {
+    ///     world.step();
+    /// }
+    /// assert!((world.body(crate_).unwrap().position().y - 0.5).abs() < 1e-3);
+    /// # Ok::<(), BodyError>(())
+    /// ```
+    pub fn segment(a: impl Into<Vec2>, b: impl Into<Vec2>) -> Self {
+        Self::Segment(Segment::new(a.into(), b.into()))
+    }
+
     /// Whether the shape can be simulated.
     ///
     /// # Errors
@@ -214,6 +242,7 @@ impl Shape {
                 let across = 2.0 * rounded.core().extent();
                 check(what, across).and_then(|()| check(what, across + 2.0 * rounded.radius()))
             }),
+            Self::Segment(segment) => check("segment's length", segment.length()),
         }
     }
 
@@ -229,6 +258,7 @@ impl Shape {
                 (-half, half)
             }
             Self::Polygon(polygon) => bounds_of(polygon.vertices(), rotation),
+            Self::Segment(segment) => bounds_of(segment.vertices(), rotation),
             Self::Rounded(rounded) => {
                 let (low, high) = bounds_of(rounded.vertices(), rotation);
                 let radius = Vec2::splat(rounded.radius());
@@ -250,16 +280,43 @@ impl Shape {
             Self::Aabb(rectangle) | Self::Obb(rectangle) => rectangle.half.length(),
             Self::Polygon(polygon) => polygon.hull.extent(),
             Self::Rounded(rounded) => rounded.core().extent() + rounded.radius(),
+            Self::Segment(segment) => segment.core().extent(),
         }
     }
 
-    /// Smallest width across, m; the diameter of a circle.
+    /// Smallest width across, m; the diameter of a circle, 0 for a segment.
     pub fn thickness(&self) -> f32 {
         match self {
             Self::Circle(circle) => 2.0 * circle.radius,
             Self::Aabb(rectangle) | Self::Obb(rectangle) => 2.0 * rectangle.half.x.min(rectangle.half.y),
             Self::Polygon(polygon) => polygon.hull.thickness(),
             Self::Rounded(rounded) => rounded.core().thickness() + 2.0 * rounded.radius(),
+            Self::Segment(_) => 0.0,
+        }
+    }
+
+    /// The width by which it is judged how deep an overlap with the shape is, m: its thickness. A segment has none, and leaves it to
+    /// what it meets: its is infinite.
+    pub(crate) fn width_of_overlaps(&self) -> f32 {
+        if self.is_segment() { f32::INFINITY } else { self.thickness() }
+    }
+
+    /// The same of two shapes, m: that of the thinner; 0 for two segments.
+    pub(crate) fn width_between(&self, other: &Self) -> f32 {
+        let thinner = self.width_of_overlaps().min(other.width_of_overlaps());
+        if thinner.is_finite() { thinner } else { 0.0 }
+    }
+
+    /// Whether the shape has no thickness.
+    pub(crate) fn is_segment(&self) -> bool {
+        matches!(self, Self::Segment(_))
+    }
+
+    /// What a link of a chain knows of its neighbours; `None` for all else.
+    pub(crate) fn link(&self) -> Option<Link> {
+        match self {
+            Self::Segment(segment) => segment.link(),
+            _ => None,
         }
     }
 
@@ -282,6 +339,7 @@ impl Shape {
         match self {
             Self::Polygon(polygon) => polygon.centroid_of_input(),
             Self::Rounded(rounded) => rounded.centroid_of_input(),
+            Self::Segment(segment) => segment.centroid_of_input(),
             Self::Circle(_) | Self::Aabb(_) | Self::Obb(_) => Vec2::ZERO,
         }
     }
@@ -296,7 +354,7 @@ impl Shape {
     pub fn corner_radius(&self) -> f32 {
         match self {
             Self::Circle(circle) => circle.radius,
-            Self::Aabb(_) | Self::Obb(_) | Self::Polygon(_) => 0.0,
+            Self::Aabb(_) | Self::Obb(_) | Self::Polygon(_) | Self::Segment(_) => 0.0,
             Self::Rounded(rounded) => rounded.radius(),
         }
     }
@@ -305,12 +363,12 @@ impl Shape {
     pub(crate) fn core_extent(&self) -> f32 {
         match self {
             Self::Circle(_) => 0.0,
-            Self::Aabb(_) | Self::Obb(_) | Self::Polygon(_) => self.extent(),
+            Self::Aabb(_) | Self::Obb(_) | Self::Polygon(_) | Self::Segment(_) => self.extent(),
             Self::Rounded(rounded) => rounded.core().extent(),
         }
     }
 
-    /// What a shape is a radius around, with the radius, m: 0 for boxes and polygons; `None` for a circle.
+    /// What a shape is a radius around, with the radius, m: 0 for boxes, polygons and segments; `None` for a circle.
     #[inline(always)]
     pub(crate) fn core(&self) -> Option<(&Hull, f32)> {
         match self {
@@ -319,13 +377,14 @@ impl Shape {
         }
     }
 
-    /// The outline of boxes and polygons, which have no radius.
+    /// The outline of boxes, polygons and segments, which have no radius.
     #[inline(always)]
     pub(crate) fn hull(&self) -> Option<&Hull> {
         match self {
             Self::Circle(_) | Self::Rounded(_) => None,
             Self::Aabb(rectangle) | Self::Obb(rectangle) => Some(&rectangle.hull),
             Self::Polygon(polygon) => Some(&polygon.hull),
+            Self::Segment(segment) => Some(segment.core()),
         }
     }
 }

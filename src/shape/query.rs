@@ -25,7 +25,7 @@ impl Shape {
     /// Where the ray from `origin` along `translation`, m, first meets the outline of the shape at `pose`, if
     /// it does within `max_fraction` of the translation.
     ///
-    /// A ray that starts inside, border included, hits at fraction 0 with a zero normal.
+    /// A ray that starts inside, border included, hits at fraction 0 with a zero normal. One that runs along a segment passes.
     pub fn ray_cast(
         &self,
         pose: Pose,
@@ -44,6 +44,7 @@ impl Shape {
                 Self::Aabb(rectangle) | Self::Obb(rectangle) => ray_hull(&rectangle.hull, start, along)?,
                 Self::Polygon(polygon) => ray_hull(&polygon.hull, start, along)?,
                 Self::Rounded(rounded) => ray_rounded(rounded, start, along)?,
+                Self::Segment(segment) => ray_edges(segment.core(), 0.0, start, along)?,
             }
         };
         (hit.fraction <= max_fraction).then(|| OutlineHit { normal: rotation.rotate(hit.normal), ..hit })
@@ -63,6 +64,7 @@ impl Shape {
             }
             Self::Aabb(rectangle) | Self::Obb(rectangle) => closest_on_hull(&rectangle.hull, (x, y)),
             Self::Polygon(polygon) => closest_on_hull(&polygon.hull, (x, y)),
+            Self::Segment(segment) => closest_on_hull(segment.core(), (x, y)),
             Self::Rounded(rounded) => {
                 let (near_x, near_y) = closest_on_hull(rounded.core(), (x, y));
                 let (away_x, away_y) = (x - near_x, y - near_y);
@@ -103,6 +105,7 @@ impl Shape {
                 x.abs() <= half_x && y.abs() <= half_y
             }
             Self::Polygon(polygon) => hull_contains(&polygon.hull),
+            Self::Segment(segment) => closest_on_hull(segment.core(), (x, y)) == (x, y),
             Self::Rounded(rounded) => {
                 let core = rounded.core();
                 let (near_x, near_y) = closest_on_hull(core, (x, y));
@@ -166,7 +169,13 @@ fn ray_rounded(rounded: &Rounded, start: (f64, f64), along: (f64, f64)) -> Optio
         let (x, y) = widen(vertex);
         ray_circle(radius, (start.0 - x, start.1 - y), along)
     });
-    let straight = (0..core.count as usize).filter_map(|edge| {
+    let straight = ray_edges(core, radius, start, along);
+    round.chain(straight).min_by(|one, other| one.fraction.total_cmp(&other.fraction))
+}
+
+/// Where the ray first meets the edges of a core, moved out by a radius, from the front.
+fn ray_edges(core: &Hull, radius: f64, start: (f64, f64), along: (f64, f64)) -> Option<OutlineHit> {
+    let edges = (0..core.count as usize).filter_map(|edge| {
         let (from, to, (n_x, n_y)) =
             (widen(core.vertices[edge]), widen(core.vertices[core.next(edge)]), widen(core.normals[edge]));
         let gap = n_x * (start.0 - from.0) + n_y * (start.1 - from.1) - radius;
@@ -180,7 +189,7 @@ fn ray_rounded(rounded: &Rounded, start: (f64, f64), along: (f64, f64)) -> Optio
         let normal = core.normals[edge];
         (0.0..=squared).contains(&part).then_some(OutlineHit { fraction: fraction as f32, normal })
     });
-    round.chain(straight).min_by(|one, other| one.fraction.total_cmp(&other.fraction))
+    edges.min_by(|one, other| one.fraction.total_cmp(&other.fraction))
 }
 
 /// The ray enters the hull where it has crossed the last of the lines it comes in by, unless it has then

@@ -45,10 +45,22 @@ pub(crate) fn random_rounded(rng: &mut Random) -> Shape {
     Shape::rounded(corners, rng.random_range(0.05..0.4)).expect("corners of an ellipse are convex")
 }
 
-/// One of each kind of shape, about 1 m across.
-pub(crate) fn random_shapes(rng: &mut Random) -> [Shape; 6] {
+/// A segment that leans any way, about 1 m long.
+pub(crate) fn random_segment(rng: &mut Random) -> Shape {
+    let half = Rot::from_angle(rng.random_range(0.0..6.0)).rotate(Vec2::new(rng.random_range(0.1..1.0), 0.0));
+    Shape::segment(-half, half)
+}
+
+/// One of each kind of shape that has a thickness, about 1 m across.
+pub(crate) fn random_solids(rng: &mut Random) -> [Shape; 6] {
     let mut size = || rng.random_range(0.2..2.0);
     let (radius, w, h, v, k) = (0.5 * size(), size(), size(), size(), size());
     let [circle, aabb, obb] = [Shape::circle(radius), Shape::aabb(w, h), Shape::obb(v, k)];
     [circle, aabb, obb, random_polygon(rng), random_capsule(rng), random_rounded(rng)]
+}
+
+/// One of each kind of shape, about 1 m across.
+pub(crate) fn random_shapes(rng: &mut Random) -> [Shape; 7] {
+    let [circle, aabb, obb, polygon, capsule, rounded] = random_solids(rng);
+    [circle, aabb, obb, polygon, capsule, rounded, random_segment(rng)]
 }

@@ -1,7 +1,7 @@
 //! Laws of shapes: closed formulas, and counting random points.
 
 use crate::math::{Point, Pose, Rot, Vec2};
-use crate::shape::testing::{random_outline, random_polygon, random_shapes, rng};
+use crate::shape::testing::{random_outline, random_polygon, random_shapes, random_solids, rng};
 use crate::shape::{Shape, ShapeError};
 
 const PI: f32 = core::f32::consts::PI;
@@ -270,7 +270,7 @@ fn a_ray_hits_where_stepping_along_it_first_comes_inside() {
     let mut rng = rng(5);
     let (mut hits, steps) = (0, 1000);
     for _ in 0..150 {
-        for shape in random_shapes(&mut rng) {
+        for shape in random_solids(&mut rng) {
             let pose = Pose::new([1e5, rng.random_range(-1.0..1.0f64)], rng.random_range(-9.0..9.0));
             let origin = pose.center + Vec2::new(rng.random_range(-3.0..3.0), rng.random_range(-3.0..3.0));
             // Aimed roughly at the shape.

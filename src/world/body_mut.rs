@@ -3,7 +3,7 @@
 use crate::body::limits::{
     check_damping, check_gravity_scale, check_place, check_rotation, check_strength, check_vector,
 };
-use crate::body::{Body, BodyError, BodyId, BodyType, Filter, Forcing, Material, Motion, Record};
+use crate::body::{Body, BodyError, BodyId, BodyType, Filter, Forcing, Material, Mix, Motion, Record};
 use crate::compute::BodyState;
 use crate::math::{Aabb, Point, Pose, Rot, Vec2};
 use crate::shape::Shape;
@@ -74,6 +74,8 @@ read_like_body_ref! {
     density() -> f32;
     friction() -> f32;
     restitution() -> f32;
+    friction_mix() -> Option<Mix>;
+    restitution_mix() -> Option<Mix>;
     gravity_scale() -> f32;
     linear_damping() -> f32;
     angular_damping() -> f32;

@@ -47,7 +47,7 @@ impl<'a> BodyRef<'a> {
         self.world.bodies.records[self.own()].material
     }
 
-    fn role(&self) -> Role {
+    pub(in crate::world) fn role(&self) -> Role {
         self.world.bodies.roles.of(self.own())
     }
 

@@ -137,13 +137,13 @@ impl<'a> ColliderMut<'a> {
         self.world.wake_neighbours(body);
     }
 
-    fn surface_changed(&mut self) {
+    pub(in crate::world) fn surface_changed(&mut self) {
         self.world.mix_body(self.body());
         self.wake();
     }
 
     /// Changes its role; returns whether it is another one now.
-    fn change_role(&mut self, change: impl FnOnce(&mut Role)) -> bool {
+    pub(in crate::world) fn change_role(&mut self, change: impl FnOnce(&mut Role)) -> bool {
         let before = self.world.bodies.roles.of(self.slot);
         let mut role = before;
         change(&mut role);

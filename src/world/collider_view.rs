@@ -2,7 +2,7 @@
 
 use core::fmt;
 
-use crate::body::{BodyId, Collider, ColliderId, Filter, Material};
+use crate::body::{BodyId, Collider, ColliderId, Filter, Material, Role};
 use crate::math::{Aabb, Point, Pose, Vec2};
 use crate::shape::Shape;
 use crate::world::World;
@@ -82,6 +82,11 @@ impl<'a> ColliderRef<'a> {
     /// Density, friction and restitution.
     pub fn material(&self) -> Material {
         self.world.bodies.records[self.slot].material
+    }
+
+    /// What it is to what it meets.
+    pub(in crate::world) fn role(&self) -> Role {
+        self.world.bodies.roles.of(self.slot)
     }
 
     /// What it collides with.

@@ -1,6 +1,6 @@
 //! What a body is to what it meets, and which pairs of bodies collide.
 
-use crate::body::{BodyError, BodyId, Filter};
+use crate::body::{BodyError, BodyId, ContactFilter, Filter};
 use crate::math::Vec2;
 use crate::world::{BodyMut, ColliderMut, World};
 
@@ -60,7 +60,7 @@ impl BodyMut<'_> {
     }
 
     /// Its own shape, to change it.
-    fn own_collider(&mut self) -> ColliderMut<'_> {
+    pub(in crate::world) fn own_collider(&mut self) -> ColliderMut<'_> {
         let own = self.world.bodies.own_collider(self.slot());
         ColliderMut::new(self.world, own)
     }
@@ -103,12 +103,36 @@ impl World {
     }
 
     /// Whether two bodies collide where they meet: by their types, of which one is to be dynamic, their filters, and
-    /// [`set_collision`](Self::set_collision). `None` if one was removed, or they are the same.
+    /// [`set_collision`](Self::set_collision) and the [contact filter](Self::set_contact_filter). `None` if one was removed, or they are
+    /// the same.
     pub fn may_collide(&self, a: BodyId, b: BodyId) -> Option<bool> {
         let [a, b] = self.slots_of_pair([a, b])?;
         let bodies = &self.bodies;
         let collide = |a: u32| bodies.colliders(b).any(|b| bodies.may_collide(a, b));
         Some(bodies.colliders(a).any(collide))
+    }
+
+    /// Has a function say beside filters and [`set_collision`](Self::set_collision) whether two shapes collide, or, by `None`, no
+    /// longer; at first there is none. Pairs that have met are looked at anew, and all bodies wake. Sensors, queries and characters do not ask
+    /// it. It belongs to the world as its settings do: clones have it too, and [`state_hash`](Self::state_hash) does not see it.
+    ///
+    /// Where it refuses some pieces of a ground and not others, filters by category are the better choice: the ground is taken for
+    /// one by all that these let meet it.
+    ///
+    /// ```
+    /// # use rustycs::prelude::*;
+    /// # let mut world = World::new(Settings::default());
+    /// // A key fits one door: the caller's numbers are those of a key and a door, or 0.
+    /// let opens = |a: u64, b: u64| a != 0 && a == b;
+    /// world.set_contact_filter(ContactFilter::new(move |a, b| !opens(a.user_data(), b.user_data())));
+    /// world.set_contact_filter(None);
+    /// ```
+    pub fn set_contact_filter(&mut self, filter: impl Into<Option<ContactFilter>>) {
+        self.bodies.contact_filter = filter.into();
+        let slots: Vec<u32> = self.bodies.ids().map(|id| id.0.index()).collect();
+        for slot in slots {
+            self.collisions_changed(slot);
+        }
     }
 
     /// The slots of two bodies that are there, and not the same.

@@ -113,6 +113,9 @@ fn draw_outline(shape: &Shape, pose: Pose, mut line: impl FnMut(Point, Point)) {
             &circle[..]
         }
     };
+    if let &[from, to] = corners {
+        return line(pose.to_world(from), pose.to_world(to));
+    }
     for (number, &corner) in corners.iter().enumerate() {
         let next = corners[(number + 1) % corners.len()];
         line(pose.to_world(corner), pose.to_world(next));

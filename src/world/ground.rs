@@ -47,6 +47,9 @@ impl World {
         let bodies = &self.bodies;
         let record = bodies.records.at(slot)?;
         let hull = bodies.shapes[slot as usize].hull().filter(|_| !bodies.is_compound(slot))?;
+        if bodies.shapes[slot as usize].is_segment() {
+            return bodies.shapes[slot as usize].link().map(|link| Exposure::of_link(hull, link));
+        }
         let (is_fixed, body) = (record.body_type == BodyType::Fixed, bodies.body_of(slot));
         if !is_fixed && body == slot {
             return None;
@@ -86,8 +89,10 @@ impl World {
             .into_iter()
             .filter_map(|other| {
                 let (other_center, other_rotation) = pose(other);
+                // What has no thickness covers nothing.
+                let shape = Some(&bodies.shapes[other as usize]).filter(|shape| !shape.is_segment())?;
                 Some(Neighbour {
-                    hull: bodies.shapes[other as usize].hull()?,
+                    hull: shape.hull()?,
                     rotation: rotation.inverse() * other_rotation,
                     center: rotation.unrotate(other_center - center),
                 })

@@ -48,7 +48,8 @@ impl Fnv {
         Self(0xCBF2_9CE4_8422_2325)
     }
 
-    fn write_role(&mut self, Role { filter, is_sensor, surface_speed, rolling_resistance, one_way }: Role) {
+    fn write_role(&mut self, role: Role) {
+        let Role { filter, is_sensor, surface_speed, rolling_resistance, .. } = role;
         let Filter { category, mask, group } = filter;
         for word in [category, mask, group as u64, u64::from(is_sensor), u64::from(surface_speed.to_bits())] {
             self.write(word);
@@ -56,7 +57,12 @@ impl Fnv {
         if rolling_resistance > 0.0 {
             self.write(u64::from(rolling_resistance.to_bits()));
         }
-        if let Some(Vec2 { x, y }) = one_way {
+        for (number, mix) in (1..).zip([role.friction_mix, role.restitution_mix]) {
+            if let Some(mix) = mix {
+                self.write(number << 8 | u64::from(mix.strength()));
+            }
+        }
+        if let Some(Vec2 { x, y }) = role.one_way {
             self.write(u64::from(x.to_bits()) << 32 | u64::from(y.to_bits()));
         }
     }

@@ -22,6 +22,7 @@ mod hits;
 mod joint_view;
 mod joints;
 mod memory;
+mod mixing;
 mod profile;
 mod query;
 mod sensors;

@@ -145,7 +145,7 @@ impl World {
         for slot in rows.flat_map(|row| bodies.colliders(bodies.slot_of_row(row))) {
             let (motion, previous) = (&bodies.motions[slot as usize], bodies.previous_pose(slot));
             let moved = motion.pose.center - previous.center;
-            if moved.length() <= SWEPT_FROM * motion.thickness {
+            if motion.thickness.is_finite() && moved.length() <= SWEPT_FROM * motion.thickness {
                 continue;
             }
             let shape = &bodies.shapes[slot as usize];

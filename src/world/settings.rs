@@ -90,9 +90,9 @@ pub struct Settings {
     ///
     /// [`ContactRef::impulse_on`]: crate::world::ContactRef::impulse_on
     pub sum_impulses: bool,
-    /// How two coefficients of friction mix. Default [`Mix::Average`], which keeps 0 at 0.
+    /// How the friction of a surface mixes with that of others, if it has [no rule of its own](crate::Body::friction_mix). Default [`Mix::Average`], which keeps 0 at 0.
     pub friction_mix: Mix,
-    /// How two coefficients of restitution mix. Default [`Mix::Average`], which keeps 0 at 0.
+    /// The same of restitution. Default [`Mix::Average`], which keeps 0 at 0.
     pub restitution_mix: Mix,
     /// G in a = G·mass/r² of attractors, m³/(kg s²), 0 to 10¹². Default 1.
     pub gravitational_constant: f32,

@@ -58,6 +58,7 @@ pub(crate) fn shape_name(shape: &Shape) -> &'static str {
         Shape::Polygon(_) => "polygon",
         Shape::Rounded(rounded) if rounded.is_capsule() => "capsule",
         Shape::Rounded(_) => "rounded polygon",
+        Shape::Segment(_) => "segment",
         _ => "shape",
     }
 }

@@ -13,7 +13,7 @@
 //! | aabb, aabb | gaps along the two axes | up to 2 |
 //! | box, box | separating axes from half sizes, clipping | up to 2 |
 //! | polygon, polygon | separating axes over the hulls, clipping | up to 2 |
-//! | rounded, any but a circle | the same of the cores, then the radii taken off | up to 2 |
+//! | rounded or segment, any but a circle | the same of the cores, then the radii taken off | up to 2 |
 //! | circle 10,000 times as large as the other shape | heights of the ends of a face above it | up to 2 |
 
 mod aabb_aabb;
@@ -74,9 +74,15 @@ struct Core<'a> {
 }
 
 impl<'a> Core<'a> {
-    /// That of a shape that is no circle; boxes and polygons have a radius of 0.
+    /// That of a shape that is no circle; boxes, polygons and segments have a radius of 0.
     fn of(shape: &'a Shape, rotation: Rot) -> Option<Self> {
         shape.core().map(|(hull, radius)| Self { hull, rotation, radius })
+    }
+
+    /// Distance of the nearest face from the centre, m; infinite for a segment, which is as thick as what it meets.
+    fn inradius(&self) -> f32 {
+        let has_thickness = self.radius > 0.0 || !self.hull.is_segment();
+        if has_thickness { self.hull.inradius + self.radius } else { f32::INFINITY }
     }
 }
 
@@ -163,7 +169,7 @@ pub(crate) fn detect_within(
     offset: Vec2,
     margin: f32,
 ) -> Option<Manifold> {
-    use Shape::{Aabb, Circle, Obb, Polygon, Rounded};
+    use Shape::{Aabb, Circle, Obb, Polygon, Rounded, Segment};
     let (rot_a, rot_b) = (shape_a.rotation_at(rotation_a), shape_b.rotation_at(rotation_b));
     match (shape_a, shape_b) {
         (Circle(_), _) | (_, Circle(_)) => {
@@ -178,7 +184,7 @@ pub(crate) fn detect_within(
         (Aabb(a) | Obb(a), Polygon(b)) => {
             polygon_polygon::detect(a.hull(), rot_a, b.hull(), rot_b, offset, margin)
         }
-        (Rounded(_), _) | (_, Rounded(_)) => {
+        (Rounded(_) | Segment(_), _) | (_, Rounded(_) | Segment(_)) => {
             rounded::detect(Core::of(shape_a, rot_a)?, Core::of(shape_b, rot_b)?, offset, margin)
         }
     }
@@ -194,16 +200,16 @@ pub(crate) fn touch(
     offset: Vec2,
     margin: f32,
 ) -> Option<Touch> {
-    use Shape::{Aabb, Circle, Obb, Polygon, Rounded};
+    use Shape::{Aabb, Circle, Obb, Polygon, Rounded, Segment};
     let (rot_a, rot_b) = (shape_a.rotation_at(rotation_a), shape_b.rotation_at(rotation_b));
     match (shape_a, shape_b) {
         (Circle(a), Circle(b)) => circle_circle::touch(*a, *b, offset, margin),
         (Aabb(a) | Obb(a), Circle(b)) => circle_box::touch(a, rot_a, *b, offset, margin),
         (Circle(a), Aabb(b) | Obb(b)) => circle_box::touch(b, rot_b, *a, -offset, margin).map(Touch::flipped),
-        (Polygon(_) | Rounded(_), Circle(b)) => {
+        (Polygon(_) | Rounded(_) | Segment(_), Circle(b)) => {
             circle_polygon::touch(Core::of(shape_a, rot_a)?, *b, offset, margin)
         }
-        (Circle(a), Polygon(_) | Rounded(_)) => {
+        (Circle(a), Polygon(_) | Rounded(_) | Segment(_)) => {
             circle_polygon::touch(Core::of(shape_b, rot_b)?, *a, -offset, margin).map(Touch::flipped)
         }
         _ => None,

@@ -4,7 +4,7 @@
 //! and the radii deeper, and along the same normal: that of a face, or where two corners are nearest, from one to the other. As
 //! a corner comes past the end of a face, the normal turns on without a jump, and what is round rolls over it.
 //!
-//! A core may be a line (then the shape is a capsule), which has no inside: two that lie one behind the other are apart by no
+//! A core may be a line (then the shape is a capsule, or a segment, whose radius is 0), which has no inside: two that lie one behind the other are apart by no
 //! line along an edge. There the nearest corners are looked for, too.
 
 use crate::collision::Manifold;
@@ -26,13 +26,20 @@ pub(super) fn detect(a: Core<'_>, b: Core<'_>, offset: Vec2, margin: f32) -> Opt
     if !within(face_b.separation, margin) {
         return None;
     }
-    let tolerance = Tolerance::new(a.hull.inradius + a.radius, b.hull.inradius + b.radius, center);
+    let (inradius_a, inradius_b) = (a.inradius(), b.inradius());
+    let are_segments = inradius_a.min(inradius_b) == f32::INFINITY;
+    let inradius_b = if are_segments { 0.0 } else { inradius_b };
+    let tolerance = Tolerance::new(inradius_a, inradius_b, center);
     let mut manifold = if face_b.separation > face_a.separation + tolerance.preference {
         of_cores(&pair(b, a, -offset), face_b, tolerance, margin)?.flipped()
     } else {
         of_cores(&pair(a, b, offset), face_a, tolerance, margin)?
     };
-    manifold.take_off([a.radius, b.radius]);
+    if a.radius + b.radius > 0.0 {
+        manifold.take_off([a.radius, b.radius]);
+    } else {
+        manifold.forget_round_corners();
+    }
     Some(manifold)
 }
 

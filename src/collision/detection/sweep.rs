@@ -67,8 +67,7 @@ pub(crate) fn sweep(
     target: f32,
 ) -> Option<f32> {
     let rim_speed = a.rim_speed() + b.rim_speed();
-    let tolerance =
-        if rim_speed == 0.0 { 0.0 } else { TOLERANCE * a.shape.thickness().min(b.shape.thickness()) };
+    let tolerance = if rim_speed == 0.0 { 0.0 } else { TOLERANCE * a.shape.width_between(b.shape) };
     let mut time = 0.0;
     for _ in 0..MAX_STEPS {
         let place = offset + velocity * time + (b.swung_after(time) - a.swung_after(time));

@@ -5,6 +5,7 @@ use crate::collision::refresh::{Pair, PredictedMotion};
 use crate::collision::{Contact, Touch, touch, without_ghosts};
 use crate::compute::{BodyState, GROUND_ROW, LaneRot};
 use crate::math::{Rot, Vec2};
+use crate::shape::Link;
 
 /// A contact with a circle holds still within a step in which its bodies move against each other by less than this, m, or
 /// by less than a fortieth of the extent of the smaller of the two: with half as much, piles are left that swing on.
@@ -75,6 +76,9 @@ impl Pair<'_> {
         let ((hull, rounding), rotation) = (shape.core()?, shape.rotation_at(rotation));
         let center = rotation.unrotate(to_circle);
         let (gap, face) = hull.nearest_face(center);
+        if shape.link().is_some() && face != Link::FACE {
+            return None;
+        }
         let [start, end] = hull.ends_from(face, center);
         // By a radius more than it is on its way: it may be struck meanwhile.
         let way = predicted.motion.length() + radius;

@@ -24,9 +24,9 @@ use crate::compute::BodyState;
 use crate::math::{Aabb, Rot, Vec2};
 use crate::resolution::blows::{Collision, Impact};
 use crate::resolution::constraint::ContactConstraint;
+use crate::resolution::events::EventScene;
 use crate::resolution::events::impacts::Impacts;
 use crate::resolution::events::meeting::Meeting;
-use crate::resolution::events::{EventScene, MUCH_NEARER};
 use crate::resolution::integrate::drift;
 use crate::resolution::moving::manifold_in;
 use crate::store::PairSet;
@@ -294,7 +294,7 @@ impl Continuous {
         }
         if time == 0.0 && !self.bounces_now(slots, from, scene) {
             let thickness = motions[0].thickness.min(motions[1].thickness);
-            let deeper = MUCH_NEARER * thickness;
+            let deeper = scene.much_nearer(slots) * thickness;
             let deepest = Self::gap_before(slots, scene).min(-deeper);
             let goes_on = |meeting: Meeting| meeting.speed() * (h - from) > MEETS_WITHIN * thickness;
             let Some(mut later) = sweep(a, b, offset, velocity, h - from, deepest) else { return };

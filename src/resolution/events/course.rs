@@ -66,7 +66,9 @@ impl Courses {
         let Some(then) = self.then.get(row as usize).filter(|_| row != GROUND_ROW) else { return false };
         let motion = &bodies.motions[bodies.slot_of_row(row as usize) as usize];
         let extent = if motion.is_round { 0.0 } else { motion.extent };
-        self.strays(changes(&bodies.states[row as usize], then), extent) > STRAYS_BY * motion.thickness
+        // What has no width is not to get to the far side of the thinnest of what it may meet.
+        let width = if motion.thickness.is_finite() { motion.thickness } else { bodies.smallest_thickness };
+        self.strays(changes(&bodies.states[row as usize], then), extent) > STRAYS_BY * width
     }
 
     /// How far a body may stray in the step, m, by its changes. A turn by the angle θ is expected to move its outline, of

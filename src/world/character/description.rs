@@ -9,7 +9,7 @@ use crate::shape::Shape;
 /// nothing that is seen.
 const SKIN_OF_WIDTH: f32 = 0.005;
 
-/// A character to be moved by hand, for a [`Mover`](crate::Mover): any shape that is convex, which never turns.
+/// A character to be moved by hand, for a [`Mover`](crate::Mover): any shape that is convex and has a width, which never turns.
 ///
 /// ```
 /// use rustycs::prelude::*;
@@ -126,6 +126,7 @@ impl Character {
 
     pub(super) fn validate(&self) -> Result<(), BodyError> {
         self.shape.validate()?;
+        check_range("the width of the character", f64::from(self.shape.thickness()), [1e-5, 1e8], "m")?;
         check_place(self.at)?;
         check_range("the length of the up direction", f64::from(self.up.length()), [0.999, 1.001], "")?;
         check_range("the steepest slope", f64::from(self.max_slope), [0.0, 1.57], "rad")?;

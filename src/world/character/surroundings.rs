@@ -63,7 +63,10 @@ impl Trip<'_> {
     fn is_borne_side(&self, collider: ColliderRef<'_>, normal: Vec2, way: Vec2) -> bool {
         let Some(direction) = collider.one_way() else { return true };
         let free = collider.pose().rotation.rotate(direction);
-        !self.passes_one_way && normal.dot(free) >= FREE_SIDE && way.dot(free) <= 0.0
+        // A chain is no floor to drop through, and goes on at the ends of its links.
+        let is_link = collider.shape().link().is_some();
+        let least = if is_link { 0.0 } else { FREE_SIDE };
+        (is_link || !self.passes_one_way) && normal.dot(free) >= least && way.dot(free) <= 0.0
     }
 
     /// What overlaps the character a little as it moves into it.

@@ -280,7 +280,7 @@ impl Caster<'_> {
             }
         }
         // Of an edge that leans only one end touches.
-        let near = FLAT_WITHIN * self.shape.thickness().min(shape.thickness()) - depth;
+        let near = FLAT_WITHIN * self.shape.width_between(shape) - depth;
         let touching = points.iter().filter(|point| point.separation <= near);
         let (sum, count) =
             touching.fold((Vec2::ZERO, 0.0), |(sum, count), point| (sum + point.anchor_a, count + 1.0_f32));

@@ -48,6 +48,23 @@ fn add_refuses_every_number_it_cannot_compute_with() {
     }
 }
 
+#[test]
+fn a_dynamic_body_with_a_segment_is_refused_also_later() {
+    let line = Shape::segment([-1.0, 0.0], [1.0, 0.0]);
+    let refused = Err(BodyError::DynamicSegment);
+    let mut world = World::new(Settings::default());
+    assert_eq!(world.add(Body::dynamic(line).mass(1.0)), refused);
+    assert_eq!(world.add(crate_().with(Collider::new(line))), refused);
+    let [fixed, moved] = [Body::fixed(line), crate_()].map(|body| world.add(body).unwrap());
+    let hash = world.state_hash();
+    assert_eq!(world.body_mut(fixed).unwrap().set_body_type(BodyType::Dynamic).map(|()| moved), refused);
+    assert_eq!(world.body_mut(moved).unwrap().set_shape(line).map(|()| moved), refused);
+    assert_eq!(world.state_hash(), hash);
+    let text = BodyError::DynamicSegment.to_string();
+    assert!(text.starts_with("a segment has no thickness and no mass"), "{text}");
+    assert!(Mover::new(Character::new(line)).is_err());
+}
+
 /// A shape one of whose lengths is given.
 type OfLength = fn(f32) -> Shape;
 

@@ -5,6 +5,7 @@ mod collisions;
 mod flight;
 mod friction;
 mod limits;
+mod mixing;
 mod orbits;
 mod rocking;
 mod rolling;

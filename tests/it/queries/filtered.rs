@@ -15,6 +15,7 @@ fn crowd(random: &mut Random, middle: [f64; 2]) -> (World, Vec<BodyId>) {
         let body = match number % 5 {
             0 => Body::fixed(shape),
             1 => Body::kinematic(shape),
+            _ if shape.thickness() == 0.0 => Body::kinematic(shape),
             _ => Body::dynamic(shape),
         };
         let filter = Filter { category: 1 << (number % 4), mask: random.random_range(1..16), group: 0 };

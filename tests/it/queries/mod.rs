@@ -13,12 +13,13 @@ type Random = Xoshiro256PlusPlus;
 
 fn random_shape(random: &mut Random) -> Shape {
     let (width, height) = (random.random_range(0.1..2.0_f32), random.random_range(0.1..2.0_f32));
-    match random.random_range(0..6_u32) {
+    match random.random_range(0..7_u32) {
         0 => Shape::circle(0.5 * width),
         1 => Shape::aabb(width, height),
         2 => Shape::obb(width, height),
         3 => Shape::capsule([0.3, 0.0], [0.3 - 0.5 * width, 0.5 * height], 0.4 * width),
-        4 => Shape::rounded([[0.0, 0.0], [width, 0.0], [0.5 * width, height]], 0.2 * height).unwrap(),
+        4 => Shape::segment([0.0, 0.0], [width, height]),
+        5 => Shape::rounded([[0.0, 0.0], [width, 0.0], [0.5 * width, height]], 0.2 * height).unwrap(),
         _ => Shape::polygon([[0.0, 0.0], [width, 0.0], [1.2 * width, height], [0.3 * width, 1.4 * height]])
             .unwrap(),
     }
@@ -33,6 +34,7 @@ fn crowd(random: &mut Random, middle: [f64; 2]) -> (World, Vec<BodyId>) {
             let body = match number % 5 {
                 0 => Body::fixed(shape),
                 1 => Body::kinematic(shape),
+                _ if shape.thickness() == 0.0 => Body::kinematic(shape),
                 _ => Body::dynamic(shape),
             };
             let at = somewhere(random, middle, 10.0);

@@ -73,13 +73,19 @@ fn rounded(length: impl Strategy<Value = f32> + Clone) -> impl Strategy<Value = 
     })
 }
 
+/// Of a dynamic body it is refused.
+fn segment(length: impl Strategy<Value = f32> + Clone) -> impl Strategy<Value = Shape> {
+    (length.clone(), length).prop_map(|(x, y)| Shape::segment([0.0, 0.0], [x, y]))
+}
+
 fn shape(length: impl Strategy<Value = f32> + Clone + 'static) -> impl Strategy<Value = Shape> {
     prop_oneof![
         length.clone().prop_map(Shape::circle),
         (length.clone(), length.clone()).prop_map(|(width, height)| Shape::aabb(width, height)),
         (length.clone(), length.clone()).prop_map(|(width, height)| Shape::obb(width, height)),
         polygon(length.clone()),
-        rounded(length),
+        rounded(length.clone()),
+        segment(length),
     ]
 }
 

@@ -4,7 +4,7 @@ use crate::collision::detection::{detect, detect_within};
 use crate::collision::{FeatureId, Manifold};
 use crate::math::{Pose, Rot, Vec2};
 use crate::shape::Shape;
-use crate::shape::testing::{random_shapes, rng};
+use crate::shape::testing::{random_shapes, random_solids, rng};
 
 fn at_rest(a: &Shape, b: &Shape, offset: Vec2, margin: f32) -> Option<Manifold> {
     detect_within(a, Rot::IDENTITY, b, Rot::IDENTITY, offset, margin)
@@ -89,7 +89,7 @@ fn boxes_that_touch_at_corners_only_touch_at_one_point() {
 #[test]
 fn shapes_with_one_center_part_along_a_definite_normal() {
     let mut rng = rng(21);
-    let shapes = random_shapes(&mut rng);
+    let shapes = random_solids(&mut rng);
     for a in &shapes {
         for b in &shapes {
             let manifold = at_rest(a, b, Vec2::ZERO, 0.0).unwrap();
@@ -131,7 +131,7 @@ fn numbers_that_are_none_give_no_manifold_and_no_panic() {
 #[test]
 fn a_manifold_is_the_same_far_from_the_origin() {
     let mut rng = rng(23);
-    let (shapes_a, shapes_b) = (random_shapes(&mut rng), random_shapes(&mut rng));
+    let (shapes_a, shapes_b) = (random_solids(&mut rng), random_solids(&mut rng));
     for a in &shapes_a {
         for b in &shapes_b {
             let near = detect(a, Pose::new([0.0, 0.0], 0.3), b, Pose::new([0.25, 0.125], 1.0));
@@ -149,7 +149,7 @@ fn a_shape_on_a_planet_touches_as_on_level_ground() {
     let radius = 6.4e6;
     let (planet, ground) = (Shape::circle(radius), Shape::aabb(100.0, 10.0));
     let mut rng = rng(7);
-    for (number, shape) in (0..100).flat_map(|_| random_shapes(&mut rng)).enumerate() {
+    for (number, shape) in (0..100).flat_map(|_| random_solids(&mut rng)).enumerate() {
         let pose = Pose::new([0.0, 0.1], 0.1 * number as f32);
         let on_planet = detect(&planet, Pose::at([0.0, -f64::from(radius)]), &shape, pose);
         let on_ground = detect(&ground, Pose::at([0.0, -5.0]), &shape, pose);

@@ -3,6 +3,7 @@
 mod known;
 mod reference;
 mod rounded;
+mod segment;
 mod sweep;
 
 use crate::collision::detection::{aabb_aabb, box_box, detect_within, polygon_polygon};
@@ -39,7 +40,12 @@ impl Case {
     fn preference(&self) -> f64 {
         match (self.a.core(), self.b.core()) {
             (Some((a, radius_a)), Some((b, radius_b))) => {
-                1e-3 * f64::from((a.inradius + radius_a).min(b.inradius + radius_b))
+                // A segment leaves it to the other.
+                let inradius =
+                    |shape: &Shape, inradius| if shape.is_segment() { f32::INFINITY } else { inradius };
+                let [a, b] =
+                    [inradius(&self.a, a.inradius + radius_a), inradius(&self.b, b.inradius + radius_b)];
+                if self.a.is_segment() && self.b.is_segment() { 0.0 } else { 1e-3 * f64::from(a.min(b)) }
             }
             _ => 0.0,
         }
@@ -273,6 +279,7 @@ fn manifolds_scale_with_the_shapes() {
         Shape::Aabb(r) => Shape::aabb(k * r.width(), k * r.height()),
         Shape::Obb(r) => Shape::obb(k * r.width(), k * r.height()),
         Shape::Polygon(p) => Shape::polygon(p.vertices().iter().map(|&v| v * k)).unwrap(),
+        Shape::Segment(s) => Shape::segment(s.vertices()[0] * k, s.vertices()[1] * k),
         Shape::Rounded(r) => Shape::rounded(r.vertices().iter().map(|&v| v * k), r.radius() * k).unwrap(),
     };
     for k in [1.0_f32 / 32_768.0, 33_554_432.0] {
