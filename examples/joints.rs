@@ -38,6 +38,8 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         }
     }
     let turned = world.joint(motor).map_or(0.0, |joint| joint.angle());
-    println!("the wheel has turned by {turned:.2} rad");
+    println!(
+        "the wheel has turned by {turned:.2} rad, clockwise: the angle is that of the world as the wheel sees it"
+    );
     Ok(())
 }

@@ -2,7 +2,8 @@
 //!
 //! Data is split by how often it is touched. Hot: `BodyState`, 32 bytes, one row per awake body, read and written
 //! several times per substep. Warm: `Motion`, pose and mass, 64 bytes, touched a few times per step by each contact;
-//! `Forcing`, what acts on the body, touched once; `RestWatch`, touched once where a body is slow. Cold: `Record`, touched when somebody asks or a contact begins.
+//! `Forcing`, what acts on the body, touched once; `RestWatch`, touched once where a body is slow. Cold: `Record`, touched when
+//! somebody asks or a contact begins.
 //!
 //! A body of several shapes has a slot for itself and one for each of its shapes.
 

@@ -18,7 +18,8 @@ impl Ground {
     ///
     /// `solid` has `width` tiles for each row, from left to right; the lowest row comes first, as y points up. A tile has sides of
     /// `tile_size`, m, and the lower left corner of the map is where the body is [put](Body::at). Material and filter are given as
-    /// to any body. A map without solid tiles is refused when it is added, and so is a size that no shape can have.
+    /// to any body. Where the last row is not full the rest of it is empty, and with a `width` of 0 there are no tiles. A map
+    /// without solid tiles is refused when it is added, and so is a size that no shape can have.
     ///
     /// Places within the body are `f32`: tiles of 1 m meet to 0.1 mm as far as 1 km from the corner. For larger maps, use
     /// a [`TileMap`](crate::TileMap).

@@ -254,6 +254,9 @@ impl Joint {
 
     /// Drives the angle (rad/s, N m) or the translation (m/s, N) at a speed, with `max` torque or force at most, which may be
     /// infinite.
+    ///
+    /// Angle and translation are those of `b`, or of the world, as seen from `a`. So where `b` is the world a positive speed turns
+    /// `a` clockwise; name the world first by a fixed body, or give a negative speed, for the other way round.
     pub fn motor(self, speed: f32, max: f32) -> Self {
         Self { motor: Some(Motor { speed, max }), ..self }
     }

@@ -37,8 +37,8 @@ impl fmt::Display for Ring {
 pub enum ShapeError {
     /// A length of the shape is not a number, or outside [`MIN_SIZE`] to [`MAX_SIZE`].
     Size {
-        /// Which length: `"radius"`, `"width"`, `"height"`, `"capsule's length"`, `"segment's length"`, `"polygon's size"`, `"polygon's thickness"` or
-        /// `"outline's size"`.
+        /// Which length: `"radius"`, `"width"`, `"height"`, `"capsule's length"`, `"segment's length"`, `"polygon's size"`,
+        /// `"polygon's thickness"` or `"outline's size"`.
         what: &'static str,
         /// Its value, m.
         value: f32,

@@ -2,8 +2,9 @@
 //!
 //! Circle, two kinds of box, convex polygons, of which concave outlines are made up, and both capsules and polygons with round
 //! corners, which are one thing: a core and a radius around it. And segments, which have neither thickness nor mass, for ground.
-//! Constructors of circles, boxes, capsules and segments take any number; [`Shape::validate`] checks them once, when the body enters the world, so that nothing in the step has to.
-//! What is precomputed here (corners, edge normals) is what detection reads at every step.
+//! Constructors of circles, boxes, capsules and segments take any number; [`Shape::validate`] checks them once, when the body
+//! enters the world, so that nothing in the step has to. What is precomputed here (corners, edge normals) is what detection reads
+//! at every step.
 
 mod decomposition;
 mod error;

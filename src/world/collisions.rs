@@ -113,8 +113,9 @@ impl World {
     }
 
     /// Has a function say beside filters and [`set_collision`](Self::set_collision) whether two shapes collide, or, by `None`, no
-    /// longer; at first there is none. Pairs that have met are looked at anew, and all bodies wake. Sensors, queries and characters do not ask
-    /// it. It belongs to the world as its settings do: clones have it too, and [`state_hash`](Self::state_hash) does not see it.
+    /// longer; at first there is none. Pairs that have met are looked at anew, and all bodies wake. Sensors, queries and characters
+    /// do not ask it. It belongs to the world as its settings do: clones have it too, and [`state_hash`](Self::state_hash) does not
+    /// see it.
     ///
     /// Where it refuses some pieces of a ground and not others, filters by category are the better choice: the ground is taken for
     /// one by all that these let meet it.

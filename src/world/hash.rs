@@ -5,9 +5,9 @@ use crate::math::Vec2;
 use crate::world::World;
 
 impl World {
-    /// A hash over the id, pose and velocity of every body, and over filters, surface speeds, one-way
-    /// floors, sensors, what these overlap, and pairs that do not collide, where there are some. Two worlds with the same past have the same hash, on every machine and build; it changes when any bit of these
-    /// does.
+    /// A hash over the id, pose and velocity of every body, and over filters, surface speeds, one-way floors, sensors, what these
+    /// overlap, and pairs that do not collide, where there are some. Two worlds with the same past have the same hash, on every
+    /// machine and build; it changes when any bit of these does. Joints and their motors are not in it.
     pub fn state_hash(&self) -> u64 {
         let mut hash = Fnv::new();
         for key in self.bodies.ids().map(|id| id.0) {

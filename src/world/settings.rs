@@ -90,7 +90,8 @@ pub struct Settings {
     ///
     /// [`ContactRef::impulse_on`]: crate::world::ContactRef::impulse_on
     pub sum_impulses: bool,
-    /// How the friction of a surface mixes with that of others, if it has [no rule of its own](crate::Body::friction_mix). Default [`Mix::Average`], which keeps 0 at 0.
+    /// How the friction of a surface mixes with that of others, if it has [no rule of its own](crate::Body::friction_mix). Default
+    /// [`Mix::Average`], which keeps 0 at 0.
     pub friction_mix: Mix,
     /// The same of restitution. Default [`Mix::Average`], which keeps 0 at 0.
     pub restitution_mix: Mix,

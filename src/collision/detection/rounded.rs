@@ -4,8 +4,8 @@
 //! and the radii deeper, and along the same normal: that of a face, or where two corners are nearest, from one to the other. As
 //! a corner comes past the end of a face, the normal turns on without a jump, and what is round rolls over it.
 //!
-//! A core may be a line (then the shape is a capsule, or a segment, whose radius is 0), which has no inside: two that lie one behind the other are apart by no
-//! line along an edge. There the nearest corners are looked for, too.
+//! A core may be a line (then the shape is a capsule, or a segment, whose radius is 0), which has no inside: two that lie one
+//! behind the other are apart by no line along an edge. There the nearest corners are looked for, too.
 
 use crate::collision::Manifold;
 use crate::collision::detection::Core;
