@@ -1,7 +1,7 @@
 //! What every scene of the demo does in its first second and after five: energy, top speed, overlap and who is awake,
 //! within bounds that follow from the scene. A hash tells that the motion has changed, this that it has got worse.
 
-use rustycs::{BodyType, Settings, World};
+use rustycs::{BodyRef, BodyType, Settings, World};
 use rustycs_scenes::Scene;
 
 /// When a scene is looked at, ticks.
@@ -78,9 +78,12 @@ fn watch(scene: &Scene, mut check: impl FnMut(&World, Look, usize, Look)) {
 fn no_scene_that_nothing_drives_gains_energy() {
     for scene in rustycs_scenes::all() {
         watch(scene, |world, first, tick, look| {
-            // Joints have motors and springs, and these have energy that is not that of bodies.
-            let is_driven = world.bodies().any(|(_, body)| body.body_type() == BodyType::Kinematic)
-                || world.joints().next().is_some();
+            // Belts drive what lies on them, and joints have motors and springs, whose energy is not that of bodies.
+            let drives = |body: BodyRef<'_>| {
+                body.body_type() == BodyType::Kinematic
+                    || body.colliders().any(|collider| collider.surface_speed() != 0.0)
+            };
+            let is_driven = world.bodies().any(|(_, body)| drives(body)) || world.joints().next().is_some();
             let most = first.energy() + 1e-5 * (first.kinetic + look.kinetic);
             assert!(
                 is_driven || look.energy() <= most,
