@@ -60,7 +60,7 @@ impl Ground {
     /// for _ in 0..600 {
     ///     world.step();
     /// }
-    /// assert!(world.body(room).unwrap().aabb().contains_point(world.body(ball).unwrap().position()));
+    /// assert!(world.body(room).unwrap().aabb().contains_point(world.body(ball).unwrap().pose().center));
     /// # Ok::<(), BodyError>(())
     /// ```
     pub fn ring<P: Into<Vec2>>(points: impl IntoIterator<Item = P>) -> Result<Body, ShapeError> {
