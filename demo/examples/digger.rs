@@ -170,7 +170,7 @@ async fn play(beginning: Game) {
         for place in &game.gold {
             mq::draw_circle(place.x, place.y, 0.25, mq::GOLD);
         }
-        let Vec2 { x, y } = game.hero.interpolated_pose(alpha).center.to_vec2();
+        let Vec2 { x, y } = game.hero.interpolated_pose(&game.world).center.to_vec2();
         mq::draw_rectangle(x - 0.35, y - 0.25, 0.7, 0.5, mq::ORANGE);
         for height in [-0.25, 0.25] {
             mq::draw_circle(x, y + height, 0.35, mq::ORANGE);

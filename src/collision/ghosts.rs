@@ -106,9 +106,7 @@ fn of_round(found: &Manifold, side: usize, exposure: &Exposure, placed: Placed<'
     let offset = if side == 0 { offset } else { -offset };
     let (radius, point) = (round.corner_radius(), found.points().first()?);
     let is_circle = round.core().is_none();
-    // A point at a round corner is halfway between the two surfaces.
-    let center =
-        if is_circle { offset } else { point.anchor_a + found.normal * (0.5 * point.separation + radius) };
+    let center = if is_circle { offset } else { offset + found.corner_centers(point, [0.0, radius])[1] };
     let height = hull.normals[face].dot(rotation.unrotate(center)) - hull.planes[face];
     let separation = height - radius;
     // A line has no inside: what is behind it is not in it.

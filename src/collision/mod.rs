@@ -19,5 +19,5 @@ pub(crate) use detection::{
 pub(crate) use ghosts::{Placed, without_ghosts};
 pub(crate) use manifold::Corner;
 pub use manifold::{FeatureId, Manifold, ManifoldPoint};
-pub(crate) use one_way::{OneWay, is_on_free_side, was_before_links};
+pub(crate) use one_way::{OneWay, free_side_of, is_on_free_side, was_before_links};
 pub(crate) use refresh::{Refresh, are_out_of_reach, refresh};

@@ -10,12 +10,14 @@
 use crate::body::Bodies;
 use crate::collision::{Contact, Manifold, Swept, gap_between};
 use crate::math::{Pose, Vec2};
+use crate::shape::Shape;
 
 /// A body is on the free side if the normal is within 60° of the direction, this being the cosine: beyond, it is at the end of
 /// the floor, and would be stopped by it as by a wall.
 const FREE_SIDE: f32 = 0.5;
 
-/// The links of a chain have the whole side, up to their ends: their neighbours go on from there.
+/// The links of a chain have the whole side, up to their ends, as their neighbours go on from there; less is rounding of a normal
+/// that lies along the link.
 const FREE_SIDE_OF_LINK: f32 = 1e-3;
 
 /// Along a normal this near to the direction, by its cosine, a body above the floor is there however it moves: it stands or
@@ -113,6 +115,11 @@ pub(crate) fn was_before_links(
         && gap_between(still(0), still(1), offset).is_some_and(|gap| gap >= -BEFORE_LINK * a.min(b))
 }
 
+/// Least cosine between the direction of a one-way floor of this shape and the normal towards what is on its free side.
+pub(crate) fn free_side_of(shape: &Shape) -> f32 {
+    if shape.link().is_some() { FREE_SIDE_OF_LINK } else { FREE_SIDE }
+}
+
 /// Whether a body with this velocity, m/s, moves along the direction.
 fn rises(up: Vec2, velocity: Vec2) -> bool {
     up.dot(velocity) > STANDS_BELOW
@@ -140,8 +147,8 @@ fn leans<'a>(
     colliders.into_iter().zip([1.0, -1.0]).filter_map(move |(slot, sign)| {
         let direction = bodies.roles.of(slot).one_way?;
         let up = bodies.motions[slot as usize].pose.rotation.rotate(direction) * sign;
-        let is_link = bodies.shapes[slot as usize].link().is_some();
-        let least = if is_link { FREE_SIDE_OF_LINK } else { FREE_SIDE };
+        let shape = &bodies.shapes[slot as usize];
+        let (is_link, least) = (shape.link().is_some(), free_side_of(shape));
         Some(Lean { lean: up.dot(manifold.normal), is_link, least, up })
     })
 }

@@ -96,6 +96,12 @@ impl Neighbour<'_> {
         (low < high).then_some([low, high])
     }
 
+    /// Whether it covers a line with this normal through a place, so far beyond it, m.
+    fn covers_beyond(&self, place: Vec2, normal: Vec2, beyond: f32, gap: f32) -> bool {
+        let at = normal.perp().dot(place) + beyond;
+        self.covers(normal, normal.dot(place), gap).is_some_and(|[low, high]| low < at && at < high)
+    }
+
     /// The normals of its faces that go on from a place, m, for at least `reach`, m: counter-clockwise around it where `side` is 1,
     /// clockwise where it is -1.
     fn faces_from(&self, place: Vec2, side: f32, reach: f32) -> impl Iterator<Item = Vec2> {
@@ -177,14 +183,11 @@ impl Exposure {
             let turn = side * own.cross(other);
             turn > if own.dot(other) > 0.0 { SAME_DIRECTION } else { 0.0 }
         };
+        // Pieces meet at corners of the outline with faces that others cover, which are no surface.
         let itself = Neighbour { hull, rotation: Rot::IDENTITY, center: Vec2::ZERO };
-        // Pieces meet at corners of the outline with faces that others cover.
         let is_exposed = |other: Vec2| {
-            let (distance, at) = (other.dot(place), other.perp().dot(place) + side * reach);
-            let covers = |piece: &Neighbour<'_>| {
-                piece.covers(other, distance, self.gap).is_some_and(|[low, high]| low < at && at < high)
-            };
-            !covers(&itself) && !neighbours.iter().any(covers)
+            let mut pieces = neighbours.iter().chain([&itself]);
+            !pieces.any(|piece| piece.covers_beyond(place, other, side * reach, self.gap))
         };
         let beyond = neighbours.iter().flat_map(|neighbour| neighbour.faces_from(place, side, reach));
         // Of the surfaces that go on from here, the one that falls away least is the next.

@@ -33,7 +33,8 @@ const CATEGORIES: [u64; 3] = [1 << 1, 1 << 2, 1 << 3];
 /// Left ends of the bins and the right end of the last, m, and the height of their walls.
 const BINS: [f32; 4] = [-6.0, -2.0, 2.0, 6.0];
 const WALL: f32 = 3.0;
-/// Height of the first belt, m; each lies a little lower than the one before, as what they bear differs.
+/// Height of the first belt, m. Each lies a little lower than the one before: flush pieces are one ground only where they bear the
+/// same, so that what comes over would meet the side of the next.
 const BELT: f32 = 5.0;
 const DROP: f32 = 0.05;
 /// m/s.
@@ -78,7 +79,7 @@ fn feed(world: &mut World) {
     }
 }
 
-/// The crate of this number: kinds take turns at random, and shapes by turns.
+/// The crate of this number: the three kinds in a mixed order, and every third crate with six sides.
 fn new_crate(number: usize) -> Body {
     let kind = number * 7 / 5 % KINDS.len();
     let shape = if number.is_multiple_of(3) { regular_polygon(6, 0.4) } else { Shape::rectangle(0.6, 0.6) };

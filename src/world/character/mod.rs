@@ -124,10 +124,12 @@ impl Mover {
         Pose::at(self.position)
     }
 
-    /// Where to draw it between two ticks: between where it was before the last tick, at an [`alpha`](World::alpha) of 0, and where
-    /// it is now, at 1. What was [put elsewhere](Self::set_position) is drawn there at once.
-    pub fn interpolated_pose(&self, alpha: f32) -> Pose {
-        Pose::at(self.previous.lerp(self.position, alpha))
+    /// Where to draw it between two ticks: between where it was before the last tick, at an [`alpha`](World::alpha) of the world of 0,
+    /// and where it is now, at 1. What was [put elsewhere](Self::set_position), or not moved in the last tick, is drawn where it is.
+    pub fn interpolated_pose(&self, world: &World) -> Pose {
+        let is_on_its_way = world.ticks() == self.tick;
+        let share = if is_on_its_way { world.alpha() } else { 1.0 };
+        Pose::at(self.previous.lerp(self.position, share))
     }
 
     /// Its description, with the place where it began.

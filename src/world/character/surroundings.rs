@@ -1,13 +1,10 @@
 //! What a character meets, and where that leaves it.
 
 use crate::body::BodyId;
-use crate::collision::{Manifold, detect};
+use crate::collision::{Manifold, detect, free_side_of};
 use crate::math::{Point, Pose, Vec2};
-use crate::world::character::trip::Trip;
+use crate::world::character::trip::{ALONG, Trip};
 use crate::world::{BodyRef, ColliderRef, QueryFilter, RayHit, ShapeHit};
-
-/// A one-way floor bears what comes from within 60° of its free side, this being the cosine, as it bears bodies.
-const FREE_SIDE: f32 = 0.5;
 
 /// What overlaps by less than so many gaps is met like a wall by what moves into it; what is deeper has caught the character, and
 /// is passed, so that it can leave.
@@ -36,7 +33,9 @@ impl Trip<'_> {
             return None;
         }
         let hit = if hit.normal == Vec2::ZERO { self.overlap_as_hit(hit, collider, way)? } else { hit };
-        self.is_borne_side(collider, hit.normal, way).then_some(hit)
+        // The side of a piece of ground is gone along, just above a seam, and is in the way of nothing.
+        let is_ahead = way.dot(hit.normal) < -ALONG * way.length();
+        (is_ahead && self.is_borne_side(collider, hit.normal, way)).then_some(hit)
     }
 
     fn collides_with(&self, collider: ColliderRef<'_>) -> bool {
@@ -63,10 +62,9 @@ impl Trip<'_> {
     fn is_borne_side(&self, collider: ColliderRef<'_>, normal: Vec2, way: Vec2) -> bool {
         let Some(direction) = collider.one_way() else { return true };
         let free = collider.pose().rotation.rotate(direction);
-        // A chain is no floor to drop through, and goes on at the ends of its links.
-        let is_link = collider.shape().link().is_some();
-        let least = if is_link { 0.0 } else { FREE_SIDE };
-        (is_link || !self.passes_one_way) && normal.dot(free) >= least && way.dot(free) <= 0.0
+        // A chain is no floor to drop through.
+        let may_bear = !self.passes_one_way || collider.shape().link().is_some();
+        may_bear && normal.dot(free) >= free_side_of(collider.shape()) && way.dot(free) <= 0.0
     }
 
     /// What overlaps the character a little as it moves into it.

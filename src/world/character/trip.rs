@@ -17,9 +17,9 @@ const MOST_SURFACES: usize = 6;
 /// surface, and is lifted when it is set down.
 const LOOK_AHEAD: f32 = 8.0;
 
-/// A way that would go back into the surface before by more than this sine ends: rounding of two parallel surfaces is 1e-6, and a
-/// corner of less than half a degree is none.
-const TURNED_BACK: f32 = 1e-3;
+/// A way at less than this sine to a surface goes along it: over a metre it comes nearer by a millimetre, which is less than the gap. The
+/// rounding of two parallel surfaces is 1e-6.
+pub(super) const ALONG: f32 = 1e-3;
 
 /// A surface that leans out over the character by more than this, the sine of 1°, is above it.
 const OVERHANG: f32 = 0.0175;
@@ -263,7 +263,7 @@ impl<'a> Trip<'a> {
                     kept - hit.normal * kept.dot(hit.normal).min(0.0)
                 }
             };
-            if last.is_some_and(|normal| way.dot(normal) < -TURNED_BACK * way.length()) {
+            if last.is_some_and(|normal| way.dot(normal) < -ALONG * way.length()) {
                 // Between two slopes that face each other it stands, as on the level.
                 if last.is_some_and(|normal| (normal + hit.normal).dot(up) > 0.0) && surface == Surface::Wall
                 {

@@ -236,3 +236,35 @@ fn a_capsule_does_not_hang_on_a_ledge() {
     let walker = on_ledge(0.28, -1.0);
     assert!(walker.mover.is_grounded() && walker.place()[1] > 0.6, "{:?}", walker.place());
 }
+
+/// It falls onto the middle of two pieces, with a side just over where they meet: the side of a piece below is no wall to it.
+#[test]
+fn it_lands_with_a_side_over_a_seam() {
+    let grounds: [fn(&mut World); 2] = [
+        |world| {
+            for x in [-2.0, 2.0] {
+                add(world, Body::fixed(Shape::rectangle(4.0, 1.0)).at([x, -0.5]));
+            }
+        },
+        |world| _ = add(world, Ground::chain([[-4.0, 0.0], [0.0, 0.0], [4.0, 0.0]]).unwrap()),
+    ];
+    for (number, ground) in grounds.into_iter().enumerate() {
+        for (width, height) in [(0.5, 1.0), (0.6, 1.8)] {
+            for past in [-1e-4, -1e-6, 0.0, 1e-6, 1e-4] {
+                for side in [-1.0, 1.0] {
+                    let mut world = space();
+                    ground(&mut world);
+                    let at = [side * (0.5 * f64::from(width) + past), 0.5 * f64::from(height) + 0.2];
+                    let mut walker = Walker::new(Character::new(Shape::rectangle(width, height)).at(at), 0.0);
+                    // 0.2 m take sqrt(2 h / g) = 0.2 s.
+                    walker.run(&mut world, 0.3);
+                    for _ in 0..30 {
+                        let moved = walker.tick(&mut world);
+                        let stands = moved.is_grounded() && moved.wall.is_none();
+                        assert!(stands, "ground {number}, {width} m wide, {past} m past, {side}: {moved:?}");
+                    }
+                }
+            }
+        }
+    }
+}

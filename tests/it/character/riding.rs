@@ -159,7 +159,7 @@ fn it_moves_and_is_drawn_alike_at_any_frame_rate() {
             world.advance_then(1.0 / f64::from(rate), |world| {
                 mover.move_by(world, [1.5 * DT, -0.01]);
             });
-            let drawn = mover.interpolated_pose(world.alpha()).center;
+            let drawn = mover.interpolated_pose(&world).center;
             let below = world.body(lift).unwrap().interpolated_pose(world.alpha()).center;
             // After the first frames, in which it is set down.
             if frame > rate / 4 {
@@ -170,7 +170,11 @@ fn it_moves_and_is_drawn_alike_at_any_frame_rate() {
             }
             drawn_before = drawn.x;
         }
-        (world.ticks(), mover.position())
+        let came_to = (world.ticks(), mover.position());
+        // One that is not moved any more is drawn where it is.
+        assert_eq!(world.advance(1.5 / 60.0), 1);
+        assert_eq!(mover.interpolated_pose(&world).center, mover.position());
+        came_to
     };
     let places = [20, 30, 60, 144, 240].map(ride);
     assert!(places.iter().all(|place| *place == places[0]), "{places:?}");
