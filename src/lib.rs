@@ -147,11 +147,11 @@ pub mod prelude {
     pub use crate::{
         Aabb, Attractor, AttractorError, AttractorId, Body, BodyError, BodyId, BodyMut, BodyRef, BodyType,
         Character, Clock, ClosestHit, Collider, ColliderId, ColliderMut, ColliderRef, ContactEvent,
-        ContactFilter, ContactRef, Counters, DrawnPart, Events, FeatureId, Filter, Force, ForceError,
-        ForceId, Ground, HitEvent, Joint, JointError, JointGap, JointId, JointKind, JointMut, JointRef,
-        Lanes, Manifold, ManifoldPoint, Material, Mix, Moved, Mover, Point, Pose, PositionCorrection,
-        Profile, QueryFilter, RayHit, Refusal, Rot, SensorEvent, Settings, SettingsError, Shape, ShapeError,
-        ShapeHit, Stage, StageReport, StepError, Tier, TileMap, Vec2, World, collision,
+        ContactFilter, ContactRef, Counters, DrawnPart, Events, FeatureId, Filter, FilteredShape, Force,
+        ForceError, ForceId, Ground, HitEvent, Joint, JointError, JointGap, JointId, JointKind, JointMut,
+        JointRef, Lanes, Manifold, ManifoldPoint, Material, Mix, Moved, Mover, Point, Pose,
+        PositionCorrection, Profile, QueryFilter, RayHit, Refusal, Rot, SensorEvent, Settings, SettingsError,
+        Shape, ShapeError, ShapeHit, Stage, StageReport, StepError, Tier, TileMap, Vec2, World, collision,
     };
 }
 

@@ -15,9 +15,8 @@ impl Ground {
     /// back. What slides along the chain does not feel where its links meet; where the chain falls away it rolls over the
     /// corner, at the ends as well.
     ///
-    /// Points count from where the body is [put](Body::at). Density, friction, restitution, the rules by which they mix, and the
-    /// filter are given as to any body, and hold for all links; a role, as that of a belt or a sensor, is that of the first link
-    /// only. There may be as many points as memory holds, and each step looks only at what is near bodies that move. Places
+    /// Points count from where the body is [put](Body::at). What else it is told, as [friction](Body::friction) or
+    /// [surface speed](Body::surface_speed), holds for all links. There may be as many points as memory holds, and each step looks only at what is near bodies that move. Places
     /// within the body are `f32`: links of 1 m meet to 0.1 mm as far as 1 km from there. To all queries both sides of a link are
     /// the same. What is no link of the chain, as a box that is flush with its end, is met by its sides: lead the chain over it.
     ///

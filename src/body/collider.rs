@@ -5,6 +5,7 @@ use crate::body::limits::{
     LARGEST_LENGTH, check_friction, check_one_way, check_restitution, check_rolling_resistance,
     check_surface_speed,
 };
+use crate::body::role::{OwnRole, Told};
 use crate::body::{BodyError, Filter, Material, Role};
 use crate::math::{Rot, Vec2};
 use crate::shape::Shape;
@@ -14,8 +15,8 @@ crate::store::id_type! {
     ColliderId
 }
 
-/// A further shape of a body, with its own place and role, for [`Body::with`](crate::Body::with). Density, friction, restitution
-/// and filter are those of the body, where it is not given its own.
+/// A further shape of a body, with its own place, for [`Body::with`](crate::Body::with). What it is not told is as the body is told:
+/// density, friction, restitution, filter, and whether it is a sensor, a belt or a one-way floor.
 ///
 /// ```
 /// use rustycs::prelude::*;
@@ -38,9 +39,7 @@ pub struct Collider {
     density: Option<f32>,
     friction: Option<f32>,
     restitution: Option<f32>,
-    filter: Option<Filter>,
-    /// But for its filter.
-    pub(super) role: Role,
+    pub(super) role: OwnRole,
     pub(crate) user_data: u64,
 }
 
@@ -66,8 +65,7 @@ impl Collider {
             density: None,
             friction: None,
             restitution: None,
-            filter: None,
-            role: Role::default(),
+            role: OwnRole::default(),
             user_data: 0,
         }
     }
@@ -117,14 +115,14 @@ impl Collider {
     /// What it collides with instead of what the body does, see [`Filter`].
     #[must_use]
     pub fn filter(mut self, filter: Filter) -> Self {
-        self.filter = Some(filter);
+        self.role.filter = Some(filter);
         self
     }
 
     /// Whether it is a sensor, as [`Body::sensor`](crate::Body::sensor) says: then it weighs nothing.
     #[must_use]
     pub fn sensor(mut self, is_sensor: bool) -> Self {
-        self.role.is_sensor = is_sensor;
+        self.role.is_sensor = Some(is_sensor);
         self
     }
 
@@ -132,14 +130,14 @@ impl Collider {
     #[must_use]
     pub fn one_way(mut self, direction: impl Into<Vec2>) -> Self {
         let direction = direction.into();
-        self.role.one_way = Some(direction.normalized().unwrap_or(direction));
+        self.role.one_way = Told::Is(Some(direction.normalized().unwrap_or(direction)));
         self
     }
 
     /// Speed of its surface, m/s, as [`Body::surface_speed`](crate::Body::surface_speed) says.
     #[must_use]
     pub fn surface_speed(mut self, speed: f32) -> Self {
-        self.role.surface_speed = speed;
+        self.role.surface_speed = Some(speed);
         self
     }
 
@@ -147,7 +145,7 @@ impl Collider {
     /// where the collider is a circle around the centre of mass.
     #[must_use]
     pub fn rolling_resistance(mut self, coefficient: f32) -> Self {
-        self.role.rolling_resistance = coefficient;
+        self.role.rolling_resistance = Some(coefficient);
         self
     }
 
@@ -186,13 +184,7 @@ impl Collider {
             friction: friction.unwrap_or(material.friction),
             restitution: restitution.unwrap_or(material.restitution),
         };
-        let role = Role {
-            filter: self.filter.unwrap_or(of_body.filter),
-            friction_mix: self.role.friction_mix.or(of_body.friction_mix),
-            restitution_mix: self.role.restitution_mix.or(of_body.restitution_mix),
-            ..self.role
-        };
-        Part { shape, at, angle, material, role, user_data }
+        Part { shape, at, angle, material, role: self.role.on(of_body), user_data }
     }
 }
 
@@ -202,17 +194,7 @@ impl Part {
         let Self { shape, at, angle, material, role, user_data } = self;
         let Material { density, friction, restitution } = material;
         let [density, friction, restitution] = [density, friction, restitution].map(Some);
-        Collider {
-            shape,
-            at,
-            angle,
-            density,
-            friction,
-            restitution,
-            filter: Some(role.filter),
-            role,
-            user_data,
-        }
+        Collider { shape, at, angle, density, friction, restitution, role: role.into(), user_data }
     }
 
     /// How it is turned against the body.

@@ -31,6 +31,8 @@ struct Place {
     /// Its centre from the centre of mass of the body, in the frame of the body, m.
     arm: Vec2,
     turn: Rot,
+    /// The width of the body as a whole, m: its area over its length.
+    width_of_body: f32,
 }
 
 impl Compounds {
@@ -134,6 +136,22 @@ impl Bodies {
         (arms != [Vec2::ZERO; 2]).then_some(arms)
     }
 
+    /// Whether the shape in `slot` is one of several of a body.
+    #[inline(always)]
+    pub(crate) fn is_one_of_several(&self, slot: u32) -> bool {
+        !self.compounds.is_empty() && !self.is_body(slot)
+    }
+
+    /// The width of the body that the shape in `slot` is of, m: of several shapes their area over the length of the body, as each
+    /// may be a sliver.
+    pub(crate) fn width_of_body(&self, slot: u32) -> f32 {
+        if self.is_one_of_several(slot) {
+            self.compounds.places[slot as usize].width_of_body
+        } else {
+            self.motions[slot as usize].thickness
+        }
+    }
+
     /// Velocity of the centre of the shape in `slot`, m/s.
     pub(crate) fn velocity_of_shape(&self, slot: u32) -> Vec2 {
         let state = self.state(slot);
@@ -215,7 +233,7 @@ impl Bodies {
         let Masses { center, .. } = body.masses();
         let (mut extent, mut thickness) = (0.0_f32, f32::INFINITY);
         let slots: Vec<u32> = self.colliders(slot).collect();
-        for (collider, part) in slots.into_iter().zip(body.parts()) {
+        for (&collider, part) in slots.iter().zip(body.parts()) {
             let index = collider as usize;
             let arm = part.at - center;
             let place = &mut self.compounds.places[index];
@@ -230,6 +248,10 @@ impl Bodies {
             motion.is_round = motion.is_circle && arm == Vec2::ZERO;
             extent = extent.max(motion.extent + arm.length());
             thickness = thickness.min(motion.thickness);
+        }
+        let area: f32 = body.parts().iter().map(|part| part.shape.area()).sum();
+        for collider in slots {
+            self.compounds.places[collider as usize].width_of_body = area / (2.0 * extent);
         }
         let motion = &mut self.motions[slot as usize];
         (motion.extent, motion.thickness) = (extent, thickness);
@@ -258,6 +280,15 @@ impl Bodies {
         self.for_each_collider(slot, |bodies, collider| {
             bodies.motions[collider as usize].pose = bodies.pose_in(collider, of_body);
         });
+    }
+
+    /// Calls `change` with each shape of the body in `slot`, or with the shape there, if it is one of several.
+    pub(crate) fn for_each_shape(&mut self, slot: u32, mut change: impl FnMut(&mut Self, u32)) {
+        if self.is_compound(slot) {
+            self.for_each_collider(slot, change);
+        } else {
+            change(self, slot);
+        }
     }
 
     /// Calls `change` with each of several shapes of the body in `slot`.

@@ -68,7 +68,8 @@ type Collide = dyn Fn(FilteredShape<'_>, FilteredShape<'_>) -> bool + Send + Syn
 /// It is asked of pairs that filters and parted bodies let through, when they come near each other, which may be on any thread and
 /// more than once. So it is to be a function of the two alone, and the same whichever comes first: it sees what they are and not
 /// where, and what it has captured must not change. Then a step has the same bits on any number of threads, and a pair that is
-/// refused costs nothing more until it is found again. If it panics, so does the step, in the middle: the world is to be dropped.
+/// refused costs nothing more until it is found again. After a change of what it reads, as of user data, set it once more: then all
+/// pairs are asked about anew. If it panics, so does the step, in the middle: the world is to be dropped.
 ///
 /// A function that is kept, and not one that is given to each step: bodies may be put to sleep, be moved by hand and be asked about
 /// between steps, and what was refused is to stay refused. It is shared by all clones of a world, so that a rollback needs no care.

@@ -225,9 +225,9 @@ impl Body {
     ///
     /// [`at`](Self::at) and [`angle`](Self::angle) tell where the frame goes that the shapes are described in, with the body's own
     /// shape in the middle. The [position](crate::BodyRef::position) of a dynamic body is its centre of mass as always, which
-    /// is elsewhere as a rule; one that contacts do not move is in the middle of the frame. Density, friction, restitution
-    /// and filter of the body hold for all shapes that are not given their own; what else it is told is about its own shape.
-    /// There may be as many as memory holds.
+    /// is elsewhere as a rule; one that contacts do not move is in the middle of the frame. What the body is
+    /// told of its surface and of what it is to others, from [density](Self::density) to [surface speed](Self::surface_speed), holds
+    /// for all shapes that are not told their own. There may be as many as memory holds.
     ///
     /// ```
     /// # use rustycs::prelude::*;

@@ -23,6 +23,67 @@ pub(crate) struct Role {
     pub(crate) one_way: Option<Vec2>,
 }
 
+/// What a shape is told to be in the place of what its body is told; what it is not told is as the body.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(crate) struct OwnRole {
+    pub(crate) filter: Option<Filter>,
+    pub(crate) is_sensor: Option<bool>,
+    pub(crate) surface_speed: Option<f32>,
+    pub(crate) rolling_resistance: Option<f32>,
+    pub(crate) friction_mix: Told<Mix>,
+    pub(crate) restitution_mix: Told<Mix>,
+    pub(crate) one_way: Told<Vec2>,
+}
+
+/// Something that a shape has or has not, and is told so or not.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(crate) enum Told<T> {
+    /// It is as the body.
+    #[default]
+    Nothing,
+    /// It has this, or none.
+    Is(Option<T>),
+}
+
+impl<T> Told<T> {
+    fn or(self, of_body: Option<T>) -> Option<T> {
+        match self {
+            Self::Nothing => of_body,
+            Self::Is(own) => own,
+        }
+    }
+}
+
+impl OwnRole {
+    /// On a body of this role.
+    pub(crate) fn on(self, of_body: Role) -> Role {
+        Role {
+            filter: self.filter.unwrap_or(of_body.filter),
+            is_sensor: self.is_sensor.unwrap_or(of_body.is_sensor),
+            surface_speed: self.surface_speed.unwrap_or(of_body.surface_speed),
+            rolling_resistance: self.rolling_resistance.unwrap_or(of_body.rolling_resistance),
+            friction_mix: self.friction_mix.or(of_body.friction_mix),
+            restitution_mix: self.restitution_mix.or(of_body.restitution_mix),
+            one_way: self.one_way.or(of_body.one_way),
+        }
+    }
+}
+
+impl From<Role> for OwnRole {
+    /// Told all of it.
+    fn from(role: Role) -> Self {
+        Self {
+            filter: Some(role.filter),
+            is_sensor: Some(role.is_sensor),
+            surface_speed: Some(role.surface_speed),
+            rolling_resistance: Some(role.rolling_resistance),
+            friction_mix: Told::Is(role.friction_mix),
+            restitution_mix: Told::Is(role.restitution_mix),
+            one_way: Told::Is(role.one_way),
+        }
+    }
+}
+
 /// The roles of all bodies, and the pairs that were parted.
 #[derive(Debug, Default)]
 pub(crate) struct Roles {

@@ -327,6 +327,25 @@ impl<L: Lane> ContactConstraint<L> {
         }
     }
 
+    /// Lets the substep begin without impulses where the mask holds.
+    #[inline(always)]
+    pub(crate) fn forget_impulses_where(&mut self, mask: L::Mask) {
+        let zero = L::splat(0.0);
+        for (point, friction) in self.points.iter_mut().zip(&mut self.frictions) {
+            point.normal_impulse = L::select(mask, zero, point.normal_impulse);
+            friction.impulse = L::select(mask, zero, friction.impulse);
+        }
+    }
+
+    /// Lets what overlaps seem to touch where the mask holds.
+    #[inline(always)]
+    pub(crate) fn see_as_touching_where(&mut self, mask: L::Mask) {
+        for point in &mut self.points {
+            let separation = point.separation_now;
+            point.separation_now = L::select(mask, separation.max(L::splat(0.0)), separation);
+        }
+    }
+
     /// Counts a second warm start as impulse along the normal of the first `POINTS` points.
     #[inline(always)]
     pub(crate) fn count_warm_start<const POINTS: usize>(&mut self) {

@@ -338,6 +338,18 @@ impl ConstraintGraph {
         block.set_pending(place, is_pending);
     }
 
+    /// Says whether the contact at a place of the graph is [deep](crate::resolution::parting).
+    pub(crate) fn set_deep(&mut self, at: GraphIndex, is_deep: bool) {
+        let (block, place) = self.block_mut(at);
+        block.set_deep(place, is_deep);
+    }
+
+    /// Whether the contact at a place of the graph is [deep](crate::resolution::parting).
+    pub(crate) fn is_deep(&self, at: GraphIndex) -> bool {
+        let (_, block, place) = self.block(at);
+        block.marks.deep.get(place)
+    }
+
     /// Which points of the contact at a place of the graph are pending.
     pub(crate) fn is_pending(&self, at: GraphIndex) -> [bool; 2] {
         let (_, block, place) = self.block(at);

@@ -42,6 +42,9 @@ pub(crate) struct BlockMarks {
     pub(crate) on_ground: Marks,
     /// Those of two points and with friction that bear no load as the step begins.
     pub(crate) cold: Marks,
+    /// Those of bodies of several shapes that are deep in each other; once the step is prepared, only those that are
+    /// [parted](crate::resolution::parting) by moving them.
+    pub(crate) deep: Marks,
     /// By point: those where it approaches fast enough to bounce, and has not met what it is to bounce from. The sweeps
     /// leave it alone, and it bears nothing.
     pending: [Marks; 2],
@@ -251,6 +254,21 @@ impl ContactBlock {
             **speeds = Column::default();
         }
         speeds.set(place, speed);
+    }
+
+    /// Says whether one contact is [deep](crate::resolution::parting).
+    pub(crate) fn set_deep(&mut self, place: usize, is_deep: bool) {
+        self.marks.deep.put(place, is_deep);
+        for point in &mut self.columns.points {
+            let separation = point.separation.get(place);
+            point.separation_now.set(place, if is_deep { separation.max(0.0) } else { separation });
+        }
+    }
+
+    /// Those of the contacts from `place` on that are [deep](crate::resolution::parting), if any of the block is.
+    #[inline(always)]
+    pub(crate) fn deep<L: Lane>(&self, place: usize) -> Option<L::Mask> {
+        self.marks.deep.any().then(|| self.marks.deep.mask::<L>(place))
     }
 
     /// Whether any point is pending.

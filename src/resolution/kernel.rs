@@ -72,10 +72,16 @@ impl WarmStart {
         let part = L::splat(self.part);
         match self.time {
             WarmStartTime::BeforeMove => {
+                let deep = block.deep::<L>(place);
+                if let Some(deep) = deep {
+                    constraint.forget_impulses_where(deep);
+                }
                 constraint.begin_normal_impulses::<POINTS>(part);
                 block.store_warm_starts::<L, POINTS>(place, &constraint);
                 if self.part == 0.0 {
                     constraint.forget_friction();
+                }
+                if self.part == 0.0 || deep.is_some() {
                     block.store_friction_impulses::<L, POINTS>(place, &constraint);
                 }
             }
@@ -158,6 +164,9 @@ impl SweepOver {
         let mut pair = if self.have_moved {
             let pair = states.gather(place);
             contact.find_separations::<POINTS>(&pair);
+            if let Some(deep) = block.deep::<L>(place) {
+                contact.see_as_touching_where(deep);
+            }
             block.store_separations::<L, POINTS>(place, &contact);
             pair
         } else {

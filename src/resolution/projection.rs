@@ -15,19 +15,25 @@ const SLOP: f32 = 0.005;
 /// Share of the rest that one iteration removes, no unit; more overshoots where contacts share bodies.
 const SHARE: f32 = 0.2;
 
-/// One iteration moves no contact farther than this, m.
-const LARGEST_CORRECTION: f32 = 0.2;
-
 /// One iteration.
 #[derive(Clone, Debug)]
-pub(crate) struct Project;
+pub(crate) struct Project {
+    /// No contact is moved farther than this, m.
+    pub(crate) farthest: f32,
+}
+
+impl Default for Project {
+    fn default() -> Self {
+        Self { farthest: 0.2 }
+    }
+}
 
 impl Project {
-    fn project(constraint: &ContactConstraint<f32>, states: &mut PairStates<'_>, place: usize) {
+    fn project(&self, constraint: &ContactConstraint<f32>, states: &mut PairStates<'_>, place: usize) {
         for point in constraint.points.iter().filter(|point| point.normal_k > 0.0) {
             let [mut a, mut b] = states.gather::<f32>(place);
             let separation = constraint.separation(point, &a, &b);
-            let correction = (SHARE * (separation + SLOP)).clamp(-LARGEST_CORRECTION, 0.0);
+            let correction = (SHARE * (separation + SLOP)).clamp(-self.farthest, 0.0);
             let impulse = constraint.normal * (-correction / point.normal_k);
             a.delta_position = a.delta_position - impulse * constraint.inverse_mass_a;
             turn(&mut a, -constraint.inverse_inertia_a * point.anchor_a.cross(impulse));
@@ -43,7 +49,7 @@ impl Kernel for Project {
     #[inline(always)]
     fn run<L: Lane>(&self, block: &mut ContactBlock, states: &mut PairStates<'_>, place: usize) {
         for place in place..place + L::WIDTH {
-            Self::project(&block.load(place), states, place);
+            self.project(&block.load(place), states, place);
         }
     }
 }

@@ -19,7 +19,7 @@ impl BodyMut<'_> {
         self.change(|body| body.body_type = body_type)
     }
 
-    /// Gives the body another shape, about the same centre of mass. Its mass follows from density and area, unless it was
+    /// Gives the body another shape, about the same centre of mass; one of several shapes gets another own shape. Its mass follows from density and area, unless it was
     /// [given](Self::set_mass).
     ///
     /// # Errors
@@ -38,20 +38,26 @@ impl BodyMut<'_> {
         self.change(|body| body.mass = mass)
     }
 
-    /// Sets the mass per area, kg/m². A mass that was [given](Self::set_mass) stays.
+    /// Sets the mass per area, kg/m², of all its shapes. A mass that was [given](Self::set_mass) stays.
     ///
     /// # Errors
     /// [`BodyError`], if the density, or the mass by it, is one that [`World::add`] refuses.
     pub fn set_density(&mut self, density: f32) -> Result<(), BodyError> {
-        self.change(|body| body.material.density = density)
+        self.change(|body| {
+            body.material.density = density;
+            body.further.iter_mut().for_each(|collider| *collider = collider.density(density));
+        })
     }
 
-    /// Sets density, friction and restitution. A mass that was [given](Self::set_mass) stays.
+    /// Sets density, friction and restitution of all its shapes. A mass that was [given](Self::set_mass) stays.
     ///
     /// # Errors
     /// [`BodyError`], if a number, or the mass by the density, is one that [`World::add`] refuses.
     pub fn set_material(&mut self, material: Material) -> Result<(), BodyError> {
-        self.change(|body| body.material = material)
+        self.change(|body| {
+            body.material = material;
+            body.further.iter_mut().for_each(|collider| *collider = collider.material(material));
+        })
     }
 
     /// Sets whether the body never turns. One that turns stops to.

@@ -1,11 +1,11 @@
 //! A view of one of the shapes of a body, to change what it is made of and what it is to what it meets.
 //!
-//! What [`BodyMut`](crate::BodyMut) changes so is the body's own shape.
+//! [`BodyMut`](crate::BodyMut) changes all shapes of a body so.
 
 use crate::body::limits::{
     check_friction, check_one_way, check_restitution, check_rolling_resistance, check_surface_speed,
 };
-use crate::body::{BodyError, ColliderId, Filter, Role};
+use crate::body::{Bodies, BodyError, BodyId, ColliderId, Filter, Role};
 use crate::math::Vec2;
 use crate::world::{ColliderRef, World};
 
@@ -23,6 +23,7 @@ use crate::world::{ColliderRef, World};
 #[derive(Debug)]
 pub struct ColliderMut<'a> {
     world: &'a mut World,
+    /// Of the shape, or of the body whose shapes are all changed.
     slot: u32,
 }
 
@@ -37,6 +38,11 @@ impl World {
 impl<'a> ColliderMut<'a> {
     pub(in crate::world) fn new(world: &'a mut World, slot: u32) -> Self {
         Self { world, slot }
+    }
+
+    /// All shapes of a body, to change them as one.
+    pub(in crate::world) fn of_all(world: &'a mut World, body: BodyId) -> Self {
+        Self { world, slot: body.0.index() }
     }
 
     /// The same view for reading.
@@ -80,7 +86,8 @@ impl<'a> ColliderMut<'a> {
     #[track_caller]
     pub fn set_surface_speed(&mut self, speed: f32) -> &mut Self {
         if let Err(error) = check_surface_speed(speed) {
-            self.world.refuse(self.view().body(), error);
+            let body = self.world.id_of(self.slot);
+            self.world.refuse(body, error);
         } else if self.change_role(|role| role.surface_speed = speed) {
             self.wake();
         }
@@ -105,7 +112,7 @@ impl<'a> ColliderMut<'a> {
     /// [`BodyError`], if it is negative, not finite or beyond 10⁶.
     pub fn set_friction(&mut self, friction: f32) -> Result<(), BodyError> {
         check_friction(friction)?;
-        self.world.bodies.records[self.slot].material.friction = friction;
+        self.for_each_shape(|bodies, slot| bodies.records[slot].material.friction = friction);
         self.surface_changed();
         Ok(())
     }
@@ -116,7 +123,7 @@ impl<'a> ColliderMut<'a> {
     /// [`BodyError`], if it is not from 0 to 1.
     pub fn set_restitution(&mut self, restitution: f32) -> Result<(), BodyError> {
         check_restitution(restitution)?;
-        self.world.bodies.records[self.slot].material.restitution = restitution;
+        self.for_each_shape(|bodies, slot| bodies.records[slot].material.restitution = restitution);
         self.surface_changed();
         Ok(())
     }
@@ -143,11 +150,19 @@ impl<'a> ColliderMut<'a> {
     }
 
     /// Changes its role; returns whether it is another one now.
-    pub(in crate::world) fn change_role(&mut self, change: impl FnOnce(&mut Role)) -> bool {
-        let before = self.world.bodies.roles.of(self.slot);
-        let mut role = before;
-        change(&mut role);
-        self.world.bodies.roles.set(self.slot, role);
-        role != before
+    pub(in crate::world) fn change_role(&mut self, change: impl Fn(&mut Role)) -> bool {
+        let mut has_changed = false;
+        self.for_each_shape(|bodies, slot| {
+            let before = bodies.roles.of(slot);
+            let mut role = before;
+            change(&mut role);
+            bodies.roles.set(slot, role);
+            has_changed |= role != before;
+        });
+        has_changed
+    }
+
+    fn for_each_shape(&mut self, change: impl FnMut(&mut Bodies, u32)) {
+        self.world.bodies.for_each_shape(self.slot, change);
     }
 }

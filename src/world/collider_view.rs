@@ -84,6 +84,21 @@ impl<'a> ColliderRef<'a> {
         self.world.bodies.records[self.slot].material
     }
 
+    /// Coefficient of friction.
+    pub fn friction(&self) -> f32 {
+        self.material().friction
+    }
+
+    /// Coefficient of restitution.
+    pub fn restitution(&self) -> f32 {
+        self.material().restitution
+    }
+
+    /// Coefficient of rolling resistance.
+    pub fn rolling_resistance(&self) -> f32 {
+        self.role().rolling_resistance
+    }
+
     /// What it is to what it meets.
     pub(in crate::world) fn role(&self) -> Role {
         self.world.bodies.roles.of(self.slot)

@@ -1,4 +1,4 @@
-//! What a body is to what it meets, and which pairs of bodies collide.
+//! What a body is to what it meets, and which pairs of bodies collide. What is set here holds for all shapes of a body.
 
 use crate::body::{BodyError, BodyId, ContactFilter, Filter};
 use crate::math::Vec2;
@@ -11,14 +11,14 @@ impl BodyMut<'_> {
     /// # Errors
     /// [`BodyError`], if the direction is not finite or has no length.
     pub fn set_one_way(&mut self, direction: impl Into<Option<Vec2>>) -> Result<(), BodyError> {
-        self.own_collider().set_one_way(direction)
+        self.all_shapes().set_one_way(direction)
     }
 
     /// Sets the speed of the surface against the body, m/s, see [`Body::surface_speed`](crate::Body::surface_speed). What touches
     /// it wakes, unless it is the speed it has. Refused beyond ±10⁶ m/s.
     #[track_caller]
     pub fn set_surface_speed(&mut self, speed: f32) -> &mut Self {
-        self.own_collider().set_surface_speed(speed);
+        self.all_shapes().set_surface_speed(speed);
         self
     }
 
@@ -28,19 +28,18 @@ impl BodyMut<'_> {
     /// # Errors
     /// [`BodyError`], if it is not within 0 to 10⁶.
     pub fn set_rolling_resistance(&mut self, coefficient: f32) -> Result<(), BodyError> {
-        self.own_collider().set_rolling_resistance(coefficient)
+        self.all_shapes().set_rolling_resistance(coefficient)
     }
 
-    /// Sets which bodies it collides with; of a body of several shapes, which its own shape does. Contacts with others end, and
-    /// new ones begin in the next step; what it touched wakes.
+    /// Sets which bodies it collides with. Contacts with others end, and new ones begin in the next step; what it touched wakes.
     pub fn set_filter(&mut self, filter: Filter) {
-        self.own_collider().set_filter(filter);
+        self.all_shapes().set_filter(filter);
     }
 
     /// Makes the body a sensor, see [`Body::sensor`](crate::Body::sensor), or no longer one. Its contacts end; what it touched
     /// wakes.
     pub fn set_sensor(&mut self, is_sensor: bool) {
-        self.own_collider().set_sensor(is_sensor);
+        self.all_shapes().set_sensor(is_sensor);
     }
 
     /// Sets the coefficient of friction, 0 or more.
@@ -48,7 +47,7 @@ impl BodyMut<'_> {
     /// # Errors
     /// [`BodyError`], if it is negative, not finite or beyond 10⁶.
     pub fn set_friction(&mut self, friction: f32) -> Result<(), BodyError> {
-        self.own_collider().set_friction(friction)
+        self.all_shapes().set_friction(friction)
     }
 
     /// Sets the coefficient of restitution, 0 to 1.
@@ -56,13 +55,12 @@ impl BodyMut<'_> {
     /// # Errors
     /// [`BodyError`], if it is not from 0 to 1.
     pub fn set_restitution(&mut self, restitution: f32) -> Result<(), BodyError> {
-        self.own_collider().set_restitution(restitution)
+        self.all_shapes().set_restitution(restitution)
     }
 
-    /// Its own shape, to change it.
-    pub(in crate::world) fn own_collider(&mut self) -> ColliderMut<'_> {
-        let own = self.world.bodies.own_collider(self.slot());
-        ColliderMut::new(self.world, own)
+    /// Its shapes, to change all of them.
+    pub(in crate::world) fn all_shapes(&mut self) -> ColliderMut<'_> {
+        ColliderMut::of_all(self.world, self.id())
     }
 }
 

@@ -16,16 +16,16 @@ impl BodyRef<'_> {
 }
 
 impl BodyMut<'_> {
-    /// Gives its own shape a [rule](crate::Body::friction_mix) by which its friction mixes, or, by `None`, that of the settings. The
-    /// body and what it touches wake.
+    /// Gives the body, with all its shapes, a [rule](crate::Body::friction_mix) by which its friction mixes, or, by `None`, that of the
+    /// settings. The body and what it touches wake.
     pub fn set_friction_mix(&mut self, mix: impl Into<Option<Mix>>) -> &mut Self {
-        self.own_collider().set_friction_mix(mix);
+        self.all_shapes().set_friction_mix(mix);
         self
     }
 
     /// The same of its restitution.
     pub fn set_restitution_mix(&mut self, mix: impl Into<Option<Mix>>) -> &mut Self {
-        self.own_collider().set_restitution_mix(mix);
+        self.all_shapes().set_restitution_mix(mix);
         self
     }
 }

@@ -4,4 +4,5 @@ mod edits;
 mod laws;
 mod parts;
 mod pieces;
+mod set_into_each_other;
 mod thrown;

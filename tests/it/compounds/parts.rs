@@ -83,6 +83,75 @@ fn a_belt_is_one_shape_of_a_machine_and_carries_what_lies_on_it() {
     assert!((velocity(&world, rides)[0] - 2.0).abs() < 1e-3);
 }
 
+/// Shapes are what their body is told to be, unless they are told otherwise; and what the body is told later holds for all of
+/// them.
+#[test]
+fn what_a_body_is_told_holds_for_all_its_shapes_that_are_not_told_otherwise() {
+    let mut world = space();
+    let at = |x: f32| Collider::new(Shape::circle(0.5)).at([x, 0.0]);
+    let own = at(2.0).surface_speed(-1.0).rolling_resistance(0.2).friction_mix(Mix::Max).friction(0.9);
+    let body = Body::fixed(Shape::circle(0.5)).with(at(1.0)).with(own).with(at(3.0).sensor(true));
+    let body = body.surface_speed(2.0).rolling_resistance(0.1).friction_mix(Mix::Min).friction(0.3);
+    let id = add(&mut world, body.one_way([0.0, 1.0]));
+    let told = |world: &World| -> Vec<_> {
+        let of = |collider: ColliderRef<'_>| {
+            let is = (collider.is_sensor(), collider.one_way());
+            let surface = (collider.surface_speed(), collider.friction(), collider.rolling_resistance());
+            (is, surface, collider.friction_mix())
+        };
+        world.body(id).unwrap().colliders().map(of).collect()
+    };
+    let (up, of_body) = (Some(Vec2::Y), (2.0, 0.3, 0.1));
+    let expected = [
+        ((false, up), of_body, Some(Mix::Min)),
+        ((false, up), of_body, Some(Mix::Min)),
+        ((false, up), (-1.0, 0.9, 0.2), Some(Mix::Max)),
+        ((true, up), of_body, Some(Mix::Min)),
+    ];
+    assert_eq!(told(&world), expected);
+    // Described and added again it is the same.
+    let again = world.body(id).unwrap().describe();
+    world.remove(id);
+    let id = add(&mut world, again);
+    let mut of_all = world.body_mut(id).unwrap();
+    of_all.set_surface_speed(3.0).set_friction_mix(None);
+    of_all.set_one_way(None).unwrap();
+    of_all.set_friction(0.5).unwrap();
+    of_all.set_rolling_resistance(0.0).unwrap();
+    of_all.set_sensor(true);
+    for collider in world.body(id).unwrap().colliders() {
+        assert_eq!((collider.is_sensor(), collider.one_way(), collider.friction_mix()), (true, None, None));
+        let surface = (collider.surface_speed(), collider.friction(), collider.rolling_resistance());
+        assert_eq!(surface, (3.0, 0.5, 0.0));
+    }
+    world.validate().unwrap();
+}
+
+/// A belt of links carries along all of its length, and a line that is a sensor stops nothing.
+#[test]
+fn what_a_chain_is_told_holds_for_all_its_links() {
+    let mut world = earth();
+    let points = || (0..=20).map(|number| [number as f32 - 10.0, 0.0]);
+    add(&mut world, Ground::chain(points()).unwrap().surface_speed(2.0).friction(1.0));
+    let line = add(&mut world, Ground::chain(points()).unwrap().at([0.0, 1.5]).sensor(true));
+    let crates: Vec<_> = [-7.5_f32, -2.5, 2.5]
+        .into_iter()
+        .map(|x| {
+            let body = Body::dynamic(Shape::rectangle(0.5, 0.5)).at([x, 2.5]).friction(1.0).restitution(0.0);
+            add(&mut world, body)
+        })
+        .collect();
+    let mut began = 0;
+    for _ in 0..120 {
+        world.step();
+        began += world.events().sensor_began().iter().filter(|overlap| overlap.sensor == line).count();
+    }
+    assert!(began >= 3, "each crate falls through the line");
+    for id in crates {
+        assert!((velocity(&world, id)[0] - 2.0).abs() < 1e-3);
+    }
+}
+
 #[test]
 fn parting_two_bodies_parts_all_of_their_shapes_and_no_body_touches_itself() {
     let mut world = space();
