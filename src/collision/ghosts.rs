@@ -19,6 +19,13 @@ pub(crate) struct Placed<'a> {
     pub(crate) margin: f32,
 }
 
+impl Placed<'_> {
+    /// Centre of the other of the two shapes from that of one, m.
+    fn other_center(&self, side: usize) -> Vec2 {
+        if side == 0 { self.offset } else { -self.offset }
+    }
+}
+
 /// The manifold that was found, or what there is in its place if it is a ghost.
 pub(crate) fn without_ghosts(
     found: Manifold,
@@ -54,22 +61,23 @@ fn is_allowed(manifold: &Manifold, side: usize, exposure: &Exposure, placed: Pla
     let places =
         manifold.points().iter().map(|point| if side == 0 { point.anchor_a } else { point.anchor_b });
     let is_of_corners = manifold.is_of_corners();
+    let (outward, center) = (rotation.unrotate(outward), rotation.unrotate(placed.other_center(side)));
     // Round a corner from which a face goes on a round corner would turn within the step.
-    if is_of_corners && exposure.face_beyond(hull, rotation.unrotate(outward)).is_some() {
+    if is_of_corners && exposure.face_beyond(hull, outward, center).is_some() {
         return false;
     }
     let is_round = is_of_corners || placed.shapes[1 - side].core().is_none();
     let places = places.map(|place| rotation.unrotate(place));
-    exposure.allows(hull, rotation.unrotate(outward), places, is_round)
+    exposure.allows(hull, outward, places, center, is_round)
 }
 
 /// The manifold with the exposed face that is the farthest out in front, of one of the two shapes, and where it is exposed.
 fn on_exposed_face(side: usize, exposure: &Exposure, placed: Placed<'_>) -> Option<Manifold> {
-    let Placed { shapes, rotations, offset, margin } = placed;
+    let Placed { shapes, rotations, margin, .. } = placed;
     let [own, other] = [side, 1 - side];
     let (hull, (other_hull, radius)) = (shapes[own].hull()?, shapes[other].core()?);
     let [rotation, other_rotation] = [own, other].map(|index| shapes[index].rotation_at(rotations[index]));
-    let offset = if side == 0 { offset } else { -offset };
+    let offset = placed.other_center(side);
     let on = |face| {
         let (gap, mut found) =
             on_face(hull, rotation, other_hull, other_rotation, offset, face, margin + radius)?;
@@ -94,16 +102,16 @@ fn on_exposed_face(side: usize, exposure: &Exposure, placed: Placed<'_>) -> Opti
 /// The manifold with a circle or a round corner that is beyond an end of a face, over neighbours that do not fall away from it:
 /// with the plane of the face. There the neighbours are as high or higher, so that nothing is held up in the air.
 fn of_round(found: &Manifold, side: usize, exposure: &Exposure, placed: Placed<'_>) -> Option<Manifold> {
-    let Placed { shapes, rotations, offset, margin } = placed;
+    let Placed { shapes, rotations, margin, .. } = placed;
     let hull = shapes[side].hull()?;
     let (round, rotation) = (shapes[1 - side], shapes[side].rotation_at(rotations[side]));
     let found = if side == 0 { *found } else { found.flipped() };
-    let face = exposure.face_beyond(hull, rotation.unrotate(found.normal))?;
+    let offset = placed.other_center(side);
+    let face = exposure.face_beyond(hull, rotation.unrotate(found.normal), rotation.unrotate(offset))?;
     let normal = rotation.rotate(hull.normals[face]);
     if found.normal.dot(normal) <= 0.0 {
         return None;
     }
-    let offset = if side == 0 { offset } else { -offset };
     let (radius, point) = (round.corner_radius(), found.points().first()?);
     let is_circle = round.core().is_none();
     let center = if is_circle { offset } else { offset + found.corner_centers(point, [0.0, radius])[1] };

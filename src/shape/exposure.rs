@@ -8,10 +8,14 @@
 //! - At a corner it is, between the normals of the two faces that meet there, as far as these are exposed there. Where one is
 //!   covered, the surface goes on along the neighbour's, and so does what is allowed, if that falls away.
 //!
-//! A link of a chain knows its neighbours by itself. Its right side is covered, and at an open end the chain falls away.
+//! Lines are ground as well, but have no thickness to cover with: see `line`.
+
+mod line;
 
 use crate::math::{Rot, Vec2};
-use crate::shape::{Hull, Link, MAX_VERTICES};
+use crate::shape::exposure::line::Joined;
+pub(crate) use crate::shape::exposure::line::Line;
+use crate::shape::{Hull, MAX_VERTICES};
 
 /// Neighbours are flush within this share of the width of the shape, no unit, but not more than [`LARGEST_GAP`]: less, and
 /// tiles that were placed by hand are not flush; more, and a small step does not hold anything.
@@ -58,6 +62,8 @@ pub(crate) struct Exposure {
     /// `None` where all of it is covered.
     faces: [Option<[f32; 2]>; MAX_VERTICES],
     corners: [Corner; MAX_VERTICES],
+    /// By corner, the line that goes on from there.
+    joined: [Option<Joined>; MAX_VERTICES],
     /// Neighbours are flush within this distance, m.
     gap: f32,
     /// Contacts up to so far past what is exposed still count, m: the body is pressed into what covers the rest.
@@ -120,13 +126,14 @@ impl Exposure {
     /// Shapes that are farther apart than this, m, leave all of each other.
     pub(crate) const FARTHEST: f32 = 2.0 * LARGEST_GAP;
 
-    /// What some neighbours leave of an outline; `None` where they leave all of it.
-    pub(crate) fn new(hull: &Hull, neighbours: &[Neighbour<'_>]) -> Option<Self> {
+    /// What some neighbours leave of an outline, and lines; `None` where they leave all of it.
+    pub(crate) fn new(hull: &Hull, neighbours: &[Neighbour<'_>], lines: &[Line<'_>]) -> Option<Self> {
         let gap = LARGEST_GAP.min(GAP_OF_WIDTH * hull.thickness());
         let overlap = OVERLAP_OF_WIDTH * hull.thickness();
         let (faces, corners) = ([None; MAX_VERTICES], [Corner::Covered; MAX_VERTICES]);
-        let mut exposure = Self { faces, corners, gap, overlap };
-        let mut is_covered = false;
+        let joined = Joined::at_corners(hull, lines, 2.0 * gap);
+        let mut exposure = Self { faces, corners, joined, gap, overlap };
+        let mut is_covered = joined.iter().any(Option::is_some);
         for face in 0..hull.normals().len() {
             let exposed = exposed_part(hull, face, neighbours, gap);
             is_covered |= exposed != Some(ends(hull, face));
@@ -139,29 +146,6 @@ impl Exposure {
             exposure.corners[corner] = exposure.corner(hull, corner, neighbours);
         }
         Some(exposure)
-    }
-
-    /// What its neighbours leave of a link of a chain.
-    pub(crate) fn of_link(hull: &Hull, link: Link) -> Self {
-        let (mut faces, mut corners) = ([None; MAX_VERTICES], [Corner::Covered; MAX_VERTICES]);
-        let [start, end] = ends(hull, Link::FACE);
-        faces[Link::FACE] = Some([start, end]);
-        let own = hull.normals[Link::FACE];
-        let along = -own.perp();
-        let [before, after] = link.left_of_neighbours();
-        let side = |next: Vec2, is_after: bool| {
-            let falls = if is_after { next.cross(own) } else { own.cross(next) };
-            let turns_back = own.dot(next) < 0.0 && falls > -SAME_EXACT_DIRECTION;
-            if falls <= SAME_EXACT_DIRECTION && !turns_back {
-                Corner::Flush(Link::FACE)
-            } else {
-                Corner::Ridge(if is_after { [next, own] } else { [own, next] })
-            }
-        };
-        corners[0] = side(before.unwrap_or(-along), false);
-        corners[1] = side(after.unwrap_or(along), true);
-        let overlap = LARGEST_GAP.min(GAP_OF_WIDTH * (end - start));
-        Self { faces, corners, gap: 0.0, overlap }
     }
 
     /// What neighbours leave of a corner.
@@ -179,10 +163,6 @@ impl Exposure {
             (true, false) => (before, 1.0),
         };
         let (own, place) = (hull.normals[face], hull.vertices[corner]);
-        let falls = |other: Vec2| {
-            let turn = side * own.cross(other);
-            turn > if own.dot(other) > 0.0 { SAME_DIRECTION } else { 0.0 }
-        };
         // Pieces meet at corners of the outline with faces that others cover, which are no surface.
         let itself = Neighbour { hull, rotation: Rot::IDENTITY, center: Vec2::ZERO };
         let is_exposed = |other: Vec2| {
@@ -192,21 +172,22 @@ impl Exposure {
         let beyond = neighbours.iter().flat_map(|neighbour| neighbour.faces_from(place, side, reach));
         // Of the surfaces that go on from here, the one that falls away least is the next.
         let next = beyond
-            .filter(|&other| falls(other) && is_exposed(other))
+            .filter(|&other| falls(own, side, other) && is_exposed(other))
             .max_by(|one, other| own.dot(*one).total_cmp(&own.dot(*other)));
         match next {
             None => Corner::Flush(face),
-            Some(next) => Corner::Ridge(if side < 0.0 { [next, own] } else { [own, next] }),
+            Some(next) => ridge(own, side, next),
         }
     }
 
-    /// Whether a contact with the outline counts that has this normal, out of it, at places, m, all in the frame of the shape. The
-    /// normal of a contact with a circle, or of a round corner with a corner, is exact.
+    /// Whether a contact with the outline counts that has this normal, out of it, at places, m, with a shape around `center`, m, all
+    /// in the frame of this one. The normal of a contact with a circle, or of a round corner with a corner, is exact.
     pub(crate) fn allows(
         &self,
         hull: &Hull,
         normal: Vec2,
         places: impl Iterator<Item = Vec2>,
+        center: Vec2,
         is_round: bool,
     ) -> bool {
         let (face, cosine) = most_along(hull, normal);
@@ -218,10 +199,10 @@ impl Exposure {
                 .fold((f32::INFINITY, f32::NEG_INFINITY), |(low, high), at| (low.min(at), high.max(at)));
             return self.faces[face].is_some_and(|exposed| {
                 low <= exposed[1] + self.overlap && high >= exposed[0] - self.overlap
-            });
+            }) && !self.is_behind_line(hull, face, [low, high], center);
         }
         let corner = farthest_corner(hull, normal);
-        let [first, second] = match self.corners[corner] {
+        let [first, second] = match self.corner_towards(hull, corner, center) {
             Corner::Open => [hull.previous(corner), corner].map(|face| hull.normals[face]),
             Corner::Flush(face) => [hull.normals[face]; 2],
             Corner::Ridge(between) => between,
@@ -231,9 +212,9 @@ impl Exposure {
     }
 
     /// The face whose plane goes on beyond the corner that a contact with a normal is at, over neighbours that do not fall away
-    /// from it; `None` where there is none, and for a contact on another face.
-    pub(crate) fn face_beyond(&self, hull: &Hull, normal: Vec2) -> Option<usize> {
-        match self.corners[farthest_corner(hull, normal)] {
+    /// from it, of a contact with a shape around `center`, m; `None` where there is none, and for a contact on another face.
+    pub(crate) fn face_beyond(&self, hull: &Hull, normal: Vec2, center: Vec2) -> Option<usize> {
+        match self.corner_towards(hull, farthest_corner(hull, normal), center) {
             Corner::Flush(face) if Self::face_of(hull, normal).is_none_or(|on| on == face) => Some(face),
             Corner::Flush(_) | Corner::Open | Corner::Ridge(_) | Corner::Covered => None,
         }
@@ -247,8 +228,10 @@ impl Exposure {
 
     /// Whether the surface goes on beyond the start and the end of a face, along neighbours that do not fall away from it.
     pub(crate) fn goes_on(&self, hull: &Hull, face: usize) -> [bool; 2] {
-        [face, hull.next(face)]
-            .map(|corner| matches!(self.corners[corner], Corner::Flush(_) | Corner::Covered))
+        [face, hull.next(face)].map(|corner| {
+            let goes_on = matches!(self.corners[corner], Corner::Flush(_) | Corner::Covered);
+            goes_on || self.joined[corner].is_some_and(|line| line.corner(hull) == Corner::Flush(face))
+        })
     }
 
     /// Whether a place, m, behind a face is in the shape, or not farther from it than neighbours are. Behind a line is all that it
@@ -261,6 +244,17 @@ impl Exposure {
     pub(crate) fn is_exposed(&self, face: usize) -> bool {
         self.faces[face].is_some()
     }
+}
+
+/// Whether the surface with the `other` normal that goes on from one with its `own` falls away from it, counter-clockwise where `side`
+/// is 1, clockwise where it is -1.
+fn falls(own: Vec2, side: f32, other: Vec2) -> bool {
+    side * own.cross(other) > if own.dot(other) > 0.0 { SAME_DIRECTION } else { 0.0 }
+}
+
+/// The normals between that of a surface and the `next`, that of what falls away from it on this `side`: counter-clockwise.
+fn ridge(own: Vec2, side: f32, next: Vec2) -> Corner {
+    Corner::Ridge(if side < 0.0 { [next, own] } else { [own, next] })
 }
 
 /// Where a face begins and ends, m along it.
@@ -303,126 +297,4 @@ fn exposed_part(hull: &Hull, face: usize, neighbours: &[Neighbour<'_>], gap: f32
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-
-    fn beside(hull: &Hull, center: [f32; 2]) -> Neighbour<'_> {
-        Neighbour { hull, rotation: Rot::IDENTITY, center: center.into() }
-    }
-
-    /// Whether a contact at a place counts, with a normal at an angle from upwards to the left, rad.
-    fn allows(exposure: &Exposure, hull: &Hull, angle: f32, place: [f32; 2]) -> bool {
-        let Rot { c, s } = Rot::from_angle(angle);
-        exposure.allows(hull, Vec2::new(-s, c), [place.into()].into_iter(), false)
-    }
-
-    const LEFT: f32 = core::f32::consts::FRAC_PI_2;
-
-    #[test]
-    fn between_tiles_nothing_can_be_touched_and_on_top_only_from_above() {
-        let tile = Hull::rectangle(Vec2::new(0.5, 0.5));
-        assert_eq!(Exposure::new(&tile, &[]), None);
-        assert_eq!(Exposure::new(&tile, &[beside(&tile, [-1.1, 0.0])]), None, "a gap of 10 cm");
-        let middle = Exposure::new(&tile, &[beside(&tile, [-1.0, 0.0]), beside(&tile, [1.0, 0.0])]).unwrap();
-        assert_eq!([0, 1, 2, 3].map(|face| middle.is_exposed(face)), [true, false, true, false]);
-        assert!(!allows(&middle, &tile, LEFT, [-0.5, 0.49]), "the side");
-        assert!(allows(&middle, &tile, 0.0, [-0.5, 0.5]) && allows(&middle, &tile, 0.01, [-0.5, 0.5]));
-        assert!(!allows(&middle, &tile, 0.3, [-0.5, 0.5]) && !allows(&middle, &tile, -0.3, [0.5, 0.5]));
-        let end = Exposure::new(&tile, &[beside(&tile, [1.0, 0.0])]).unwrap();
-        assert!(allows(&end, &tile, LEFT, [-0.5, 0.49]) && allows(&end, &tile, 0.7, [-0.5, 0.5]));
-        assert!(!allows(&end, &tile, -LEFT, [0.5, 0.49]));
-    }
-
-    /// Its bevels are shorter than tiles may be apart.
-    #[test]
-    fn a_shape_without_neighbours_is_exposed_however_short_its_faces_are() {
-        let corners = [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-0.9996, 1.0], [-1.0, 0.9996]];
-        let hull = Hull::new(&corners.map(Vec2::from));
-        assert_eq!(Exposure::new(&hull, &[]), None);
-    }
-
-    #[test]
-    fn a_step_of_a_centimetre_has_a_side_and_one_of_less_than_a_gap_has_none() {
-        let tile = Hull::rectangle(Vec2::new(0.5, 0.5));
-        let above = |step: f32| Exposure::new(&tile, &[beside(&tile, [-1.0, -step])]).unwrap();
-        assert!(allows(&above(0.01), &tile, LEFT, [-0.5, 0.495]));
-        assert!(allows(&above(0.01), &tile, 0.7, [-0.5, 0.5]), "and a corner");
-        assert!(!allows(&above(0.01), &tile, LEFT, [-0.5, 0.3]), "but not below the step");
-        assert!(!allows(&above(0.0005), &tile, LEFT, [-0.5, 0.4999]));
-        // Where the neighbour stands higher, there is no corner to meet.
-        assert!(!allows(&above(-0.01), &tile, 0.7, [-0.5, 0.5]));
-    }
-
-    /// A floor under a block bears up to the block, however far that is overlapped there: both sides of it are exposed.
-    #[test]
-    fn the_floor_beside_a_block_bears_up_to_the_block() {
-        let (floor, block) = (Hull::rectangle(Vec2::new(10.0, 0.5)), Hull::rectangle(Vec2::new(1.0, 1.0)));
-        assert_eq!(Exposure::new(&floor, &[beside(&block, [3.0, 1.5])]), None);
-        let at_end = Exposure::new(&floor, &[beside(&block, [9.0, 1.5])]).unwrap();
-        for (at, bears) in [(-9.0, true), (7.9, true), (8.0005, true), (8.5, false)] {
-            assert_eq!(allows(&at_end, &floor, 0.0, [at, 0.5]), bears, "at {at} m");
-        }
-        let of_block = Exposure::new(&block, &[beside(&floor, [-3.0, -1.5])]).unwrap();
-        assert!(!allows(&of_block, &block, core::f32::consts::PI, [0.0, -1.0]), "below it is the floor");
-        assert!(allows(&of_block, &block, LEFT, [-1.0, -0.999]));
-    }
-
-    /// An outline of two pieces, whose common face ends at an outer corner: the corner is met as that of the whole outline, also
-    /// where the outline turns by a right angle or more.
-    #[test]
-    fn a_corner_that_two_pieces_share_is_that_of_the_outline() {
-        // The corner is the origin. One edge goes up; the other comes from the right, and turns with the angle.
-        for turn in [0.3, 1.2, LEFT, 2.2, 2.8] {
-            let ray = |angle: f32, length: f32| Rot::from_angle(angle).rotate(Vec2::new(length, 0.0));
-            let interior = core::f32::consts::PI - turn;
-            let inner = ray(LEFT - 0.5 * interior, 1.0);
-            let left = Hull::new(&[Vec2::ZERO, inner, ray(LEFT, 1.0)]);
-            let right = Hull::new(&[Vec2::ZERO, ray(LEFT - interior, 1.0), inner]);
-            let exposure = Exposure::new(&left, &[beside(&right, [0.0, 0.0])]).unwrap();
-            // Outwards of the upright edge is to the left; from there the normals turn counter-clockwise.
-            for (share, counts) in [(0.1, true), (0.5, true), (0.9, true), (1.2, false), (1.5, false)] {
-                let angle = LEFT + share * turn;
-                assert_eq!(allows(&exposure, &left, angle, [0.0, 0.0]), counts, "{turn}: {share}");
-            }
-        }
-    }
-
-    /// A flat edge of pieces that meet in a point of it, with faces that go down from there at all angles.
-    #[test]
-    fn covered_faces_make_no_ridge_of_a_flat() {
-        let ray = |angle: f32| Rot::from_angle(angle).rotate(Vec2::new(1.0, 0.0));
-        let angles = [LEFT, 1.3 * LEFT, 1.8 * LEFT, 2.2 * LEFT, 2.6 * LEFT, 3.0 * LEFT];
-        let pieces: Vec<Hull> = angles
-            .windows(2)
-            .map(|pair| Hull::new(&[Vec2::ZERO, ray(pair[0] + LEFT), ray(pair[1] + LEFT)]))
-            .collect();
-        for (index, piece) in pieces.iter().enumerate() {
-            let others: Vec<Neighbour<'_>> = (0..pieces.len())
-                .filter(|&other| other != index)
-                .map(|other| beside(&pieces[other], [0.0, 0.0]))
-                .collect();
-            let exposure = Exposure::new(piece, &others).unwrap();
-            for angle in [-1.0, -0.3, 0.3, 1.0] {
-                // The ends of the flat are corners, and may be met as such.
-                if index == 0 && angle > 0.0 || index + 1 == pieces.len() && angle < 0.0 {
-                    continue;
-                }
-                assert!(!allows(&exposure, piece, angle, [0.0, 0.0]), "piece {index} at {angle}");
-            }
-        }
-    }
-
-    /// Where a slope falls away from a flat, the ridge may be met from between the two.
-    #[test]
-    fn a_ridge_is_met_from_between_its_slopes() {
-        let flat = Hull::rectangle(Vec2::new(2.0, 0.5));
-        let slope = Rot::from_angle(0.5);
-        // The upper right corner of the slope is the upper left one of the flat.
-        let center = Vec2::new(-2.0, 0.5) - slope.rotate(Vec2::new(2.0, 0.5));
-        let neighbour = Neighbour { hull: &flat, rotation: slope, center };
-        let exposure = Exposure::new(&flat, &[neighbour]).unwrap();
-        for (angle, counts) in [(0.0, true), (0.25, true), (0.5, true), (0.6, false), (LEFT, false)] {
-            assert_eq!(allows(&exposure, &flat, angle, [-2.0, 0.5]), counts, "{angle} rad");
-        }
-    }
-}
+mod tests;

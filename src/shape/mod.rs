@@ -29,7 +29,7 @@ pub use query::OutlineHit;
 pub use rounded::Rounded;
 pub use segment::Segment;
 
-pub(crate) use exposure::{Exposure, Neighbour};
+pub(crate) use exposure::{Exposure, Line, Neighbour};
 pub(crate) use hull::Hull;
 pub(crate) use segment::Link;
 
@@ -203,8 +203,8 @@ impl Shape {
     }
 
     /// A segment: the line from `a` to `b`, m, without thickness, and solid on both sides. It has no mass, so that only
-    /// fixed and kinematic bodies can be made of it. Ground of many is a [`Ground::chain`](crate::Ground::chain), whose corners
-    /// do not catch what slides over them.
+    /// fixed and kinematic bodies can be made of it. Fixed ones that meet end to end, or are flush with boxes, do not catch what slides
+    /// over them; ground of many is a [`Ground::chain`](crate::Ground::chain) as a rule.
     ///
     /// It is moved so that its middle is the origin of the body's frame; [`Segment::centroid_of_input`] tells where that was.
     ///

@@ -3,9 +3,9 @@
 //! Runs at the begin of a step, on shapes with other neighbours than before: those of a fixed shape are all fixed ones, those of
 //! one of several shapes of a body that moves are the others.
 
-use crate::body::BodyType;
+use crate::body::{BodyType, Role};
 use crate::math::Vec2;
-use crate::shape::{Exposure, Neighbour};
+use crate::shape::{Exposure, Line, Neighbour};
 use crate::world::World;
 
 /// Directions of one-way floors are the same that differ by less, no unit: rounding of rotations is far less.
@@ -46,14 +46,41 @@ impl World {
     fn exposure_of(&self, slot: u32) -> Option<Exposure> {
         let bodies = &self.bodies;
         let record = bodies.records.at(slot)?;
-        let hull = bodies.shapes[slot as usize].hull().filter(|_| !bodies.is_compound(slot))?;
-        if bodies.shapes[slot as usize].is_segment() {
-            return bodies.shapes[slot as usize].link().map(|link| Exposure::of_link(hull, link));
-        }
+        let shape = &bodies.shapes[slot as usize];
+        let hull = shape.hull().filter(|_| !bodies.is_compound(slot))?;
         let (is_fixed, body) = (record.body_type == BodyType::Fixed, bodies.body_of(slot));
-        if !is_fixed && body == slot {
-            return None;
+        let has_neighbours = is_fixed || body != slot;
+        let beside = if has_neighbours { self.ground_beside(slot, is_fixed) } else { Vec::new() };
+        let pose = |slot: u32| {
+            let pose = bodies.motions[slot as usize].pose;
+            (pose.center, bodies.shapes[slot as usize].rotation_at(pose.rotation))
+        };
+        let (center, rotation) = pose(slot);
+        let (mut neighbours, mut lines) = (Vec::new(), Vec::new());
+        for other in beside {
+            let (other_center, other_rotation) = pose(other);
+            let of_other = &bodies.shapes[other as usize];
+            let Some(hull) = of_other.hull() else { continue };
+            let rotation_to = rotation.inverse() * other_rotation;
+            let neighbour =
+                Neighbour { hull, rotation: rotation_to, center: rotation.unrotate(other_center - center) };
+            if of_other.is_segment() {
+                lines.push(Line { at: neighbour, is_link: of_other.link().is_some() });
+            } else {
+                neighbours.push(neighbour);
+            }
         }
+        if shape.is_segment() {
+            Exposure::of_line(hull, shape.link(), &neighbours, &lines)
+        } else {
+            Exposure::new(hull, &neighbours, &lines)
+        }
+    }
+
+    /// The slots of the shapes that a shape is one ground with, ascending.
+    fn ground_beside(&self, slot: u32, is_fixed: bool) -> Vec<u32> {
+        let bodies = &self.bodies;
+        let body = bodies.body_of(slot);
         let mut beside = Vec::new();
         self.broad_phase.query(self.broad_phase.fat_aabb(slot).grown(Exposure::FARTHEST), |other| {
             let of_other = bodies.records[other].body_type;
@@ -62,42 +89,34 @@ impl World {
             }
             true
         });
-        // Only what is met by all that this one is met by covers it. Bodies that are parted from some are another matter, see
-        // `Bodies::exposures_of`.
-        let role = bodies.roles.of(slot);
-        let direction = |slot: u32| {
-            let of = bodies.roles.of(slot);
-            of.one_way.map_or(Vec2::ZERO, |up| bodies.motions[slot as usize].pose.rotation.rotate(up))
-        };
         let motion = |slot: u32| &bodies.motions[slot as usize];
         beside.retain(|&other| {
             let reach = motion(slot).extent + motion(other).extent + Exposure::FARTHEST;
-            if motion(slot).pose.center.distance(motion(other).pose.center) > f64::from(reach) * 1.001 {
-                return false;
-            }
-            let of_other = bodies.roles.of(other);
-            let is_alike = of_other.filter == role.filter && !of_other.is_sensor;
-            other != slot && is_alike && direction(other).distance(direction(slot)) < SAME_WAY
+            other != slot
+                && motion(slot).pose.center.distance(motion(other).pose.center) <= f64::from(reach) * 1.001
+                && self.covers(other, slot)
         });
         beside.sort_unstable();
-        let pose = |slot: u32| {
-            let pose = bodies.motions[slot as usize].pose;
-            (pose.center, bodies.shapes[slot as usize].rotation_at(pose.rotation))
+        beside
+    }
+
+    /// Whether one piece of ground may cover another: only what is met by all that this one is met by. Bodies that are parted
+    /// from some are another matter, see `Bodies::exposures_of`.
+    fn covers(&self, piece: u32, covered: u32) -> bool {
+        let bodies = &self.bodies;
+        let [of_piece, of_covered] = [piece, covered].map(|slot| bodies.roles.of(slot));
+        if of_piece.filter != of_covered.filter || of_piece.is_sensor {
+            return false;
+        }
+        let is_link = |slot: u32| bodies.shapes[slot as usize].link().is_some();
+        // A link counts for what comes along it before it, whatever passes behind.
+        if is_link(piece) || is_link(covered) {
+            let is_one_way_floor = |slot: u32, role: Role| role.one_way.is_some() && !is_link(slot);
+            return !is_one_way_floor(piece, of_piece) && !is_one_way_floor(covered, of_covered);
+        }
+        let direction = |slot: u32, role: Role| {
+            role.one_way.map_or(Vec2::ZERO, |up| bodies.motions[slot as usize].pose.rotation.rotate(up))
         };
-        let (center, rotation) = pose(slot);
-        let neighbours: Vec<Neighbour<'_>> = beside
-            .into_iter()
-            .filter_map(|other| {
-                let (other_center, other_rotation) = pose(other);
-                // What has no thickness covers nothing.
-                let shape = Some(&bodies.shapes[other as usize]).filter(|shape| !shape.is_segment())?;
-                Some(Neighbour {
-                    hull: shape.hull()?,
-                    rotation: rotation.inverse() * other_rotation,
-                    center: rotation.unrotate(other_center - center),
-                })
-            })
-            .collect();
-        Exposure::new(hull, &neighbours)
+        direction(piece, of_piece).distance(direction(covered, of_covered)) < SAME_WAY
     }
 }

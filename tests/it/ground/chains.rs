@@ -18,7 +18,7 @@ fn octagon() -> Shape {
     Shape::polygon((0..8).map(corner)).unwrap()
 }
 
-fn shapes() -> [(&'static str, Shape); 5] {
+pub(super) fn shapes() -> [(&'static str, Shape); 5] {
     [
         ("disc", Shape::circle(0.5)),
         ("box", Shape::rectangle(1.0, 1.0)),
@@ -29,7 +29,7 @@ fn shapes() -> [(&'static str, Shape); 5] {
 }
 
 /// Half the height of a shape, m.
-fn height_of(shape: &Shape) -> f64 {
+pub(super) fn height_of(shape: &Shape) -> f64 {
     f64::from(-shape.bounding_box(Pose::at([0.0, 0.0])).min.y)
 }
 

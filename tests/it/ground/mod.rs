@@ -2,6 +2,7 @@
 
 mod chains;
 mod edges;
+mod lines;
 mod pieces;
 mod seams;
 mod tiles;
