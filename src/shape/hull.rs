@@ -20,6 +20,8 @@ pub(crate) struct Hull {
     pub(crate) planes: [f32; MAX_VERTICES],
     /// Distance of the nearest edge's line from the centre, m.
     pub(crate) inradius: f32,
+    extent: f32,
+    thickness: f32,
     /// Number of corners, 3 to 8; 2 for the core of a capsule, whose two edges are its two sides.
     pub(crate) count: u8,
 }
@@ -30,6 +32,8 @@ impl Hull {
         normals: [Vec2::ZERO; MAX_VERTICES],
         planes: [0.0; MAX_VERTICES],
         inradius: f32::INFINITY,
+        extent: 0.0,
+        thickness: 0.0,
         count: 0,
     };
 
@@ -49,7 +53,7 @@ impl Hull {
             hull.planes[i] = (normal_x * x + normal_y * y) as f32;
             hull.inradius = hull.inradius.min(hull.planes[i]);
         }
-        hull
+        hull.measured()
     }
 
     /// The hull of a box of half width `half.x` and half height `half.y`, m: corners from the lower left one
@@ -64,7 +68,19 @@ impl Hull {
             hull.normals[i] = normals[i].into();
             hull.planes[i] = planes[i];
         }
-        hull
+        hull.measured()
+    }
+
+    /// It, with its sizes.
+    fn measured(mut self) -> Self {
+        self.extent = self.vertices().iter().map(|v| v.length()).fold(0.0, f32::max);
+        // The narrowest strip that holds a convex outline has an edge on one of its sides, so it is enough to measure from each edge.
+        let width_from = |(&normal, &plane): (&Vec2, &f32)| {
+            self.vertices().iter().map(|&v| plane - normal.dot(v)).fold(0.0, f32::max)
+        };
+        self.thickness =
+            self.normals().iter().zip(&self.planes).map(width_from).fold(f32::INFINITY, f32::min);
+        self
     }
 
     /// Whether it is a line, and has no inside.
@@ -118,17 +134,15 @@ impl Hull {
         [edge, self.next(edge)].map(|corner| along.dot(self.vertices[corner] - point))
     }
 
-    /// Smallest width across, m. The narrowest strip that holds a convex outline has an edge on one of its
-    /// sides, so it is enough to measure from each edge.
+    /// Smallest width across, m.
+    #[inline(always)]
     pub(crate) fn thickness(&self) -> f32 {
-        let width_from = |(&normal, &plane): (&Vec2, &f32)| {
-            self.vertices().iter().map(|&v| plane - normal.dot(v)).fold(0.0, f32::max)
-        };
-        self.normals().iter().zip(&self.planes).map(width_from).fold(f32::INFINITY, f32::min)
+        self.thickness
     }
 
     /// Greatest distance of a corner from the centre, m.
+    #[inline(always)]
     pub(crate) fn extent(&self) -> f32 {
-        self.vertices().iter().map(|v| v.length()).fold(0.0, f32::max)
+        self.extent
     }
 }
