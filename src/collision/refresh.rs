@@ -22,6 +22,7 @@
 //! collision, and an oblique blow would be answered along the wrong normal.
 
 mod circle;
+mod corners;
 
 use crate::body::{Bodies, Motion};
 use crate::collision::one_way::decide;
@@ -337,7 +338,7 @@ impl<'a> Pair<'a> {
         // What rolls from corner to corner has a normal that turns, as a circle has.
         let rolls = contact.manifold.is_of_corners();
         let keeps = contact.frozen.is_some_and(|frozen| {
-            if rolls {
+            if rolls || self.may_turn_to_another_corner(contact) {
                 false
             } else if contact.pivots() {
                 let was_followed = contact.follows && contact.followed_steps < LONGEST_FOLLOWED;
@@ -348,24 +349,6 @@ impl<'a> Pair<'a> {
             }
         });
         if keeps { ManifoldUpdate::Keep } else { ManifoldUpdate::FindAnew(self.predicted_motion()) }
-    }
-
-    /// How far any point of b has moved as a sees it since their manifold was found, and may have by the end of the step,
-    /// m. What was farther than [`near`](Self::near) then is not in the manifold, and has not come by less.
-    fn strayed(&self, then: &Frozen) -> f32 {
-        let seen = |offset: Offset, a: Rot, b: Rot| (a.unrotate(offset.near), a.inverse() * b);
-        let (offset, rotation) = seen(self.offset, self.rotation_a, self.rotation_b);
-        let (offset_then, rotation_then) = seen(then.offset, then.rotation_a, then.rotation_b);
-        let turned = rotation * rotation_then.inverse();
-        if turned.c <= 0.0 {
-            return f32::INFINITY;
-        }
-        let [state_a, state_b] = self.states();
-        let turning = state_b.angular_velocity - state_a.angular_velocity;
-        let velocity = self.velocity() - self.offset.near.perp() * state_a.angular_velocity;
-        (offset - offset_then).length()
-            + velocity.length() * self.dt
-            + (turned.s.abs() + turning.abs() * self.dt) * self.motion_b.extent
     }
 
     /// Whether the bodies are nearly where they were, and the kept normal does not miss too much: a face that has turned by

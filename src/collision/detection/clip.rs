@@ -98,6 +98,12 @@ impl Stretch {
         self.is_empty
     }
 
+    /// How far its nearer end is from the reference edge, m.
+    pub(super) fn separation(&self) -> f32 {
+        let [first, second] = self.separations;
+        first.min(second)
+    }
+
     /// Its nearer end twice, if it has no length: the other end of an edge that stands upright on the face.
     pub(super) fn without_far_end(mut self, noise: f32) -> Self {
         let [first, second] = self.points;

@@ -43,8 +43,8 @@ pub(super) fn detect(
     }
 }
 
-/// How far b is outside of a face of a, m, and their manifold on it, if its centre is in front of the face and the edge that faces
-/// it has a part there, not farther than `margin`, m.
+/// How far b is outside of a face of a, m, and their manifold on it, if its centre is in front of the face and an edge of it has a part
+/// over the face, not farther than `margin`, m: the edge that faces it, or, if that lies over a neighbour, the nearest.
 pub(in crate::collision) fn on_face(
     a: &Hull,
     rotation_a: Rot,
@@ -54,10 +54,20 @@ pub(in crate::collision) fn on_face(
     face: usize,
     margin: f32,
 ) -> Option<(f32, Manifold)> {
-    let (stretch, turn) = Pair { a, rotation_a, b, rotation_b, offset }.common_stretch(face);
+    let pair = Pair { a, rotation_a, b, rotation_b, offset };
+    let normal = pair.in_b(a.normals[face]);
+    let (facing, turn) = pair.common_stretch(face);
+    let stretch = if facing.is_empty() {
+        let edges = (0..b.normals().len()).filter(|&edge| b.normals[edge].dot(normal) < 0.0);
+        let over_face =
+            edges.map(|edge| pair.stretch_with(face, edge).0).filter(|stretch| !stretch.is_empty());
+        over_face.min_by(|one, other| one.separation().total_cmp(&other.separation()))?
+    } else {
+        facing
+    };
     let noise = Tolerance::new(a.inradius, b.inradius, offset).noise;
     let center_gap = a.normals[face].dot(rotation_a.unrotate(offset)) - a.planes[face];
-    if stretch.is_empty() || center_gap <= 0.0 {
+    if center_gap <= 0.0 {
         return None;
     }
     let manifold = stretch.manifold(rotation_a * turn, offset, noise, margin)?;
@@ -116,6 +126,17 @@ impl Pair<'_> {
     /// a's.
     #[inline(always)]
     pub(super) fn common_stretch(&self, face: usize) -> (Stretch, Rot) {
+        self.stretch_with(face, facing(self.b, self.in_b(self.a.normals[face])))
+    }
+
+    /// A direction in a's frame, as it is in b's.
+    fn in_b(&self, direction: Vec2) -> Vec2 {
+        (self.rotation_a.inverse() * self.rotation_b).unrotate(direction)
+    }
+
+    /// The same with an edge of b.
+    #[inline(always)]
+    fn stretch_with(&self, face: usize, edge: usize) -> (Stretch, Rot) {
         let rotation = self.rotation_a.inverse() * self.rotation_b;
         let center = self.rotation_a.unrotate(self.offset);
         let normal = self.a.normals[face];
@@ -129,13 +150,12 @@ impl Pair<'_> {
             high: along.dot(self.a.vertices[next]),
             vertices: [i as u8, next as u8],
         };
-        let j = facing(self.b, rotation.unrotate(normal));
-        let next = self.b.next(j);
+        let next = self.b.next(edge);
         let (rotation, center) = (turn.inverse() * rotation, turn.unrotate(center));
         let incident = Incident {
-            start: center + rotation.rotate(self.b.vertices[j]),
+            start: center + rotation.rotate(self.b.vertices[edge]),
             end: center + rotation.rotate(self.b.vertices[next]),
-            vertices: [j as u8, next as u8],
+            vertices: [edge as u8, next as u8],
         };
         (clip(reference, incident), turn)
     }

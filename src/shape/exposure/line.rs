@@ -41,7 +41,7 @@ impl Line<'_> {
 }
 
 impl Joined {
-    /// By corner of an outline, the line that goes on from there. One that turns away by a right angle or more is as a side.
+    /// By corner of an outline, the line that goes on from there. One that turns away by a right angle or more does not.
     pub(super) fn at_corners(hull: &Hull, lines: &[Line<'_>], reach: f32) -> [Option<Self>; MAX_VERTICES] {
         let mut joined = [None; MAX_VERTICES];
         if lines.is_empty() {
