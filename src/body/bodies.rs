@@ -450,13 +450,17 @@ impl Bodies {
         self.motions[slot as usize].inverse_mass > 0.0
     }
 
-    /// What neighbours leave of two shapes; `None` where that is all. A body that was parted from another passes through what may
-    /// cover the rest: to such a body all is exposed.
+    /// What neighbours leave of two shapes; `None` where that is all. A body that was parted from fixed ones passes through what may
+    /// cover others of them: to it all is exposed.
     #[inline(always)]
     pub(crate) fn exposures_of(&self, colliders: [u32; 2]) -> Option<[Option<&Exposure>; 2]> {
-        let exposures = self.exposures.of(colliders)?;
-        let is_parted = self.bodies_of(colliders).into_iter().any(|body| self.roles.is_parted(body));
-        (!is_parted).then_some(exposures)
+        let [of_a, of_b] = self.exposures.of(colliders)?;
+        let [a, b] = self.bodies_of(colliders);
+        let is_fixed = |slot: u32| self.records[slot].body_type == BodyType::Fixed;
+        let is_met =
+            |owner: u32, other: u32| !(is_fixed(owner) && self.roles.parted_from(other).any(is_fixed));
+        let both = [of_a.filter(|_| is_met(a, b)), of_b.filter(|_| is_met(b, a))];
+        both.iter().any(Option::is_some).then_some(both)
     }
 
     /// Whether the solver moves the body in `slot` in this step.

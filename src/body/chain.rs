@@ -16,10 +16,10 @@ impl Ground {
     /// corner, at the ends as well.
     ///
     /// Points count from where the body is [put](Body::at). What else it is told, as [friction](Body::friction) or
-    /// [surface speed](Body::surface_speed), holds for all links. There may be as many points as memory holds, and each step looks only at what is near bodies that move. Places
-    /// within the body are `f32`: links of 1 m meet to 0.1 mm as far as 1 km from there. To all queries both sides of a link are
-    /// the same. With what it is flush with at its ends, as with a box, a segment or another chain, it is one ground for what comes from
-    /// its left.
+    /// [surface speed](Body::surface_speed), holds for all links. There may be as many points as memory holds, and each step looks
+    /// only at what is near bodies that move. Places within the body are `f32`: links of 1 m meet to 0.1 mm as far as 1 km from there.
+    /// To all queries both sides of a link are the same. Where an end is flush with a fixed box, segment or other chain, the ground goes
+    /// on there for what is on the left.
     ///
     /// # Errors
     /// Refuses fewer than two points, coordinates that are not finite, and points that are the same as the one before or farther

@@ -5,7 +5,7 @@ use crate::body::limits::{
     LARGEST_LENGTH, check_friction, check_one_way, check_restitution, check_rolling_resistance,
     check_surface_speed,
 };
-use crate::body::role::{OwnRole, Told};
+use crate::body::role::{Own, OwnRole};
 use crate::body::{BodyError, Filter, Material, Role};
 use crate::math::{Rot, Vec2};
 use crate::shape::Shape;
@@ -130,7 +130,7 @@ impl Collider {
     #[must_use]
     pub fn one_way(mut self, direction: impl Into<Vec2>) -> Self {
         let direction = direction.into();
-        self.role.one_way = Told::Is(Some(direction.normalized().unwrap_or(direction)));
+        self.role.one_way = Own::Set(Some(direction.normalized().unwrap_or(direction)));
         self
     }
 

@@ -207,6 +207,14 @@ impl Bodies {
     }
 }
 
+/// The width, m, of a body of some shapes with its centre of mass at a place of its frame: their area over its length, sensors left out.
+fn width_of(parts: &[Part], center: Vec2) -> f32 {
+    let solid = || parts.iter().filter(|part| !part.role.is_sensor);
+    let area: f32 = solid().map(|part| part.shape.area()).sum();
+    let extent = solid().map(|part| part.shape.extent() + (part.at - center).length()).fold(0.0, f32::max);
+    if extent > 0.0 { area / (2.0 * extent) } else { 0.0 }
+}
+
 /// Changing.
 impl Bodies {
     /// Gives the new body in `slot` its several shapes.
@@ -249,9 +257,9 @@ impl Bodies {
             extent = extent.max(motion.extent + arm.length());
             thickness = thickness.min(motion.thickness);
         }
-        let area: f32 = body.parts().iter().map(|part| part.shape.area()).sum();
+        let width_of_body = width_of(&body.parts(), center);
         for collider in slots {
-            self.compounds.places[collider as usize].width_of_body = area / (2.0 * extent);
+            self.compounds.places[collider as usize].width_of_body = width_of_body;
         }
         let motion = &mut self.motions[slot as usize];
         (motion.extent, motion.thickness) = (extent, thickness);

@@ -225,9 +225,9 @@ impl Body {
     ///
     /// [`at`](Self::at) and [`angle`](Self::angle) tell where the frame goes that the shapes are described in, with the body's own
     /// shape in the middle. The [position](crate::BodyRef::position) of a dynamic body is its centre of mass as always, which
-    /// is elsewhere as a rule; one that contacts do not move is in the middle of the frame. What the body is
-    /// told of its surface and of what it is to others, from [density](Self::density) to [surface speed](Self::surface_speed), holds
-    /// for all shapes that are not told their own. There may be as many as memory holds.
+    /// is elsewhere as a rule; one that contacts do not move is in the middle of the frame. Density, friction
+    /// and restitution with the rules by which they mix, rolling resistance, filter, and whether it is a sensor, a belt or a one-way
+    /// floor are those of the body for all shapes that are not told their own. There may be as many as memory holds.
     ///
     /// ```
     /// # use rustycs::prelude::*;

@@ -1,6 +1,6 @@
 //! Rules of its own for how a surface mixes with those it touches.
 
-use crate::body::role::Told;
+use crate::body::role::Own;
 use crate::body::{Bodies, Body, Collider, Mix, Mixes};
 
 impl Mixes {
@@ -64,14 +64,14 @@ impl Collider {
     /// Rule by which its friction mixes with that of others, as [`Body::friction_mix`] says, instead of that of the body.
     #[must_use]
     pub fn friction_mix(mut self, mix: Mix) -> Self {
-        self.role.friction_mix = Told::Is(Some(mix));
+        self.role.friction_mix = Own::Set(Some(mix));
         self
     }
 
     /// The same of its restitution, as [`Body::restitution_mix`] says.
     #[must_use]
     pub fn restitution_mix(mut self, mix: Mix) -> Self {
-        self.role.restitution_mix = Told::Is(Some(mix));
+        self.role.restitution_mix = Own::Set(Some(mix));
         self
     }
 }

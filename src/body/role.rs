@@ -1,7 +1,7 @@
-//! What bodies are to what they meet, beside their material: most are nothing special.
+//! What shapes are to what they meet, apart from their material: filter, sensor, belt, one-way floor. Most have the default.
 //!
-//! Kept in tables of their own, which end with the last body that has a role of its own: a world in which none has keeps
-//! nothing, and asks nothing but whether there is one.
+//! Kept in tables of their own, which end with the last shape that had a role: a world in which none ever had keeps nothing, and asks
+//! nothing but whether there is one.
 
 use crate::body::{Filter, Mix};
 use crate::math::Vec2;
@@ -23,39 +23,39 @@ pub(crate) struct Role {
     pub(crate) one_way: Option<Vec2>,
 }
 
-/// What a shape is told to be in the place of what its body is told; what it is not told is as the body.
+/// What of the role of its body a shape overrides; the rest it inherits.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct OwnRole {
     pub(crate) filter: Option<Filter>,
     pub(crate) is_sensor: Option<bool>,
     pub(crate) surface_speed: Option<f32>,
     pub(crate) rolling_resistance: Option<f32>,
-    pub(crate) friction_mix: Told<Mix>,
-    pub(crate) restitution_mix: Told<Mix>,
-    pub(crate) one_way: Told<Vec2>,
+    pub(crate) friction_mix: Own<Mix>,
+    pub(crate) restitution_mix: Own<Mix>,
+    pub(crate) one_way: Own<Vec2>,
 }
 
-/// Something that a shape has or has not, and is told so or not.
+/// What a shape may have, or not have, in the place of its body.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub(crate) enum Told<T> {
-    /// It is as the body.
+pub(crate) enum Own<T> {
+    /// What the body has.
     #[default]
-    Nothing,
-    /// It has this, or none.
-    Is(Option<T>),
+    Inherit,
+    /// This, or none.
+    Set(Option<T>),
 }
 
-impl<T> Told<T> {
+impl<T> Own<T> {
     fn or(self, of_body: Option<T>) -> Option<T> {
         match self {
-            Self::Nothing => of_body,
-            Self::Is(own) => own,
+            Self::Inherit => of_body,
+            Self::Set(own) => own,
         }
     }
 }
 
 impl OwnRole {
-    /// On a body of this role.
+    /// The role of a shape that overrides so much, on a body of a role.
     pub(crate) fn on(self, of_body: Role) -> Role {
         Role {
             filter: self.filter.unwrap_or(of_body.filter),
@@ -70,16 +70,16 @@ impl OwnRole {
 }
 
 impl From<Role> for OwnRole {
-    /// Told all of it.
+    /// Overrides all.
     fn from(role: Role) -> Self {
         Self {
             filter: Some(role.filter),
             is_sensor: Some(role.is_sensor),
             surface_speed: Some(role.surface_speed),
             rolling_resistance: Some(role.rolling_resistance),
-            friction_mix: Told::Is(role.friction_mix),
-            restitution_mix: Told::Is(role.restitution_mix),
-            one_way: Told::Is(role.one_way),
+            friction_mix: Own::Set(role.friction_mix),
+            restitution_mix: Own::Set(role.restitution_mix),
+            one_way: Own::Set(role.one_way),
         }
     }
 }
@@ -105,13 +105,13 @@ pub(crate) struct Roles {
 clone_into_buffers!(Roles { by_slot, parted, sensors, rolling, belts, one_way_count });
 
 impl Roles {
-    /// The role of the body in `slot`.
+    /// The role of the shape in `slot`.
     #[inline(always)]
     pub(crate) fn of(&self, slot: u32) -> Role {
         self.by_slot.get(slot as usize).copied().unwrap_or_default()
     }
 
-    /// Gives the body in `slot` a role.
+    /// Gives the shape in `slot` a role.
     pub(crate) fn set(&mut self, slot: u32, role: Role) {
         let place = slot as usize;
         if place >= self.by_slot.len() {
@@ -138,21 +138,26 @@ impl Roles {
         &self.sensors
     }
 
-    /// Forgets the body in `slot`, which is removed.
+    /// Forgets the shape in `slot`, which is removed; of a body's own slot, the bodies that it was parted from too.
     pub(crate) fn forget(&mut self, slot: u32) {
         self.set(slot, Role::default());
-        while let Some(&(_, other)) = self.parted_from(slot).first() {
+        while let Some(&(_, other)) = self.pairs_of(slot).first() {
             self.join(slot, other);
         }
     }
 
-    /// Gives up what is not needed for slots below `end`: there are no others.
+    /// Drops the entries from `end` on: there are no such slots any more.
     pub(crate) fn trim(&mut self, end: usize) {
         self.by_slot.truncate(end);
     }
 
-    /// The pairs of the body in `slot` with those that it is parted from.
-    fn parted_from(&self, slot: u32) -> &[(u32, u32)] {
+    /// The bodies that the body in `slot` is parted from.
+    pub(crate) fn parted_from(&self, slot: u32) -> impl Iterator<Item = u32> {
+        self.pairs_of(slot).iter().map(|&(_, other)| other)
+    }
+
+    /// The same, as the pairs of both.
+    fn pairs_of(&self, slot: u32) -> &[(u32, u32)] {
         let first = self.parted.partition_point(|&(a, _)| a < slot);
         let of_slot = &self.parted[first..];
         &of_slot[..of_slot.partition_point(|&(a, _)| a == slot)]
@@ -161,11 +166,6 @@ impl Roles {
     /// The pairs that were parted, each once.
     pub(crate) fn parted(&self) -> impl Iterator<Item = (u32, u32)> {
         self.parted.iter().copied().filter(|(a, b)| a < b)
-    }
-
-    /// Whether the body in `slot` was parted from any.
-    pub(crate) fn is_parted(&self, slot: u32) -> bool {
-        !self.parted_from(slot).is_empty()
     }
 
     /// Whether two bodies were parted.

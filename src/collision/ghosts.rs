@@ -35,21 +35,24 @@ pub(crate) fn without_ghosts(
     let is_ghost = |manifold: &Manifold, side: usize| {
         exposures[side].is_some_and(|exposure| !is_allowed(manifold, side, exposure, placed))
     };
-    let [of_a, of_b] = [0, 1].map(|side| is_ghost(&found, side));
-    if !of_a && !of_b {
+    let are_ghosts = [0, 1].map(|side| is_ghost(&found, side));
+    if are_ghosts == [false; 2] {
         return Some(found);
     }
-    let (side, other) = if of_a { (0, 1) } else { (1, 0) };
-    let exposure = exposures[side]?;
-    let is_round = placed.shapes[other].core().is_none() || found.is_of_corners();
-    let beyond = if is_round { of_round(&found, side, exposure, placed) } else { None };
-    let manifold = match beyond {
-        Some(manifold) => manifold,
-        None if placed.shapes[other].core().is_none() => return None,
-        None => on_exposed_face(side, exposure, placed)?,
+    // What is found for one must be no ghost of the other.
+    let replacement = |side: usize| {
+        let exposure = exposures[side].filter(|_| are_ghosts[side])?;
+        in_place_of(&found, side, exposure, placed).filter(|manifold| !is_ghost(manifold, 1 - side))
     };
-    // What is found for one is to be no ghost of the other.
-    (!is_ghost(&manifold, other)).then_some(manifold)
+    replacement(0).or_else(|| replacement(1))
+}
+
+/// What there is in the place of a ghost of one of the two shapes.
+fn in_place_of(found: &Manifold, side: usize, exposure: &Exposure, placed: Placed<'_>) -> Option<Manifold> {
+    let is_circle = placed.shapes[1 - side].core().is_none();
+    let on_plane =
+        if is_circle || found.is_of_corners() { of_round(found, side, exposure, placed) } else { None };
+    if is_circle { on_plane } else { on_plane.or_else(|| on_exposed_face(side, exposure, placed)) }
 }
 
 /// Whether the exposure of one of the two shapes allows a manifold.
@@ -62,13 +65,13 @@ fn is_allowed(manifold: &Manifold, side: usize, exposure: &Exposure, placed: Pla
         manifold.points().iter().map(|point| if side == 0 { point.anchor_a } else { point.anchor_b });
     let is_of_corners = manifold.is_of_corners();
     let (outward, center) = (rotation.unrotate(outward), rotation.unrotate(placed.other_center(side)));
-    // Round a corner from which a face goes on a round corner would turn within the step.
+    // Where the face goes on from a corner, the normal of a round corner there would turn within the step, though the ground is flat.
     if is_of_corners && exposure.face_beyond(hull, outward, center).is_some() {
         return false;
     }
-    let is_round = is_of_corners || placed.shapes[1 - side].core().is_none();
+    let is_exact = is_of_corners || placed.shapes[1 - side].core().is_none();
     let places = places.map(|place| rotation.unrotate(place));
-    exposure.allows(hull, outward, places, center, is_round)
+    exposure.allows(hull, outward, places, center, is_exact)
 }
 
 /// The manifold with the exposed face that is the farthest out in front, of one of the two shapes, and where it is exposed.
@@ -79,19 +82,19 @@ fn on_exposed_face(side: usize, exposure: &Exposure, placed: Placed<'_>) -> Opti
     let [rotation, other_rotation] = [own, other].map(|index| shapes[index].rotation_at(rotations[index]));
     let offset = placed.other_center(side);
     let on = |face| {
-        let (gap, mut found) =
-            on_face(hull, rotation, other_hull, other_rotation, offset, face, margin + radius)?;
+        let mut found = on_face(hull, rotation, other_hull, other_rotation, offset, face, margin + radius)?;
         if radius > 0.0 {
             found.take_off([0.0, radius]);
         }
-        // What is behind the plane of a face may be beside the shape.
+        // Behind the plane of a face, but past its end, is beside the shape.
         let normal = found.normal;
         let found = found.filtered(|point| {
             let deepest = point.anchor_a + normal * (0.5 * point.separation);
             point.separation >= 0.0 || exposure.holds(hull, rotation.unrotate(deepest))
         })?;
+        let gap = found.points().iter().map(|point| point.separation).fold(f32::INFINITY, f32::min);
         let manifold = if side == 0 { found } else { found.flipped() };
-        // Of a face that is exposed in part another part may be near.
+        // The points may be over a part of the face that is covered.
         is_allowed(&manifold, side, exposure, placed).then_some((gap, manifold))
     };
     let faces = (0..hull.normals().len()).filter(|&face| exposure.is_exposed(face));

@@ -319,14 +319,6 @@ impl<L: Lane> ContactConstraint<L> {
         }
     }
 
-    /// Lets the substep begin without impulses along the tangent.
-    #[inline(always)]
-    pub(crate) fn forget_friction(&mut self) {
-        for friction in &mut self.frictions {
-            friction.impulse = L::splat(0.0);
-        }
-    }
-
     /// Lets the substep begin without impulses where the mask holds.
     #[inline(always)]
     pub(crate) fn forget_impulses_where(&mut self, mask: L::Mask) {

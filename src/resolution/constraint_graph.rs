@@ -338,16 +338,16 @@ impl ConstraintGraph {
         block.set_pending(place, is_pending);
     }
 
-    /// Says whether the contact at a place of the graph is [deep](crate::resolution::parting).
-    pub(crate) fn set_deep(&mut self, at: GraphIndex, is_deep: bool) {
+    /// Takes note that the bodies of the contact at a place of the graph are [tangled](crate::resolution::tangles).
+    pub(crate) fn set_tangled(&mut self, at: GraphIndex) {
         let (block, place) = self.block_mut(at);
-        block.set_deep(place, is_deep);
+        block.set_tangled(place);
     }
 
-    /// Whether the contact at a place of the graph is [deep](crate::resolution::parting).
-    pub(crate) fn is_deep(&self, at: GraphIndex) -> bool {
+    /// Whether they are.
+    pub(crate) fn is_tangled(&self, at: GraphIndex) -> bool {
         let (_, block, place) = self.block(at);
-        block.marks.deep.get(place)
+        block.marks.tangled.get(place)
     }
 
     /// Which points of the contact at a place of the graph are pending.

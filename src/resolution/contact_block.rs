@@ -42,9 +42,8 @@ pub(crate) struct BlockMarks {
     pub(crate) on_ground: Marks,
     /// Those of two points and with friction that bear no load as the step begins.
     pub(crate) cold: Marks,
-    /// Those of bodies of several shapes that are deep in each other; once the step is prepared, only those that are
-    /// [parted](crate::resolution::parting) by moving them.
-    pub(crate) deep: Marks,
+    /// Those of bodies that are [tangled](crate::resolution::tangles).
+    pub(crate) tangled: Marks,
     /// By point: those where it approaches fast enough to bounce, and has not met what it is to bounce from. The sweeps
     /// leave it alone, and it bears nothing.
     pending: [Marks; 2],
@@ -256,19 +255,18 @@ impl ContactBlock {
         speeds.set(place, speed);
     }
 
-    /// Says whether one contact is [deep](crate::resolution::parting).
-    pub(crate) fn set_deep(&mut self, place: usize, is_deep: bool) {
-        self.marks.deep.put(place, is_deep);
+    /// Takes note that the bodies of one contact are [tangled](crate::resolution::tangles): to the sweeps their shapes only touch.
+    pub(crate) fn set_tangled(&mut self, place: usize) {
+        self.marks.tangled.set(place, true);
         for point in &mut self.columns.points {
-            let separation = point.separation.get(place);
-            point.separation_now.set(place, if is_deep { separation.max(0.0) } else { separation });
+            point.separation_now.set(place, point.separation_now.get(place).max(0.0));
         }
     }
 
-    /// Those of the contacts from `place` on that are [deep](crate::resolution::parting), if any of the block is.
+    /// Those of the contacts from `place` on whose bodies are [tangled](crate::resolution::tangles), if there are some in the block.
     #[inline(always)]
-    pub(crate) fn deep<L: Lane>(&self, place: usize) -> Option<L::Mask> {
-        self.marks.deep.any().then(|| self.marks.deep.mask::<L>(place))
+    pub(crate) fn tangled<L: Lane>(&self, place: usize) -> Option<L::Mask> {
+        self.marks.tangled.any().then(|| self.marks.tangled.mask::<L>(place))
     }
 
     /// Whether any point is pending.

@@ -72,18 +72,14 @@ impl WarmStart {
         let part = L::splat(self.part);
         match self.time {
             WarmStartTime::BeforeMove => {
-                let deep = block.deep::<L>(place);
-                if let Some(deep) = deep {
-                    constraint.forget_impulses_where(deep);
+                let all = L::splat(1.0).greater(L::splat(0.0));
+                let forgotten = if self.part == 0.0 { Some(all) } else { block.tangled::<L>(place) };
+                if let Some(forgotten) = forgotten {
+                    constraint.forget_impulses_where(forgotten);
+                    block.store_friction_impulses::<L, POINTS>(place, &constraint);
                 }
                 constraint.begin_normal_impulses::<POINTS>(part);
                 block.store_warm_starts::<L, POINTS>(place, &constraint);
-                if self.part == 0.0 {
-                    constraint.forget_friction();
-                }
-                if self.part == 0.0 || deep.is_some() {
-                    block.store_friction_impulses::<L, POINTS>(place, &constraint);
-                }
             }
             WarmStartTime::AfterMove => constraint.count_warm_start::<POINTS>(),
         }
@@ -164,8 +160,8 @@ impl SweepOver {
         let mut pair = if self.have_moved {
             let pair = states.gather(place);
             contact.find_separations::<POINTS>(&pair);
-            if let Some(deep) = block.deep::<L>(place) {
-                contact.see_as_touching_where(deep);
+            if let Some(tangled) = block.tangled::<L>(place) {
+                contact.see_as_touching_where(tangled);
             }
             block.store_separations::<L, POINTS>(place, &contact);
             pair

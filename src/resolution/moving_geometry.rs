@@ -105,7 +105,7 @@ impl MovingGeometry<f32> {
         let to_circle = if circle == 1 { offset } else { -offset };
         let center = rotation.unrotate(to_circle);
         let outward = if circle == 1 { contact.manifold.normal } else { -contact.manifold.normal };
-        let exposure = bodies.exposures_of([face_slot, face_slot]).and_then(|[of_face, _]| of_face);
+        let exposure = bodies.exposures_of(contact.colliders).and_then(|both| both[1 - circle]);
         let (gap, face, ends) = face_below(hull, exposure, center, rotation.unrotate(outward));
         let corners = [hull.vertices[face], hull.vertices[hull.next(face)]];
         // To an end of the face, along a face that meets there.

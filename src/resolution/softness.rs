@@ -55,7 +55,7 @@ const LARGEST_SHARE: f32 = 0.3;
 
 /// No overlap is driven out faster than this, m/s, so that bodies created in one place part without a bang: fifty boxes in
 /// one place come to 100 m/s without it.
-const PUSH_SPEED: f32 = 3.0;
+pub(crate) const PUSH_SPEED: f32 = 3.0;
 
 /// Overlap at rest under a load that has not lasted yet, m, whose impulse times k is `speed`, m/s, per substep: there the bias makes up for
 /// what yields to the half of it that acts before the move.

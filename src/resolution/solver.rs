@@ -21,10 +21,10 @@ use crate::resolution::joint::{JointSolver, Phase};
 use crate::resolution::kernel::{SweepOver, WarmStart, WarmStartTime};
 use crate::resolution::load::{LoadMeasure, Loads};
 use crate::resolution::moving::MovingContacts;
-use crate::resolution::parting::Parting;
 use crate::resolution::projection::Project;
 use crate::resolution::rolling::Rolling;
 use crate::resolution::scheme::Scheme;
+use crate::resolution::tangles::Tangles;
 
 /// What accelerates bodies, beside contacts.
 pub(crate) trait Acceleration: Sync {
@@ -61,7 +61,7 @@ pub(crate) struct Solver {
     seams: Seams,
     direct: DirectSolver,
     rolling: Rolling,
-    parting: Parting,
+    tangles: Tangles,
     pub(crate) joints: JointSolver,
 }
 
@@ -94,7 +94,7 @@ pub(crate) struct SolveTables<'a> {
 ///     refresh      contacts of circles and loaded corners follow the surface
 ///     joints       and does not part there
 ///     relax        the other half of the last impulses, rolling resistance, and a sweep without bias, with friction; or directly
-/// part             bodies of several shapes that are deep in each other are moved apart, which makes no speed
+/// untangle         bodies of several shapes that are deep in each other are moved apart, which makes no speed
 /// project          in the classic scheme: overlaps are parted by moving bodies
 /// ```
 ///
@@ -122,9 +122,9 @@ pub(crate) fn solve(
         solver.relax(scheme, tables);
         solver.blows.end_substep(tables.graph, tables.executor.width);
     }
-    solver.parting.part(tables.graph, &mut tables.bodies.states, scheme.dt);
+    solver.tangles.untangle(tables.graph, &mut tables.bodies.states, scheme.dt);
     for _ in 0..scheme.projections.unwrap_or(0) {
-        tables.graph.for_each_swept(tables.executor, &mut tables.bodies.states, &Project::default());
+        tables.graph.for_each_swept(tables.executor, &mut tables.bodies.states, &Project::CLASSIC);
     }
     solver.finish(scheme, tables)
 }
@@ -267,7 +267,7 @@ impl Solver {
         let from = Beginning { contacts, bodies, dt: scheme.dt, asked: scheme.asked };
         graph.prepare(*executor, from);
         self.gather_special(graph, scheme);
-        self.parting.prepare(bodies, contacts, graph);
+        self.tangles.prepare(bodies, contacts, graph);
         self.blows.take_up_unfinished(contacts, graph);
         self.rolling.prepare(bodies, contacts, graph);
         self.joints.find_contacts(bodies, contacts, graph);

@@ -23,14 +23,14 @@ const GAP_OF_WIDTH: f32 = 1e-3;
 /// At most so far apart are what is flush, m.
 const LARGEST_GAP: f32 = 1e-3;
 
-/// A body that is pressed against a block overlaps it by less than this share of the width of the floor, no unit: it still stands
-/// on the floor.
+/// So far into what is covered of a face contacts still count, as a share of the width of the shape, no unit: a body that is pressed
+/// against a block reaches a little past where the floor under it is exposed, and still stands on the floor.
 const OVERLAP_OF_WIDTH: f32 = 0.05;
 
-/// Directions that differ by less than this, rad, are the same: what lies flat on a face leans by less as it trembles.
+/// Directions that differ by less than this, rad, are the same: a box at rest that rocks a little tilts by less.
 const SAME_DIRECTION: f32 = 0.02;
 
-/// The same where the normal has all its digits, as of a contact with a circle or of a round corner with a corner, rad.
+/// The same of normals that do not rock, rad: those of a contact with a circle, or of a round corner with a corner.
 const SAME_EXACT_DIRECTION: f32 = 1e-3;
 
 /// A neighbour, as it is in the frame of the shape.
@@ -47,11 +47,11 @@ pub(crate) struct Neighbour<'a> {
 enum Corner {
     /// Both faces that meet there are exposed.
     Open,
-    /// Only this face is, and neighbours that are flush with it, or rise, go on from there.
+    /// Only this face is: what goes on from there is level with it or rises, and only its own normal is allowed.
     Flush(usize),
     /// Only one of them is, and neighbours fall away from it: normals between these two, counter-clockwise, are allowed.
     Ridge([Vec2; 2]),
-    /// Neither is.
+    /// Neither is; of a line, both sides go on.
     Covered,
 }
 
@@ -77,11 +77,11 @@ impl Neighbour<'_> {
         (normal, self.hull.planes[index] + normal.dot(self.center))
     }
 
-    /// From where to where it covers a line that runs `along` with a `normal`, at a distance from the centre of the shape, m.
+    /// From where to where it covers the face with a `normal` at a distance from the centre of the shape, m, counted along the face.
     fn covers(&self, normal: Vec2, distance: f32, gap: f32) -> Option<[f32; 2]> {
         let along = normal.perp();
-        // Just in front of the face, so that what lies beside it does not cover it; no farther, as what leans over it at a small
-        // angle, as in a finely divided curve, would seem to cover more.
+        // Just in front of the face: on it, what only adjoins it would cover it; farther out, so would the next face of a finely divided
+        // curve.
         let distance = distance + 0.1 * gap;
         let (mut low, mut high) = (f32::NEG_INFINITY, f32::INFINITY);
         for index in 0..self.hull.normals().len() {
@@ -111,9 +111,9 @@ impl Neighbour<'_> {
     /// The normals of its faces that go on from a place, m, for at least `reach`, m: counter-clockwise around it where `side` is 1,
     /// clockwise where it is -1.
     fn faces_from(&self, place: Vec2, side: f32, reach: f32) -> impl Iterator<Item = Vec2> {
+        let local = self.rotation.unrotate(place - self.center);
         (0..self.hull.normals().len()).filter_map(move |index| {
             let (normal, plane) = self.face(index);
-            let local = self.rotation.unrotate(place - self.center);
             let [start, end] = self.hull.ends_from(index, local);
             let [behind, ahead] = if side > 0.0 { [-start, end] } else { [end, -start] };
             let is_there = (normal.dot(place) - plane).abs() <= reach && behind >= -reach && ahead >= reach;
@@ -158,40 +158,38 @@ impl Exposure {
         let (face, side) = match (is_before_exposed, is_after_exposed) {
             (true, true) => return Corner::Open,
             (false, false) => return Corner::Covered,
-            // Beyond the face that begins here, counter-clockwise, is what lies clockwise, and the other way round.
+            // From a face that begins here the surface goes on clockwise, -1, and from one that ends here counter-clockwise, 1.
             (false, true) => (after, -1.0),
             (true, false) => (before, 1.0),
         };
         let (own, place) = (hull.normals[face], hull.vertices[corner]);
-        // Pieces meet at corners of the outline with faces that others cover, which are no surface.
+        // A face of a neighbour that another piece covers is no part of the surface.
         let itself = Neighbour { hull, rotation: Rot::IDENTITY, center: Vec2::ZERO };
         let is_exposed = |other: Vec2| {
             let mut pieces = neighbours.iter().chain([&itself]);
             !pieces.any(|piece| piece.covers_beyond(place, other, side * reach, self.gap))
         };
         let beyond = neighbours.iter().flat_map(|neighbour| neighbour.faces_from(place, side, reach));
-        // Of the surfaces that go on from here, the one that falls away least is the next.
-        let next = beyond
-            .filter(|&other| falls(own, side, other) && is_exposed(other))
-            .max_by(|one, other| own.dot(*one).total_cmp(&own.dot(*other)));
-        match next {
+        // Of the surfaces that go on from here, the one that falls away the least is the next.
+        let next = beyond.filter(|&other| falls(own, side, other) && is_exposed(other));
+        match most_alike(own, next) {
             None => Corner::Flush(face),
             Some(next) => ridge(own, side, next),
         }
     }
 
-    /// Whether a contact with the outline counts that has this normal, out of it, at places, m, with a shape around `center`, m, all
-    /// in the frame of this one. The normal of a contact with a circle, or of a round corner with a corner, is exact.
+    /// Whether a contact with another shape counts. Its normal points out of this one; its places, m, and the centre of the other shape, m, are
+    /// in the frame of this one. The normal `is_exact` in a contact with a circle, or of a round corner with a corner.
     pub(crate) fn allows(
         &self,
         hull: &Hull,
         normal: Vec2,
         places: impl Iterator<Item = Vec2>,
         center: Vec2,
-        is_round: bool,
+        is_exact: bool,
     ) -> bool {
         let (face, cosine) = most_along(hull, normal);
-        let least = if is_round { SAME_EXACT_DIRECTION } else { SAME_DIRECTION };
+        let least = if is_exact { SAME_EXACT_DIRECTION } else { SAME_DIRECTION };
         if cosine > 1.0 - 0.5 * least * least {
             let along = hull.normals[face].perp();
             let (low, high) = places
@@ -199,7 +197,7 @@ impl Exposure {
                 .fold((f32::INFINITY, f32::NEG_INFINITY), |(low, high), at| (low.min(at), high.max(at)));
             return self.faces[face].is_some_and(|exposed| {
                 low <= exposed[1] + self.overlap && high >= exposed[0] - self.overlap
-            }) && !self.is_behind_line(hull, face, [low, high], center);
+            }) && !self.is_edge_at_line(hull, face, [low, high], center);
         }
         let corner = farthest_corner(hull, normal);
         let [first, second] = match self.corner_towards(hull, corner, center) {
@@ -211,8 +209,8 @@ impl Exposure {
         first.cross(normal) >= -least && normal.cross(second) >= -least
     }
 
-    /// The face whose plane goes on beyond the corner that a contact with a normal is at, over neighbours that do not fall away
-    /// from it, of a contact with a shape around `center`, m; `None` where there is none, and for a contact on another face.
+    /// The face that goes on from the corner at which a contact with this normal is, with a shape around `center`, m, over neighbours that do
+    /// not fall away from it. `None` where none does, and for a contact on the other face there.
     pub(crate) fn face_beyond(&self, hull: &Hull, normal: Vec2, center: Vec2) -> Option<usize> {
         match self.corner_towards(hull, farthest_corner(hull, normal), center) {
             Corner::Flush(face) if Self::face_of(hull, normal).is_none_or(|on| on == face) => Some(face),
@@ -234,8 +232,8 @@ impl Exposure {
         })
     }
 
-    /// Whether a place, m, behind a face is in the shape, or not farther from it than neighbours are. Behind a line is all that it
-    /// has.
+    /// Whether a place, m, behind a face is in the shape, or not farther from it than what is flush. A line has no inside: any place is
+    /// taken for one.
     pub(crate) fn holds(&self, hull: &Hull, place: Vec2) -> bool {
         hull.is_segment() || hull.nearest_face(place).0 <= self.gap
     }
@@ -246,13 +244,18 @@ impl Exposure {
     }
 }
 
-/// Whether the surface with the `other` normal that goes on from one with its `own` falls away from it, counter-clockwise where `side`
-/// is 1, clockwise where it is -1.
+/// Whether the surface with the `other` normal falls away from one with its `own`, from which it goes on counter-clockwise where `side` is 1,
+/// clockwise where it is -1.
 fn falls(own: Vec2, side: f32, other: Vec2) -> bool {
     side * own.cross(other) > if own.dot(other) > 0.0 { SAME_DIRECTION } else { 0.0 }
 }
 
-/// The normals between that of a surface and the `next`, that of what falls away from it on this `side`: counter-clockwise.
+/// Of some normals the one that turns the least from a surface's `own`.
+fn most_alike(own: Vec2, normals: impl Iterator<Item = Vec2>) -> Option<Vec2> {
+    normals.max_by(|one, other| own.dot(*one).total_cmp(&own.dot(*other)))
+}
+
+/// The normals from that of a surface to the `next`, of what falls away from it on this `side`, in counter-clockwise order.
 fn ridge(own: Vec2, side: f32, next: Vec2) -> Corner {
     Corner::Ridge(if side < 0.0 { [next, own] } else { [own, next] })
 }

@@ -441,7 +441,7 @@ impl<'a> BodyMut<'a> {
         self.wake();
     }
 
-    /// Sets the caller's own number.
+    /// Sets the caller's own number. A contact filter that reads it is not asked again of what is near.
     pub fn set_user_data(&mut self, user_data: u64) {
         self.record_mut().user_data = user_data;
     }

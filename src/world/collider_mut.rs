@@ -128,7 +128,7 @@ impl<'a> ColliderMut<'a> {
         Ok(())
     }
 
-    /// Sets the caller's own number.
+    /// Sets the caller's own number. A contact filter that reads it is not asked again of what is near.
     pub fn set_user_data(&mut self, user_data: u64) {
         self.world.bodies.records[self.slot].user_data = user_data;
     }

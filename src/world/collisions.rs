@@ -66,8 +66,10 @@ impl BodyMut<'_> {
 
 impl World {
     /// Says whether two bodies may collide with each other: with `false` they pass through each other, whatever their filters;
-    /// with `true`, as from the beginning, it is up to these. It holds until one of them is removed, and wakes both. Returns
+    /// with `true`, the default, it is up to these. It holds until one of them is removed, and wakes both. Returns
     /// what held before; `None`, and does nothing, if one was removed or they are the same.
+    ///
+    /// While a body passes through a fixed one, it feels where the pieces of the ground meet: one of them may be no ground to it.
     ///
     /// ```
     /// # use rustycs::prelude::*;
@@ -100,14 +102,14 @@ impl World {
         Some(collided)
     }
 
-    /// Whether two bodies collide where they meet: by their types, of which one is to be dynamic, their filters, and
-    /// [`set_collision`](Self::set_collision) and the [contact filter](Self::set_contact_filter). `None` if one was removed, or they are
-    /// the same.
+    /// Whether two bodies collide where they meet: by their types, of which one is to be dynamic, their filters,
+    /// [`set_collision`](Self::set_collision), the [contact filter](Self::set_contact_filter), and the joints between them. A sensor
+    /// collides with nothing. `None` if one was removed, or they are the same.
     pub fn may_collide(&self, a: BodyId, b: BodyId) -> Option<bool> {
         let [a, b] = self.slots_of_pair([a, b])?;
         let bodies = &self.bodies;
-        let collide = |a: u32| bodies.colliders(b).any(|b| bodies.may_collide(a, b));
-        Some(bodies.colliders(a).any(collide))
+        let collide = |of_a: u32| bodies.colliders(b).any(|of_b| bodies.may_collide(of_a, of_b));
+        Some(!self.joints.part(a, b) && bodies.colliders(a).any(collide))
     }
 
     /// Has a function say beside filters and [`set_collision`](Self::set_collision) whether two shapes collide, or, by `None`, no
@@ -115,8 +117,8 @@ impl World {
     /// do not ask it. It belongs to the world as its settings do: clones have it too, and [`state_hash`](Self::state_hash) does not
     /// see it.
     ///
-    /// Where it refuses some pieces of a ground and not others, filters by category are the better choice: the ground is taken for
-    /// one by all that these let meet it.
+    /// Where it refuses some pieces of a ground and not others, filters by category are the better choice: a piece that only this
+    /// function refuses still counts as ground beside the others.
     ///
     /// ```
     /// # use rustycs::prelude::*;

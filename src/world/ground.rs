@@ -1,6 +1,6 @@
 //! Ground made of pieces: which parts of them neighbours cover, kept up to date with every edit.
 //!
-//! Runs at the begin of a step, on shapes with other neighbours than before: those of a fixed shape are all fixed ones, those of
+//! Found at the begin of a step, of shapes with other neighbours than before: those of a fixed shape are all fixed ones, those of
 //! one of several shapes of a body that moves are the others.
 
 use crate::body::{BodyType, Role};
@@ -12,7 +12,8 @@ use crate::world::World;
 const SAME_WAY: f32 = 1e-3;
 
 impl World {
-    /// Takes note that the body in `slot` is where it is now, or will cease to be: what lies beside it may be covered by it.
+    /// Has the exposures of the shapes of the body in `slot` found anew, and of the fixed ones beside them. To be called before and after a
+    /// change of where it is or of what it is made of, with its boxes up to date, and before it is removed.
     pub(in crate::world) fn note_ground(&mut self, slot: u32) {
         let is_fixed = self.bodies.records[slot].body_type == BodyType::Fixed;
         if !is_fixed && !self.bodies.is_compound(slot) {
@@ -42,15 +43,15 @@ impl World {
         }
     }
 
-    /// What neighbours leave of the shape in `slot`; `None` where that is all, or there is no such shape.
+    /// What neighbours leave of the shape in `slot`; `None` where it is exposed all round, or there is no such shape.
     fn exposure_of(&self, slot: u32) -> Option<Exposure> {
         let bodies = &self.bodies;
         let record = bodies.records.at(slot)?;
         let shape = &bodies.shapes[slot as usize];
         let hull = shape.hull().filter(|_| !bodies.is_compound(slot))?;
         let (is_fixed, body) = (record.body_type == BodyType::Fixed, bodies.body_of(slot));
-        let has_neighbours = is_fixed || body != slot;
-        let beside = if has_neighbours { self.ground_beside(slot, is_fixed) } else { Vec::new() };
+        let may_be_covered = is_fixed || body != slot;
+        let beside = if may_be_covered { self.ground_beside(slot, is_fixed) } else { Vec::new() };
         let pose = |slot: u32| {
             let pose = bodies.motions[slot as usize].pose;
             (pose.center, bodies.shapes[slot as usize].rotation_at(pose.rotation))
@@ -65,7 +66,7 @@ impl World {
             let neighbour =
                 Neighbour { hull, rotation: rotation_to, center: rotation.unrotate(other_center - center) };
             if of_other.is_segment() {
-                lines.push(Line { at: neighbour, is_link: of_other.link().is_some() });
+                lines.push(Line { piece: neighbour, is_link: of_other.link().is_some() });
             } else {
                 neighbours.push(neighbour);
             }
@@ -100,8 +101,8 @@ impl World {
         beside
     }
 
-    /// Whether one piece of ground may cover another: only what is met by all that this one is met by. Bodies that are parted
-    /// from some are another matter, see `Bodies::exposures_of`.
+    /// Whether one piece of ground may cover another: only if all that meets the other meets it too, of which equal filters are a sign. Bodies
+    /// that are parted from some are another matter, see `Bodies::exposures_of`.
     fn covers(&self, piece: u32, covered: u32) -> bool {
         let bodies = &self.bodies;
         let [of_piece, of_covered] = [piece, covered].map(|slot| bodies.roles.of(slot));
@@ -109,7 +110,7 @@ impl World {
             return false;
         }
         let is_link = |slot: u32| bodies.shapes[slot as usize].link().is_some();
-        // A link counts for what comes along it before it, whatever passes behind.
+        // What passes a link from behind may meet the other; along its front it is ground as any.
         if is_link(piece) || is_link(covered) {
             let is_one_way_floor = |slot: u32, role: Role| role.one_way.is_some() && !is_link(slot);
             return !is_one_way_floor(piece, of_piece) && !is_one_way_floor(covered, of_covered);

@@ -43,7 +43,7 @@ pub(super) fn detect(
     }
 }
 
-/// How far b is outside of a face of a, m, and their manifold on it, if its centre is in front of the face and an edge of it has a part
+/// The manifold of b on a face of a, if its centre is in front of the face and an edge of it has a part
 /// over the face, not farther than `margin`, m: the edge that faces it, or, if that lies over a neighbour, the nearest.
 pub(in crate::collision) fn on_face(
     a: &Hull,
@@ -53,7 +53,7 @@ pub(in crate::collision) fn on_face(
     offset: Vec2,
     face: usize,
     margin: f32,
-) -> Option<(f32, Manifold)> {
+) -> Option<Manifold> {
     let pair = Pair { a, rotation_a, b, rotation_b, offset };
     let normal = pair.in_b(a.normals[face]);
     let (facing, turn) = pair.common_stretch(face);
@@ -70,9 +70,7 @@ pub(in crate::collision) fn on_face(
     if center_gap <= 0.0 {
         return None;
     }
-    let manifold = stretch.manifold(rotation_a * turn, offset, noise, margin)?;
-    let separation = manifold.points().iter().map(|point| point.separation).fold(f32::INFINITY, f32::min);
-    Some((separation, manifold))
+    stretch.manifold(rotation_a * turn, offset, noise, margin)
 }
 
 /// An edge of a hull and how far the other hull is outside of its line.

@@ -6,8 +6,8 @@ use crate::math::{Rot, Vec2};
 use crate::shape::Shape;
 
 impl Pair<'_> {
-    /// How far any point of b has moved as a sees it since their manifold was found, and may have by the end of the step,
-    /// m. What was farther than [`near`](Self::near) then is not in the manifold, and has not come by less.
+    /// How far any point of b has moved at most as a sees it since their manifold was found, and may move until the end of the step,
+    /// together, m. What the manifold does not have was farther than [`near`](Self::near) then.
     pub(super) fn strayed(&self, then: &Frozen) -> f32 {
         let seen = |offset: Offset, a: Rot, b: Rot| (a.unrotate(offset.near), a.inverse() * b);
         let (offset, rotation) = seen(self.offset, self.rotation_a, self.rotation_b);
@@ -24,8 +24,7 @@ impl Pair<'_> {
             + (turned.s.abs() + turning.abs() * self.dt) * self.motion_b.extent
     }
 
-    /// Whether one corner bears all, and may soon do so no longer: of three corners all but in line the manifold has only two, and
-    /// the body may turn about the middle one towards the third.
+    /// Whether one corner bears all, and the body may tip onto a corner that the manifold lacks: of three all but in line it has two.
     pub(super) fn may_turn_to_another_corner(&self, contact: &Contact) -> bool {
         let bears = |point: &&ManifoldPoint| point.normal_impulse > 0.0;
         let normal = contact.manifold.normal;
@@ -34,9 +33,9 @@ impl Pair<'_> {
                 || self.has_three_near(self.shape_b, self.rotation_b.unrotate(-normal)))
     }
 
-    /// Whether a shape has three corners that are as far out in a direction, in its frame, but for [`near`](Self::near).
+    /// Whether a shape has three corners within [`near`](Self::near) of the farthest in a direction, in its frame.
     fn has_three_near(&self, shape: &Shape, direction: Vec2) -> bool {
-        // A box has two on a side.
+        // A box never has three.
         let (Shape::Polygon(_) | Shape::Rounded(_), Some((hull, _))) = (shape, shape.core()) else {
             return false;
         };

@@ -6,7 +6,6 @@ use crate::compute::{COLUMN, Columns, GROUND_ROW, Lane, RowPairs};
 use crate::resolution::asked::Asked;
 use crate::resolution::constraint::{ConstraintPoint, ContactConstraint, THERE, Turns};
 use crate::resolution::contact_block::{BlockMarks, ContactBlock, Fit};
-use crate::resolution::deep::is_deep;
 use crate::resolution::moving_geometry::MovingGeometry;
 
 /// What constraints are made from as a step begins.
@@ -98,7 +97,6 @@ impl ContactBlock {
         let [a, b] = motions;
         (rows_a[place], rows_b[place]) = (a.row, b.row);
         let constraint = ContactConstraint::new(&contact.manifold, contact.friction, motions);
-        self.marks.deep.set(place, is_deep(contact, bodies));
         self.columns.store::<f32>(place, constraint);
         self.has_circles |= a.is_round | b.is_round;
         // A spin of 0 stays 0, and not -0, where nothing can change it.

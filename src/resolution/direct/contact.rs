@@ -68,7 +68,7 @@ impl ContactPoint {
         let reach = moved.map(|side| anchors[side].length()).fold(0.0, f32::max);
         let bias = match aim {
             _ if (0.0..SMALLEST_GAP * reach).contains(&separation) => 0.0,
-            _ if separation < 0.0 && graph.is_deep(self.home) => 0.0,
+            _ if separation < 0.0 && graph.is_tangled(self.home) => 0.0,
             Aim::Push => bias(separation, substep_rate),
             Aim::Relax => gap_bias(separation, substep_rate),
         };

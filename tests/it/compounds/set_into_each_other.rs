@@ -44,6 +44,26 @@ fn two_of_them_part_without_a_bang() {
     }
 }
 
+/// However small they are: what is 3 cm across parts as well.
+#[test]
+fn small_ones_part_too() {
+    let cross = || Body::dynamic(Shape::obb(0.03, 0.006)).with(Collider::new(Shape::obb(0.006, 0.03)));
+    for [x, y] in [[0.004_f32, 0.003], [0.012, 0.0], [0.002, -0.007]] {
+        let mut world = World::default();
+        for place in [[0.0, 0.0], [x, y]] {
+            world.add(cross().at(place).angle(10.0 * y).restitution(0.0)).unwrap();
+        }
+        for _ in 0..300 {
+            world.step();
+        }
+        let deepest = world.contacts().flat_map(|contact| contact.points().to_vec());
+        let deepest = deepest.map(|point| -point.separation).fold(0.0, f32::max);
+        // No deeper than what is not deep, a tenth of their width: the area of the two bars over the length.
+        let width = 2.0 * 0.03 * 0.006 / 0.0306;
+        assert!(deepest <= 0.1 * width, "{deepest} m of {width} m at {x}, {y}");
+    }
+}
+
 /// Ten in one place above the floor: of ten in a row, each pushed away from the next, the outer ones have 9/2 of the speed of a push; and
 /// they fall from the top of the heap. They came to 44 m/s.
 #[test]

@@ -159,3 +159,19 @@ fn a_platform_of_several_shapes_has_no_seams() {
     let [x, y] = velocity(&world, id);
     assert!((x - 3.0).abs() < 1e-3 && (y - 0.5).abs() < 1e-2, "{x}, {y} m/s");
 }
+
+/// Bodies that were parted from others, or tiles from others, feel no seams: only a body that passes through some of the ground does.
+#[test]
+fn parted_bodies_go_over_seams_as_others_do() {
+    let mut world = earth();
+    let tiles: Vec<BodyId> =
+        (-3..20).map(|number| add(&mut world, tile_at(f64::from(number), -0.5))).collect();
+    let ghost = add(&mut world, slider(-50.0, 0.0));
+    let id = add(&mut world, slider(0.0, 3.0));
+    world.set_collision(id, ghost, false);
+    for tile in tiles {
+        world.set_collision(tile, ghost, false);
+    }
+    run(&mut world, 3.0);
+    assert!((velocity(&world, id)[0] - 3.0).abs() < 3e-4, "{:?}", velocity(&world, id));
+}

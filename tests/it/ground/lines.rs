@@ -122,6 +122,47 @@ fn slopes_of_lines_go_over_into_boxes() {
     }
 }
 
+/// Down a slope of a segment that begins at an upper corner of a box, and over the box: of the speed it loses what goes into the box, as
+/// the ground turns by the angle of the slope. The same at both corners.
+#[test]
+fn a_slope_that_rises_from_a_corner_of_a_box_goes_over_into_it() {
+    let angle = 0.1_f32;
+    let (run, rise) = (10.0 * Rot::from_angle(angle).c, up_to(10.0, angle));
+    for (name, shape) in
+        [("disc", Shape::circle(0.3)), ("capsule", Shape::capsule([-0.3, 0.0], [0.3, 0.0], 0.2))]
+    {
+        let mut speeds = [0.0; 2];
+        for (side, speed) in [1.0_f32, -1.0].into_iter().zip(&mut speeds) {
+            let mut world = earth_with(Settings::default());
+            let slab = if side > 0.0 { box_up_to(0.0, 0.0) } else { box_from(0.0, 0.0) };
+            add(&mut world, slab.friction(0.0).restitution(0.0));
+            let slope = segment([0.0, 0.0], [side * run, rise]);
+            add(&mut world, slope.friction(0.0).restitution(0.0));
+            let up = Rot::from_angle(side * angle).rotate(Vec2::new(side * 5.0, height_of(&shape) as f32));
+            let body = Body::dynamic(shape).at([f64::from(up.x), f64::from(up.y)]).angle(side * angle);
+            let id = add(&mut world, body.friction(0.0).restitution(0.0));
+            for _ in 0..360 {
+                world.step();
+            }
+            assert!(f64::from(-side) * place(&world, id)[0] > 1.0, "{name} {side}: {:?}", place(&world, id));
+            *speed = velocity(&world, id)[0].abs();
+        }
+        // It is half its length before the corner where its front meets the box.
+        let highest = (2.0 * G * f64::from(up_to(5.0, angle))).sqrt();
+        let least =
+            (2.0 * G * f64::from(up_to(4.0, angle))).sqrt() * f64::from(Rot::from_angle(angle).c).powi(2);
+        for speed in speeds {
+            assert!((least..=highest).contains(&speed), "{name}: {speed} of {least} to {highest} m/s");
+        }
+        assert_near(speeds[0], speeds[1], 1e-3 * speeds[0], "the same at both corners");
+    }
+}
+
+/// How much higher a slope at an angle, rad, is after so much of it, m.
+fn up_to(length: f32, angle: f32) -> f32 {
+    length * Rot::from_angle(angle).s
+}
+
 /// Along its underside a line ends at the side of a box that it is flush with on top.
 #[test]
 fn what_is_behind_a_line_meets_the_side_of_the_box() {
