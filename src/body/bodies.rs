@@ -450,15 +450,20 @@ impl Bodies {
         self.motions[slot as usize].inverse_mass > 0.0
     }
 
-    /// What neighbours leave of two shapes; `None` where that is all. A body that was parted from fixed ones passes through what may
-    /// cover others of them: to it all is exposed.
+    /// Whether the body in `slot` is ground: contacts do not move it.
+    pub(crate) fn is_ground(&self, slot: u32) -> bool {
+        self.records[slot].body_type != BodyType::Dynamic
+    }
+
+    /// What neighbours leave of two shapes; `None` where that is all. A body that was parted from some of the ground passes through what
+    /// may cover the rest: to it all is exposed.
     #[inline(always)]
     pub(crate) fn exposures_of(&self, colliders: [u32; 2]) -> Option<[Option<&Exposure>; 2]> {
         let [of_a, of_b] = self.exposures.of(colliders)?;
         let [a, b] = self.bodies_of(colliders);
-        let is_fixed = |slot: u32| self.records[slot].body_type == BodyType::Fixed;
+        let is_ground = |slot: u32| self.is_ground(slot);
         let is_met =
-            |owner: u32, other: u32| !(is_fixed(owner) && self.roles.parted_from(other).any(is_fixed));
+            |owner: u32, other: u32| !(is_ground(owner) && self.roles.parted_from(other).any(is_ground));
         let both = [of_a.filter(|_| is_met(a, b)), of_b.filter(|_| is_met(b, a))];
         both.iter().any(Option::is_some).then_some(both)
     }

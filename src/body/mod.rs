@@ -32,6 +32,7 @@ pub use contact_filter::{ContactFilter, FilteredShape};
 pub use description::{Body, BodyType};
 pub use error::BodyError;
 pub(crate) use error::{Number, check_range};
+pub(crate) use exposures::Exposures;
 pub use filter::Filter;
 pub(crate) use material::Mixes;
 pub use material::{Material, Mix};

@@ -112,7 +112,8 @@ fn of_round(found: &Manifold, side: usize, exposure: &Exposure, placed: Placed<'
     let offset = placed.other_center(side);
     let face = exposure.face_beyond(hull, rotation.unrotate(found.normal), rotation.unrotate(offset))?;
     let normal = rotation.rotate(hull.normals[face]);
-    if found.normal.dot(normal) <= 0.0 {
+    // Farther beyond the end than it is high above the face, it may be before something else: over the hole below a plank.
+    if found.normal.dot(normal) < core::f32::consts::FRAC_1_SQRT_2 {
         return None;
     }
     let (radius, point) = (round.corner_radius(), found.points().first()?);

@@ -65,7 +65,10 @@ pub(super) fn decide(contact: &mut Contact, before: OneWay, bodies: &Bodies) {
         _ => {
             is_on_free_side(bodies, contact.colliders, &contact.manifold, b - a) || {
                 let poses = contact.colliders.map(|slot| bodies.previous_pose(slot));
-                was_before_links(bodies, contact.colliders, &contact.manifold, b - a, poses)
+                // What was put there has not come through it, however it moves now.
+                let is_put = poses == contact.colliders.map(|slot| bodies.motions[slot as usize].pose);
+                let moves = if is_put { Vec2::ZERO } else { b - a };
+                was_before_links(bodies, contact.colliders, &contact.manifold, moves, poses)
             }
         }
     };

@@ -6,3 +6,4 @@ mod lines;
 mod pieces;
 mod seams;
 mod tiles;
+mod union;
