@@ -94,3 +94,44 @@ fn ten_of_them_part_without_a_bang() {
         }
     }
 }
+
+/// A disc with eight teeth.
+fn gear() -> Body {
+    (0..8_u8).fold(Body::dynamic(Shape::circle(0.4)), |gear, tooth| {
+        let angle = f32::from(tooth) * core::f32::consts::FRAC_PI_4;
+        let Rot { c, s } = Rot::from_angle(angle);
+        gear.with(Collider::new(Shape::obb(0.2, 0.12)).at([0.48 * c, 0.48 * s]).angle(angle))
+    })
+}
+
+/// A square with a square hole.
+fn frame() -> Body {
+    let square = |half: f32| [[-half, -half], [half, -half], [half, half], [-half, half]];
+    Body::dynamic_pieces(Shape::with_holes(square(0.5), [square(0.35)]).unwrap())
+}
+
+/// Five of them are squeezed between each other, and some snap out of a knot. All but one in twenty crowds stay below the energy that
+/// they have if each goes at the speed of a push; one in ten did not, and the worst of 60 had 28 times as much.
+#[test]
+fn five_of_them_part_without_a_bang_but_for_few() {
+    let mut fast = 0;
+    for seed in 0..60 {
+        let mut random = Xoshiro256PlusPlus::seed_from_u64(seed);
+        let mut world = World::default();
+        let mut mass = 0.0;
+        for _ in 0..5 {
+            let make = [lollipop, cross, gear, frame][random.random_range(0..4_usize)];
+            let at = [random.random_range(-0.56_f32..0.56), random.random_range(-0.56..0.56)];
+            let id =
+                world.add(make().at(at).angle(random.random_range(0.0_f32..6.0)).restitution(0.0)).unwrap();
+            mass += f64::from(world.body(id).unwrap().mass());
+        }
+        let mut most = 0.0_f64;
+        for _ in 0..240 {
+            world.step();
+            most = most.max(world.energy());
+        }
+        fast += u32::from(most > mass * f64::from(PUSH_SPEED).powi(2));
+    }
+    assert!(fast <= 3, "{fast} of 60");
+}
