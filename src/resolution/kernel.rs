@@ -72,8 +72,8 @@ impl WarmStart {
         let part = L::splat(self.part);
         match self.time {
             WarmStartTime::BeforeMove => {
-                let all = L::splat(1.0).greater(L::splat(0.0));
-                let forgotten = if self.part == 0.0 { Some(all) } else { block.tangled::<L>(place) };
+                let all = || L::splat(1.0).greater(L::splat(0.0));
+                let forgotten = if self.part == 0.0 { Some(all()) } else { block.tangled::<L>(place) };
                 if let Some(forgotten) = forgotten {
                     constraint.forget_impulses_where(forgotten);
                     block.store_friction_impulses::<L, POINTS>(place, &constraint);

@@ -114,7 +114,12 @@ impl World {
             let reach = f64::from(extent(slot) + extent(other) + Exposure::FARTHEST);
             // The sum is rounded, and so is the distance.
             let is_near = center.distance(other_center) <= reach * 1.001;
-            if other != slot && is_one_ground && is_near && self.covers(other, slot) {
+            if other != slot
+                && is_one_ground
+                && is_near
+                && self.covers(other, slot)
+                && self.move_alike(other, slot)
+            {
                 let shape = &bodies.shapes[other as usize];
                 neighbours.extend(shape.hull().map(|&hull| Neighbour {
                     slot: other,
@@ -127,6 +132,19 @@ impl World {
             true
         });
         neighbours.sort_unstable_by_key(|neighbour| neighbour.slot);
+    }
+
+    /// Whether two pieces of ground stay beside each other for a step: a paddle that brushes a wall leaves it open to what flies there.
+    fn move_alike(&self, one: u32, other: u32) -> bool {
+        let bodies = &self.bodies;
+        let [a, b] = [one, other].map(|slot| bodies.state(slot));
+        let apart = bodies.motions[other as usize].pose.center - bodies.motions[one as usize].pose.center;
+        let turning = b.angular_velocity - a.angular_velocity;
+        // Of both where the centre of the other is.
+        let sliding = bodies.velocity_of_shape(other)
+            - (bodies.velocity_of_shape(one) + apart.perp() * a.angular_velocity);
+        let speed = sliding.length() + turning.abs() * bodies.motions[other as usize].extent;
+        speed * self.settings.tick_seconds() as f32 <= Exposure::FARTHEST
     }
 
     /// Whether one piece of ground may cover another: only if all that meets the other meets it too, of which equal filters are a sign. Bodies

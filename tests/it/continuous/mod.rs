@@ -121,6 +121,18 @@ fn nobody_leaves_a_closed_box_with_a_paddle() {
     }
 }
 
+/// A plate slides along a wall and away, 1 m in a tick; a disc strikes the wall in the same tick where the plate was before.
+#[test]
+fn a_wall_is_met_where_something_has_just_left_it() {
+    let mut world = space();
+    add(&mut world, Body::fixed(Shape::rectangle(1.0, 8.0)).at([0.5, 0.0]).restitution(1.0));
+    add(&mut world, Body::kinematic(Shape::rectangle(0.2, 0.3)).at([-0.1, 0.15]).velocity([0.0, 60.0]));
+    let disc = Body::dynamic(Shape::circle(0.05)).at([-0.3, -0.1]).velocity([40.0, 30.0]);
+    let disc = add(&mut world, disc.restitution(1.0).friction(0.0));
+    world.step();
+    assert_eq!(world.body(disc).unwrap().velocity(), Vec2::new(-40.0, 30.0));
+}
+
 /// The contact of two bodies that meet within a step only, as one of them is struck, begins and hits in that step, and ends
 /// when they are apart.
 #[test]
