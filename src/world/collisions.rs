@@ -69,7 +69,8 @@ impl World {
     /// with `true`, the default, it is up to these. It holds until one of them is removed, and wakes both. Returns
     /// what held before; `None`, and does nothing, if one was removed or they are the same.
     ///
-    /// While a body passes through a fixed one, it feels where the pieces of the ground meet: one of them may be no ground to it.
+    /// While a body passes through a fixed or kinematic one, it feels where the pieces of the ground meet: one of them may be no ground
+    /// to it.
     ///
     /// ```
     /// # use rustycs::prelude::*;

@@ -137,10 +137,13 @@ impl World {
     /// Whether two pieces of ground stay beside each other for a step: a paddle that brushes a wall leaves it open to what flies there.
     fn move_alike(&self, one: u32, other: u32) -> bool {
         let bodies = &self.bodies;
+        if bodies.body_of(one) == bodies.body_of(other) {
+            return true;
+        }
         let [a, b] = [one, other].map(|slot| bodies.state(slot));
         let apart = bodies.motions[other as usize].pose.center - bodies.motions[one as usize].pose.center;
         let turning = b.angular_velocity - a.angular_velocity;
-        // Of both where the centre of the other is.
+        // At the centre of the other.
         let sliding = bodies.velocity_of_shape(other)
             - (bodies.velocity_of_shape(one) + apart.perp() * a.angular_velocity);
         let speed = sliding.length() + turning.abs() * bodies.motions[other as usize].extent;
