@@ -13,7 +13,7 @@ mod neighbour;
 mod sector;
 
 use crate::math::Vec2;
-pub(crate) use crate::shape::exposure::neighbour::Neighbour;
+pub(crate) use crate::shape::exposure::neighbour::{Neighbour, Place};
 use crate::shape::exposure::sector::{Beyond, Corner, Sector};
 use crate::shape::{Hull, Link, MAX_VERTICES};
 

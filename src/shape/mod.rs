@@ -29,7 +29,7 @@ pub use query::OutlineHit;
 pub use rounded::Rounded;
 pub use segment::Segment;
 
-pub(crate) use exposure::{Exposure, Neighbour};
+pub(crate) use exposure::{Exposure, Neighbour, Place};
 pub(crate) use hull::Hull;
 pub(crate) use segment::Link;
 

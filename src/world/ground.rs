@@ -4,8 +4,8 @@
 //! kinematic ones, those of one of several shapes of a dynamic body are the others.
 
 use crate::body::{BodyType, Exposures, Role};
-use crate::math::Vec2;
-use crate::shape::{Exposure, Neighbour};
+use crate::math::{Pose, Rot, Vec2};
+use crate::shape::{Exposure, Neighbour, Place};
 use crate::world::World;
 
 /// Directions of one-way floors are the same that differ by less, no unit: rounding of rotations is far less.
@@ -101,53 +101,41 @@ impl World {
     fn find_ground_beside(&self, slot: u32, neighbours: &mut Vec<Neighbour>) {
         let bodies = &self.bodies;
         let (is_ground, body) = (bodies.is_ground(slot), bodies.body_of(slot));
-        let pose = |slot: u32| {
-            let pose = bodies.motions[slot as usize].pose;
-            (pose.center, bodies.shapes[slot as usize].rotation_at(pose.rotation))
-        };
-        let (center, rotation) = pose(slot);
         let extent = |slot: u32| bodies.motions[slot as usize].extent;
+        let poses = self.poses_over_step(slot);
         self.broad_phase.query(self.broad_phase.fat_aabb(slot).grown(Exposure::FARTHEST), |other| {
             let is_one_ground =
                 if is_ground { bodies.is_ground(other) } else { bodies.body_of(other) == body };
-            let (other_center, other_rotation) = pose(other);
             let reach = f64::from(extent(slot) + extent(other) + Exposure::FARTHEST);
+            let center = bodies.motions[other as usize].pose.center;
             // The sum is rounded, and so is the distance.
-            let is_near = center.distance(other_center) <= reach * 1.001;
-            if other != slot
-                && is_one_ground
-                && is_near
-                && self.covers(other, slot)
-                && self.move_alike(other, slot)
-            {
+            let is_near = poses[0].center.distance(center) <= reach * 1.001;
+            if other != slot && is_one_ground && is_near && self.covers(other, slot) {
                 let shape = &bodies.shapes[other as usize];
-                neighbours.extend(shape.hull().map(|&hull| Neighbour {
-                    slot: other,
-                    hull,
-                    rotation: rotation.inverse() * other_rotation,
-                    center: rotation.unrotate(other_center - center),
-                    is_link: shape.link().is_some(),
-                }));
+                let of_other = self.poses_over_step(other);
+                let place = |time: usize| Place {
+                    rotation: poses[time].rotation.inverse() * of_other[time].rotation,
+                    center: poses[time].rotation.unrotate(of_other[time].center - poses[time].center),
+                };
+                let begin = place(0);
+                let places = [begin, if bodies.body_of(other) == body { begin } else { place(1) }];
+                let is_link = shape.link().is_some();
+                neighbours.extend(shape.hull().map(|&hull| Neighbour { slot: other, hull, is_link, places }));
             }
             true
         });
         neighbours.sort_unstable_by_key(|neighbour| neighbour.slot);
     }
 
-    /// Whether two pieces of ground stay beside each other for a step: a paddle that brushes a wall leaves it open to what flies there.
-    fn move_alike(&self, one: u32, other: u32) -> bool {
-        let bodies = &self.bodies;
-        if bodies.body_of(one) == bodies.body_of(other) {
-            return true;
-        }
-        let [a, b] = [one, other].map(|slot| bodies.state(slot));
-        let apart = bodies.motions[other as usize].pose.center - bodies.motions[one as usize].pose.center;
-        let turning = b.angular_velocity - a.angular_velocity;
-        // At the centre of the other.
-        let sliding = bodies.velocity_of_shape(other)
-            - (bodies.velocity_of_shape(one) + apart.perp() * a.angular_velocity);
-        let speed = sliding.length() + turning.abs() * bodies.motions[other as usize].extent;
-        speed * self.settings.tick_seconds() as f32 <= Exposure::FARTHEST
+    /// The poses of a shape as the step begins, and as it ends if nothing acts on its body.
+    fn poses_over_step(&self, slot: u32) -> [Pose; 2] {
+        let (bodies, dt) = (&self.bodies, self.settings.tick_seconds() as f32);
+        let (pose, state) = (bodies.motions[slot as usize].pose, bodies.state(slot));
+        let (turn, arm) = (Rot::from_angle(state.angular_velocity * dt), bodies.arm(slot));
+        let moved = Vec2::from(state.velocity) * dt + (turn.rotate(arm) - arm);
+        let at_end = Pose { center: pose.center + moved, rotation: turn * pose.rotation };
+        let shape = &bodies.shapes[slot as usize];
+        [pose, at_end].map(|pose| Pose { rotation: shape.rotation_at(pose.rotation), ..pose })
     }
 
     /// Whether one piece of ground may cover another: only if all that meets the other meets it too, of which equal filters are a sign. Bodies

@@ -2,9 +2,10 @@
 
 use super::*;
 use crate::math::Rot;
+use crate::shape::exposure::neighbour::Place;
 
 fn beside(hull: &Hull, center: [f32; 2]) -> Neighbour {
-    Neighbour { slot: 0, hull: *hull, rotation: Rot::IDENTITY, center: center.into(), is_link: false }
+    Neighbour::still(*hull, Place { rotation: Rot::IDENTITY, center: center.into() })
 }
 
 /// Whether a contact at a place counts, with a normal at an angle from upwards to the left, rad.
@@ -118,7 +119,7 @@ fn a_ridge_is_met_from_between_its_slopes() {
     let slope = Rot::from_angle(0.5);
     // The upper right corner of the slope is the upper left one of the flat.
     let center = Vec2::new(-2.0, 0.5) - slope.rotate(Vec2::new(2.0, 0.5));
-    let neighbour = Neighbour { slot: 0, hull: flat, rotation: slope, center, is_link: false };
+    let neighbour = Neighbour::still(flat, Place { rotation: slope, center });
     let exposure = Exposure::new(&flat, None, &[neighbour]).unwrap();
     for (angle, counts) in [(0.0, true), (0.25, true), (0.5, true), (0.6, false), (LEFT, false)] {
         assert_eq!(allows(&exposure, &flat, angle, [-2.0, 0.5]), counts, "{angle} rad");

@@ -122,6 +122,25 @@ fn a_lift_that_has_come_up_beside_a_floor_is_flush_with_it() {
     }
 }
 
+/// A plate that goes on within a floor, its top level with that of the floor: its end is inside all the time, and pushes nothing.
+#[test]
+fn a_plate_that_slides_within_a_floor_moves_nothing_on_it() {
+    for (floor, depth) in [("a deep floor", 1.0), ("a shallow floor", 0.5)] {
+        for speed in [0.5, 3.0, 10.0] {
+            for (name, mover, height) in movers() {
+                let mut world = earth();
+                let slab = Body::fixed(Shape::rectangle(40.0, depth)).at([0.0, -0.5 * f64::from(depth)]);
+                add(&mut world, slab.friction(0.0).restitution(0.0));
+                let plate = Body::kinematic(Shape::rectangle(2.8, 0.4)).at([-2.5, -0.2]);
+                add(&mut world, plate.velocity([speed, 0.0]).friction(0.0).restitution(0.0));
+                let [kick, vx] = slide(&mut world, (mover.clone(), height), 0.0, 2.0);
+                let what = format!("{name} on {floor}, plate at {speed} m/s");
+                assert!(kick <= KICK && (vx - 2.0).abs() <= 2.0 * LOSS, "{what}: {kick:e} m/s up, {vx} m/s");
+            }
+        }
+    }
+}
+
 /// Two pieces that meet at an angle δ, and a chain of the same two lines: what slides from one to the other comes out alike. The blow of a
 /// bend takes v (1 - cos δ), 0.02 m/s at the largest; both ends of a body may take it in one tick or in two.
 #[test]
