@@ -61,7 +61,8 @@ impl Kernel for WarmStart {
 }
 
 impl WarmStart {
-    #[inline(always)]
+    #[cfg_attr(unoptimized, inline(never))]
+    #[cfg_attr(not(unoptimized), inline(always))]
     fn start<L: Lane, const POINTS: usize, const STILL: bool, const SMOOTH: bool>(
         &self,
         block: &mut ContactBlock,
@@ -147,7 +148,8 @@ impl SweepOver {
         }
     }
 
-    #[inline(always)]
+    #[cfg_attr(unoptimized, inline(never))]
+    #[cfg_attr(not(unoptimized), inline(always))]
     fn run_sweep<L: Lane, const POINTS: usize, const STILL: bool, const IS_SPECIAL: bool>(
         &self,
         block: &mut ContactBlock,
@@ -178,7 +180,8 @@ impl SweepOver {
 
     /// Solves those that begin to bear load a few times more, and with friction before the move too: there are no impulses to
     /// start them from, and a box set on a slope would go down freely for half a substep.
-    #[inline(always)]
+    #[cfg_attr(unoptimized, inline(never))]
+    #[cfg_attr(not(unoptimized), inline(always))]
     fn run_cold<L: Lane>(&self, block: &mut ContactBlock, states: &mut PairStates<'_>, place: usize) {
         let is_cold = block.cold_and_loaded::<L>(place);
         if L::bits(is_cold) == 0 {
