@@ -35,7 +35,7 @@ use crate::compute::BodyState;
 use crate::math::Vec2;
 use crate::resolution::constraint_graph::ConstraintGraph;
 pub(crate) use crate::resolution::direct::contact::Aim;
-use crate::resolution::direct::contact::ContactPoint;
+use crate::resolution::direct::contact::DirectContact;
 use crate::resolution::direct::newton::{Newton, Part};
 
 /// Where Newton's method does not solve an island of no more bodies than this, that is tried again in the next step: to
@@ -50,7 +50,7 @@ pub(crate) struct DirectSolver {
     states_of_movers: Vec<u32>,
     /// By row of the states, which mover it is.
     mover_of_row: Vec<Option<u32>>,
-    points: Vec<ContactPoint>,
+    contacts: Vec<DirectContact>,
     islands: Vec<Part>,
     newton: Newton,
 }
@@ -58,7 +58,7 @@ pub(crate) struct DirectSolver {
 impl DirectSolver {
     pub(crate) fn clear(&mut self) {
         self.states_of_movers.clear();
-        self.points.clear();
+        self.contacts.clear();
         self.islands.clear();
         self.newton.clear();
     }
@@ -71,7 +71,7 @@ impl DirectSolver {
         contacts: &Contacts,
         graph: &ConstraintGraph,
     ) {
-        let (first_mover, first_row) = (self.states_of_movers.len(), self.newton.rows.len());
+        let (first_mover, begin) = (self.states_of_movers.len(), self.newton.end());
         self.mover_of_row.resize(bodies.row_count(), None);
         for &slot in island {
             let motion = &bodies.motions[slot as usize];
@@ -81,7 +81,7 @@ impl DirectSolver {
             let inertia = if can_turn { f64::from(motion.inverse_inertia).recip() } else { 1.0 };
             self.mover_of_row[motion.row as usize] = Some(self.states_of_movers.len() as u32);
             self.states_of_movers.push(motion.row);
-            self.newton.masses.extend([mass, mass, inertia]);
+            self.newton.masses.push([mass, mass, inertia]);
         }
         for &slot in island {
             for index in contacts.of_body(bodies, slot) {
@@ -91,18 +91,16 @@ impl DirectSolver {
                 let movers = graph.moved_rows(home).map(|row| self.mover_of_row[row as usize]);
                 // A contact is in the lists of both its bodies.
                 if movers.contains(&None) || slot == contact.slots[0] {
-                    let rows = &mut self.newton.rows;
-                    let points = 0..contact.manifold.points().len();
+                    let points = contact.manifold.points().len();
                     let speed = bodies.roles.surface_speed(contact.colliders).unwrap_or(0.0);
-                    self.points
-                        .extend(points.map(|point| ContactPoint::new(home, point, movers, speed, rows)));
+                    self.contacts.push(DirectContact::new(home, points, movers, speed, &mut self.newton));
                 }
             }
         }
         for &row in &self.states_of_movers[first_mover..] {
             self.mover_of_row[row as usize] = None;
         }
-        self.islands.push(self.newton.part_from(first_mover, first_row));
+        self.islands.push(self.newton.part_from(begin));
     }
 
     pub(crate) fn is_empty(&self) -> bool {
@@ -133,25 +131,25 @@ impl DirectSolver {
         for &row in &self.states_of_movers {
             let state = &states[row as usize];
             let velocity = [state.velocity.x, state.velocity.y, state.angular_velocity];
-            self.newton.free.extend(velocity.map(f64::from));
+            self.newton.free.push(velocity.map(f64::from));
         }
-        for point in &self.points {
-            point.fill_rows(&mut self.newton.rows, graph, states, aim, 1.0 / h);
+        for contact in &self.contacts {
+            contact.fill_rows(&mut self.newton.rows, graph, states, aim, 1.0 / h);
         }
         for island in &mut self.islands {
             self.newton.solve(island);
         }
         self.write(&self.newton.sought, states);
         if aim == Aim::Relax {
-            for point in &self.points {
-                point.write_back(&self.newton.rows, graph);
+            for contact in &self.contacts {
+                contact.write_back(&self.newton.rows, graph);
             }
         }
     }
 
-    /// Writes velocities, three for each mover, into the states.
-    fn write(&self, velocities: &[f64], states: &mut [BodyState]) {
-        for (&row, velocity) in self.states_of_movers.iter().zip(velocities.chunks_exact(3)) {
+    /// Writes the velocities of all movers into the states.
+    fn write(&self, velocities: &[[f64; 3]], states: &mut [BodyState]) {
+        for (&row, velocity) in self.states_of_movers.iter().zip(velocities) {
             let state = &mut states[row as usize];
             state.velocity = Vec2::new(velocity[0] as f32, velocity[1] as f32).into();
             state.angular_velocity = velocity[2] as f32;

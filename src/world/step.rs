@@ -230,7 +230,7 @@ impl World {
         let rule = settings.tier_rule(self.acceleration.length());
         let mixes = settings.mixes();
         let Self { bodies, contacts, joints, graph, loads, pool, broad_phase, .. } = self;
-        self.tiers.decide(self.ticks, rule, loads, TierTables { bodies, contacts, graph });
+        self.tiers.decide(self.ticks, rule, loads, TierTables { bodies, contacts, graph, joints });
         loads.clear();
         let field = Field {
             uniform: self.acceleration,

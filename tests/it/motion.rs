@@ -125,8 +125,8 @@ fn no_overlap_is_deeper_than_what_a_tick_can_miss() {
     }
 }
 
-/// A known failure of the law above: after five seconds of falling in, the pile has overlaps of 6 to 14 cm in every one of
-/// eight draws; whether the law allows them is up to how fast something happens to fall just then.
+/// A known failure of the law above: after five seconds of falling in, the pile has overlaps of 1 to 9 cm in forty draws; whether
+/// the law allows them is up to how fast something happens to fall just then.
 #[test]
 fn the_pile_is_still_deeper_than_what_a_tick_can_miss() {
     let scene = rustycs_scenes::find("pile").unwrap();
@@ -139,7 +139,7 @@ fn the_pile_is_still_deeper_than_what_a_tick_can_miss() {
         let look = Look::at(&world);
         look.overlap > 0.02 + look.top_speed / 60.0
     };
-    assert!((1..=8).any(is_too_deep), "the law is met now: ask it of the pile too");
+    assert!((1..=40).any(is_too_deep), "the law is met now: ask it of the pile too");
 }
 
 /// Nothing sleeps before it has been at rest for a second.

@@ -2,8 +2,8 @@
 
 use core::ops::Range;
 
-use crate::resolution::direct::row::{Bound, Row, Slope, TOLERANCE, Way};
-use crate::resolution::direct::skyline::Skyline;
+use crate::resolution::direct::row::{Bound, Row, Slope, TOLERANCE, Triple};
+use crate::resolution::direct::skyline::{Block, Skyline};
 
 /// Share of its own impulse that a row gives back when the impulse changes, no unit. It makes redundant contacts
 /// share their load, as the compliance of the sweeps does, and it damps: a house of cards, rigid to the last digit, trembles
@@ -19,8 +19,8 @@ const STIFF_MASS: f64 = 100.0;
 /// little less.
 const LEAST_COMPLIANCE: f64 = 1e-6;
 
-/// Newton steps at most, tries to find how far to go along each, and sweeps where they have not come to an end. From the impulses of the last substep one or two
-/// are the rule. Few islands that need more come to an end, and a step of the world would be seen to take long; fewer
+/// Newton steps at most, tries to find how far to go along each, and sweeps where they have not come to an end. From the impulses of
+/// the last substep one or two are the rule. Few islands that need more come to an end, and a step of the world would be seen to take long; fewer
 /// sweeps leave more small piles awake.
 const MOST_STEPS: usize = 20;
 
@@ -28,10 +28,38 @@ const MOST_STEPS: usize = 20;
 /// substep, so that the steps end.
 const LIMIT_STEPS: usize = 3;
 
-/// Movers and rows of an island, as ranges.
+/// A share of a step that is rounding, no unit.
+const NO_WAY: f64 = 1e-9;
+
+/// Two movers and the rows between them.
+#[derive(Clone, Debug)]
+pub(super) struct Pair {
+    /// Numbers of the movers: twice the same where impulses do not move the other body.
+    movers: [usize; 2],
+    rows: Range<usize>,
+}
+
+impl Pair {
+    /// What its movers have of what there is for each.
+    fn of(&self, all: &[Triple]) -> [Triple; 2] {
+        self.movers.map(|mover| all[mover])
+    }
+
+    /// Adds to what its movers have.
+    fn add(&self, to: &mut [Triple], what: &[Triple; 2]) {
+        for (mover, what) in self.movers.into_iter().zip(what) {
+            for (to, what) in to[mover].iter_mut().zip(what) {
+                *to += what;
+            }
+        }
+    }
+}
+
+/// Movers, pairs and rows of an island, as ranges.
 #[derive(Clone, Debug)]
 pub(super) struct Part {
     pub(super) movers: Range<usize>,
+    pairs: Range<usize>,
     rows: Range<usize>,
     compliance: f64,
     /// Whether Newton's method failed in this step. It would fail in the substeps to come too, at the price of many
@@ -39,51 +67,69 @@ pub(super) struct Part {
     pub(super) is_unsolved: bool,
 }
 
-impl Part {
-    /// Where the velocities of its movers are.
-    fn places(&self) -> Range<usize> {
-        3 * self.movers.start..3 * self.movers.end
-    }
-}
-
 /// Movers, rows between them, and the buffers of the solve.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Newton {
-    /// By velocity, three for each mover: its mass, kg, twice, and moment of inertia, kg m².
-    pub(super) masses: Vec<f64>,
+    /// Of each mover its mass, kg, twice, and moment of inertia, kg m².
+    pub(super) masses: Vec<Triple>,
     /// Velocities without impulses, and those sought.
-    pub(super) free: Vec<f64>,
-    pub(super) sought: Vec<f64>,
+    pub(super) free: Vec<Triple>,
+    pub(super) sought: Vec<Triple>,
+    /// The rows of a pair follow each other, and a row of friction the one that bounds it.
     pub(super) rows: Vec<Row>,
-    /// Scratch: the gradient, then the Newton step; what it does to each row; the impulses of the last stage; the first
-    /// mover of each row of blocks.
-    step: Vec<f64>,
-    ways: Vec<Way>,
-    found: Vec<f64>,
+    pairs: Vec<Pair>,
+    /// Of each mover the first of its part that it shares a row with, counted within the part.
     leftmost: Vec<u32>,
+    /// Scratch: what is not balanced of the momentum, then the Newton step.
+    step: Vec<Triple>,
     matrix: Skyline,
+    /// The movers whose factor that is.
+    factorized: Range<usize>,
 }
 
 impl Newton {
     pub(super) fn clear(&mut self) {
         self.masses.clear();
         self.rows.clear();
+        self.pairs.clear();
+        self.leftmost.clear();
+        self.factorized = 0..0;
     }
 
-    /// All movers and rows from these on, as a part.
-    pub(super) fn part_from(&self, mover: usize, row: usize) -> Part {
-        let movers = mover..self.masses.len() / 3;
-        let masses = || movers.clone().map(|mover| self.masses[3 * mover]);
+    /// Adds two movers and the rows between them, which are to be filled; with one mover where impulses do not move the other body.
+    pub(super) fn add_pair(&mut self, movers: [Option<u32>; 2], bounds: impl Iterator<Item = Bound>) {
+        let first = self.rows.len();
+        self.rows.extend(bounds.map(Row::new));
+        if let Some(any) = movers[0].or(movers[1]) {
+            let movers = movers.map(|mover| mover.unwrap_or(any) as usize);
+            self.pairs.push(Pair { movers, rows: first..self.rows.len() });
+        }
+    }
+
+    /// Where the next part begins.
+    pub(super) fn end(&self) -> [usize; 3] {
+        [self.masses.len(), self.pairs.len(), self.rows.len()]
+    }
+
+    /// All movers, pairs and rows from where the last part came to its [`end`](Self::end), as a part.
+    pub(super) fn part_from(&mut self, [mover, pair, row]: [usize; 3]) -> Part {
+        let end = self.end();
+        let (movers, pairs, rows) = (mover..end[0], pair..end[1], row..end[2]);
+        self.leftmost.extend(0..movers.len() as u32);
+        for &Pair { movers: [a, b], .. } in &self.pairs[pairs.clone()] {
+            let leftmost = &mut self.leftmost[a.max(b)];
+            *leftmost = (*leftmost).min((a.min(b) - mover) as u32);
+        }
+        let masses = || self.masses[movers.clone()].iter().map(|&[mass, ..]| mass);
         let lightest = masses().fold(f64::INFINITY, f64::min);
         let ease = (STIFF_MASS * lightest / masses().sum::<f64>()).min(1.0);
         let compliance = (COMPLIANCE * ease).max(LEAST_COMPLIANCE);
-        Part { movers, rows: row..self.rows.len(), compliance, is_unsolved: false }
+        Part { movers, pairs, rows, compliance, is_unsolved: false }
     }
 
-    /// Finds velocities and impulses of a part: of a stiff one with yielding rows first, which tells quickly which of
-    /// them press, and about how hard. Says in the part whether Newton's method came to an end.
+    /// Finds velocities and impulses of a part, and says in it whether Newton's method came to an end.
     pub(super) fn solve(&mut self, part: &mut Part) {
-        self.sought.resize(self.free.len(), 0.0);
+        self.sought.resize(self.free.len(), [0.0; 3]);
         self.follow_impulses(part);
         self.follow_limits(part);
         if self.is_complementary(part) {
@@ -97,17 +143,27 @@ impl Newton {
 
     /// Whether all rows have what they ask for.
     fn is_complementary(&self, part: &Part) -> bool {
-        self.rows[part.rows.clone()].iter().all(|row| row.is_complementary(&self.sought))
+        self.pairs[part.pairs.clone()].iter().all(|pair| {
+            let velocities = pair.of(&self.sought);
+            self.rows[pair.rows.clone()].iter().all(|row| row.is_complementary(&velocities))
+        })
     }
 
     /// Finds the velocities that the impulses bring about, so that momentum is kept whatever the tolerance.
     fn follow_impulses(&mut self, part: &Part) {
-        self.sought[part.places()].fill(0.0);
-        for row in &self.rows[part.rows.clone()] {
-            row.apply(row.impulse, &mut self.sought, |_| 1.0);
+        self.sought[part.movers.clone()].fill([0.0; 3]);
+        for pair in &self.pairs[part.pairs.clone()] {
+            let mut momenta = [[0.0; 3]; 2];
+            for row in &self.rows[pair.rows.clone()] {
+                row.push(row.impulse, &mut momenta);
+            }
+            pair.add(&mut self.sought, &momenta);
         }
-        for place in part.places() {
-            self.sought[place] = self.free[place] + self.sought[place] / self.masses[place];
+        for mover in part.movers.clone() {
+            for axis in 0..3 {
+                let momentum = self.sought[mover][axis];
+                self.sought[mover][axis] = self.free[mover][axis] + momentum / self.masses[mover][axis];
+            }
         }
     }
 
@@ -136,36 +192,47 @@ impl Newton {
     fn sweep(&mut self, part: &Part) {
         for _ in 0..MOST_STEPS {
             let mut speed_before = None;
-            for index in part.rows.clone() {
-                let speed = speed_before.take().unwrap_or_else(|| self.rows[index].speed(&self.sought));
-                if index + 1 < part.rows.end && self.friction_of(index + 1) == Some(index) {
-                    speed_before = Some(self.rows[index + 1].speed(&self.sought));
+            for number in part.pairs.clone() {
+                let pair = self.pairs[number].clone();
+                for index in pair.rows.clone() {
+                    let velocities = pair.of(&self.sought);
+                    let speed = speed_before.take().unwrap_or_else(|| self.rows[index].speed(&velocities));
+                    if index + 1 < pair.rows.end && self.friction_of(index + 1) == Some(index) {
+                        speed_before = Some(self.rows[index + 1].speed(&velocities));
+                    }
+                    self.follow_limit(index);
+                    let row = &mut self.rows[index];
+                    let (change, mut momenta) = (row.sweep(speed), [[0.0; 3]; 2]);
+                    row.push(change, &mut momenta);
+                    for (momenta, mover) in momenta.iter_mut().zip(pair.movers) {
+                        for (momentum, mass) in momenta.iter_mut().zip(self.masses[mover]) {
+                            *momentum /= mass;
+                        }
+                    }
+                    pair.add(&mut self.sought, &momenta);
                 }
-                self.follow_limit(index);
-                self.rows[index].sweep(speed, &mut self.sought, &self.masses);
             }
         }
     }
 
-    /// Goes down φ with the compliance of each stage. Returns whether it came to an end; if not, impulses and velocities
+    /// Goes down φ with the compliance of each stage: where a load begins, with rows that yield much first, which tells quickly
+    /// which of them press, and about how hard. Returns whether it came to an end; if not, impulses and velocities
     /// are those of the last stage that did.
     fn descend_in_stages(&mut self, part: &Part) -> bool {
-        let is_stiff = part.compliance < COMPLIANCE;
         let begins = self.rows[part.rows.clone()].iter().all(|row| row.impulse == 0.0);
-        let stages =
-            [Some(COMPLIANCE), is_stiff.then_some(part.compliance), begins.then_some(LEAST_COMPLIANCE)];
+        let stages = [
+            (begins && part.compliance < COMPLIANCE).then_some(COMPLIANCE),
+            Some(part.compliance),
+            begins.then_some(LEAST_COMPLIANCE),
+        ];
         let mut is_solved = true;
         for (number, compliance) in stages.into_iter().flatten().enumerate() {
-            self.found.clear();
             for row in &mut self.rows[part.rows.clone()] {
-                self.found.push(row.impulse);
                 row.yield_by(compliance);
             }
             is_solved = self.descend(part, number == 0);
             if !is_solved {
-                for (row, &found) in self.rows[part.rows.clone()].iter_mut().zip(&self.found) {
-                    row.impulse = found;
-                }
+                self.rows[part.rows.clone()].iter_mut().for_each(Row::go_back);
             }
             self.follow_impulses(part);
             if !is_solved {
@@ -178,9 +245,7 @@ impl Newton {
     /// Goes down φ, step by step, until its gradient is 0. Returns whether it came there.
     fn descend(&mut self, part: &Part, is_first: bool) -> bool {
         for number in 0..MOST_STEPS {
-            for row in &mut self.rows[part.rows.clone()] {
-                row.respond(&self.sought);
-            }
+            self.respond(part);
             if (1..LIMIT_STEPS).contains(&number) {
                 self.follow_limits(part);
             }
@@ -190,61 +255,94 @@ impl Newton {
             // Rows that touch are first held, whichever way they would go: a load reaches the ground at once, and
             // not one body further in each step.
             let holds = is_first && number == 0;
-            self.assemble(part, holds);
-            self.matrix.factorize();
-            self.matrix.solve(&mut self.step[part.places()]);
-            self.ways.clear();
-            let rows = &self.rows[part.rows.clone()];
-            self.ways.extend(rows.iter().map(|row| row.way(&self.sought, &self.step)));
-            if holds {
-                for index in part.rows.clone() {
-                    if let Some(other) = self.friction_of(index) {
-                        let way = self.ways[other - part.rows.start];
-                        let impulse = self.rows[other].impulse_after(way);
-                        self.rows[index].set_range(impulse);
-                    }
-                }
-            }
+            self.factorize(part, holds);
+            self.matrix.solve(&mut self.step[part.movers.clone()]);
+            self.look_ahead(part, holds);
             self.go_along_step(part);
         }
         false
     }
 
-    /// Finds the gradient M (v - v₀) - Jᵀ λ, with the sign turned. Returns whether it is 0.
-    fn is_balanced(&mut self, part: &Part) -> bool {
-        self.step.resize(self.sought.len(), 0.0);
-        for place in part.places() {
-            self.step[place] = self.masses[place] * (self.free[place] - self.sought[place]);
+    /// Finds the impulses that the velocities are answered with, and the gradient M (v - v₀) - Jᵀ λ, with the sign turned.
+    fn respond(&mut self, part: &Part) {
+        self.step.resize(self.sought.len(), [0.0; 3]);
+        for mover in part.movers.clone() {
+            for axis in 0..3 {
+                let missing = self.free[mover][axis] - self.sought[mover][axis];
+                self.step[mover][axis] = self.masses[mover][axis] * missing;
+            }
         }
-        for row in &self.rows[part.rows.clone()] {
-            row.apply(row.impulse, &mut self.step, |_| 1.0);
+        for pair in &self.pairs[part.pairs.clone()] {
+            let (velocities, mut momenta) = (pair.of(&self.sought), [[0.0; 3]; 2]);
+            for row in &mut self.rows[pair.rows.clone()] {
+                row.respond(&velocities);
+                row.push(row.impulse, &mut momenta);
+            }
+            pair.add(&mut self.step, &momenta);
         }
-        part.places().all(|place| {
-            let tolerance = TOLERANCE * (1.0 + self.sought[place].abs());
-            self.step[place].abs() <= self.masses[place] * tolerance
+    }
+
+    /// Whether the gradient is 0.
+    fn is_balanced(&self, part: &Part) -> bool {
+        part.movers.clone().all(|mover| {
+            let (step, sought, masses) = (&self.step[mover], &self.sought[mover], &self.masses[mover]);
+            (0..3).all(|axis| step[axis].abs() <= masses[axis] * TOLERANCE * (1.0 + sought[axis].abs()))
         })
     }
 
-    /// H, for the rows as they respond now, or with all that touch held.
-    fn assemble(&mut self, part: &Part, holds: bool) {
-        let first = part.movers.start as u32;
-        self.leftmost.clear();
-        self.leftmost.extend(0..part.movers.len() as u32);
-        for row in &self.rows[part.rows.clone()] {
-            if let [Some(a), Some(b)] = row.movers {
-                let leftmost = &mut self.leftmost[(a.max(b) - first) as usize];
-                *leftmost = (*leftmost).min(a.min(b) - first);
-            }
-        }
-        self.matrix.reset(self.leftmost.iter().flat_map(|&left| [3 * left; 3]));
-        for (number, place) in part.places().enumerate() {
-            self.matrix.add(number, number, self.masses[place]);
-        }
+    /// Finds the factor of H, for the rows as they respond now, or with all that touch held. At rest no row changes from substep to
+    /// substep, and the last factor serves again.
+    fn factorize(&mut self, part: &Part, holds: bool) {
+        let mut is_new = false;
         for index in part.rows.clone() {
             let row = &self.rows[index];
             let is_held = || self.rows[self.friction_of(index).unwrap_or(index)].is_held();
-            if row.yields() || holds && is_held() {
-                row.stiffen(&mut self.matrix, first);
+            let is_in = row.yields() || holds && is_held();
+            is_new |= self.rows[index].take_part(is_in);
+        }
+        if !is_new && self.factorized == part.movers {
+            return;
+        }
+        self.factorized = part.movers.clone();
+        self.assemble(part);
+        self.matrix.factorize();
+    }
+
+    /// H, of the rows that take part.
+    fn assemble(&mut self, part: &Part) {
+        self.matrix.reset(self.leftmost[part.movers.clone()].iter().copied());
+        for (number, masses) in self.masses[part.movers.clone()].iter().enumerate() {
+            let block = self.matrix.block_mut(number, number);
+            [block[0][0], block[1][1], block[2][2]] = *masses;
+        }
+        for pair in &self.pairs[part.pairs.clone()] {
+            let (mut own, mut between) = ([Block::default(); 2], Block::default());
+            for row in &self.rows[pair.rows.clone()] {
+                row.stiffen(&mut own, &mut between);
+            }
+            let [a, b] = pair.movers.map(|mover| mover - part.movers.start);
+            self.matrix.add(a, a, &own[0]);
+            self.matrix.add(b, b, &own[1]);
+            if a != b {
+                self.matrix.add(b, a, &between);
+            }
+        }
+    }
+
+    /// Finds what the step does to each row. Where all were held, friction goes by the impulses at its end.
+    fn look_ahead(&mut self, part: &Part, holds: bool) {
+        for pair in &self.pairs[part.pairs.clone()] {
+            let step = pair.of(&self.step);
+            for row in &mut self.rows[pair.rows.clone()] {
+                row.look_ahead(&step);
+            }
+        }
+        if holds {
+            for index in part.rows.clone() {
+                if let Some(other) = self.friction_of(index) {
+                    let impulse = self.rows[other].impulse_after();
+                    self.rows[index].set_range(impulse);
+                }
             }
         }
     }
@@ -254,32 +352,35 @@ impl Newton {
     fn go_along_step(&mut self, part: &Part) {
         let rows = &self.rows[part.rows.clone()];
         let mut start = Slope { value: 0.0, growth: 0.0 };
-        for place in part.places() {
-            let momentum = self.masses[place] * self.step[place];
-            start.value += momentum * (self.sought[place] - self.free[place]);
-            start.growth += momentum * self.step[place];
+        for mover in part.movers.clone() {
+            for axis in 0..3 {
+                let momentum = self.masses[mover][axis] * self.step[mover][axis];
+                start.value += momentum * (self.sought[mover][axis] - self.free[mover][axis]);
+                start.growth += momentum * self.step[mover][axis];
+            }
         }
         let slope = |share: f64| {
             let begin = Slope { value: start.value + share * start.growth, ..start };
-            rows.iter().zip(&self.ways).fold(begin, |sum, (row, &way)| {
-                let Slope { value, growth } = row.slope(way, share);
+            rows.iter().fold(begin, |sum, row| {
+                let Slope { value, growth } = row.slope(share);
                 Slope { value: sum.value + value, growth: sum.growth + growth }
             })
         };
         // The slope is made of straight pieces: from one of them on, the next root is the right one.
         let (mut low, mut high, mut share) = (0.0, 1.0, 1.0);
-        let small = 1e-9 * slope(low).value.abs();
         for _ in 0..MOST_STEPS {
             let Slope { value, growth } = slope(share);
-            if value.abs() <= small || (share == 1.0 && value < 0.0) {
+            if value.abs() <= NO_WAY * growth || (share == 1.0 && value < 0.0) {
                 break;
             }
             *(if value > 0.0 { &mut high } else { &mut low }) = share;
             let root = share - value / growth;
             share = if root > low && root < high { root } else { 0.5 * (low + high) };
         }
-        for place in part.places() {
-            self.sought[place] += share * self.step[place];
+        for mover in part.movers.clone() {
+            for axis in 0..3 {
+                self.sought[mover][axis] += share * self.step[mover][axis];
+            }
         }
     }
 }

@@ -1,6 +1,6 @@
 //! A row of the direct solve: one velocity of one or two bodies that an impulse within bounds is to bring to zero.
 
-use crate::resolution::direct::skyline::Skyline;
+use crate::resolution::direct::skyline::Block;
 
 /// Velocities that rows ask for are found to this much, m/s. Ten times less costs Newton steps that `f32` cannot show; ten
 /// times more, and the sag that remains at rest, this over the bias rate, is seen.
@@ -24,13 +24,14 @@ impl Bound {
     pub(super) const AT_LEAST_ZERO: Self = Self::Range([0.0, f64::INFINITY]);
 }
 
-/// What a row does to its bodies, and they to it: u = J v + bias, and v grows by M⁻¹ Jᵀ λ.
+/// What belongs to each of the three velocities of a mover: of its centre along x and y, and of its turn.
+pub(super) type Triple = [f64; 3];
+
+/// What a row does to its two movers, and they to it: u = J v + bias, and v grows by M⁻¹ Jᵀ λ.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Row {
-    /// Numbers of the two bodies; none for what impulses do not move.
-    pub(super) movers: [Option<u32>; 2],
-    /// J: what u is of the velocities of each.
-    pub(super) jacobian: [[f64; 3]; 2],
+    /// J: what u is of the velocities of each; zero of a body that impulses do not move.
+    pub(super) jacobian: [Triple; 2],
     /// What of u does not depend on these velocities, m/s.
     pub(super) bias: f64,
     /// Speed that a unit of impulse gives the row by itself, 1/kg.
@@ -44,13 +45,19 @@ pub(super) struct Row {
     stiffness: f64,
     /// It yields to the change from this impulse, N s.
     previous: f64,
+    /// With which stiffness and Jacobian it takes part in the matrix: 0 where it does not.
+    taken: Taken,
+    /// u where it has last responded, m/s.
+    speed: f64,
+    /// What a step adds to u, m/s.
+    gain: f64,
 }
 
-/// u of a row, m/s, and what a step adds to it.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Way {
-    speed: f64,
-    gain: f64,
+/// What a matrix has of a row.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+struct Taken {
+    jacobian: [Triple; 2],
+    stiffness: f64,
 }
 
 /// How a sum of functions grows along a way, per part of it.
@@ -62,10 +69,9 @@ pub(super) struct Slope {
 }
 
 impl Row {
-    /// A row between two bodies that asks for nothing yet.
-    pub(super) fn new(movers: [Option<u32>; 2], bound: Bound) -> Self {
+    /// A row that asks for nothing yet.
+    pub(super) fn new(bound: Bound) -> Self {
         Self {
-            movers,
             jacobian: [[0.0; 3]; 2],
             bias: 0.0,
             k: 1.0,
@@ -74,6 +80,9 @@ impl Row {
             range: [0.0; 2],
             stiffness: 1.0,
             previous: 0.0,
+            taken: Taken::default(),
+            speed: 0.0,
+            gain: 0.0,
         }
     }
 
@@ -98,31 +107,23 @@ impl Row {
     }
 
     /// J times these numbers.
-    fn along(&self, velocities: &[f64]) -> f64 {
-        let mut sum = 0.0;
-        for (jacobian, mover) in self.jacobian.iter().zip(self.movers) {
-            if let Some(mover) = mover {
-                let of_mover = &velocities[3 * mover as usize..][..3];
-                sum += jacobian.iter().zip(of_mover).map(|(entry, velocity)| entry * velocity).sum::<f64>();
-            }
-        }
-        sum
+    fn along(&self, [of_a, of_b]: &[Triple; 2]) -> f64 {
+        let [a, b] = &self.jacobian;
+        (a[0] * of_a[0] + a[1] * of_a[1] + a[2] * of_a[2])
+            + (b[0] * of_b[0] + b[1] * of_b[1] + b[2] * of_b[2])
     }
 
-    /// Adds Jᵀ λ to three numbers for each mover, each divided by the `mass` of its place.
-    pub(super) fn apply(&self, impulse: f64, to: &mut [f64], mass: impl Fn(usize) -> f64) {
-        for (jacobian, mover) in self.jacobian.iter().zip(self.movers) {
-            if let Some(mover) = mover {
-                let first = 3 * mover as usize;
-                for (axis, to) in to[first..first + 3].iter_mut().enumerate() {
-                    *to += jacobian[axis] * impulse / mass(first + axis);
-                }
+    /// Adds Jᵀ λ to these numbers.
+    pub(super) fn push(&self, impulse: f64, to: &mut [Triple; 2]) {
+        for (to, jacobian) in to.iter_mut().zip(&self.jacobian) {
+            for (to, entry) in to.iter_mut().zip(jacobian) {
+                *to += entry * impulse;
             }
         }
     }
 
     /// u, m/s.
-    pub(super) fn speed(&self, velocities: &[f64]) -> f64 {
+    pub(super) fn speed(&self, velocities: &[Triple; 2]) -> f64 {
         self.along(velocities) + self.bias
     }
 
@@ -133,15 +134,19 @@ impl Row {
 
     /// Whether the row has what it asks for, to the tolerance, or all that the bounds allow: the complementarity
     /// condition.
-    pub(super) fn is_complementary(&self, velocities: &[f64]) -> bool {
+    pub(super) fn is_complementary(&self, velocities: &[Triple; 2]) -> bool {
         self.k * (self.wanted(self.speed(velocities)) - self.impulse).abs() <= TOLERANCE
     }
 
-    /// Gives the row by itself what it asks for at this speed, as a sweep does.
-    pub(super) fn sweep(&mut self, speed: f64, velocities: &mut [f64], masses: &[f64]) {
+    /// Gives the row by itself what it asks for at this speed, as a sweep does; returns by how much its impulse changes.
+    pub(super) fn sweep(&mut self, speed: f64) -> f64 {
         let wanted = self.wanted(speed);
-        self.apply(wanted - self.impulse, velocities, |place| masses[place]);
-        self.impulse = wanted;
+        wanted - std::mem::replace(&mut self.impulse, wanted)
+    }
+
+    /// Goes back to the impulse from before it yielded.
+    pub(super) fn go_back(&mut self) {
+        self.impulse = self.previous;
     }
 
     /// The impulse that the row answers a speed with.
@@ -150,8 +155,9 @@ impl Row {
     }
 
     /// Takes up the impulse that the row answers these velocities with.
-    pub(super) fn respond(&mut self, velocities: &[f64]) {
-        self.impulse = self.answer(self.speed(velocities));
+    pub(super) fn respond(&mut self, velocities: &[Triple; 2]) {
+        self.speed = self.speed(velocities);
+        self.impulse = self.answer(self.speed);
     }
 
     /// Whether an impulse would change with the speed: it is not at a bound.
@@ -169,33 +175,44 @@ impl Row {
         self.bias < HELD
     }
 
-    /// Speed at these velocities, and what a step adds.
-    pub(super) fn way(&self, velocities: &[f64], step: &[f64]) -> Way {
-        Way { speed: self.speed(velocities), gain: self.along(step) }
+    /// Takes up what a step from where it has responded will add.
+    pub(super) fn look_ahead(&mut self, step: &[Triple; 2]) {
+        self.gain = self.along(step);
     }
 
-    /// The impulse at the end of a way.
-    pub(super) fn impulse_after(&self, way: Way) -> f64 {
-        self.answer(way.speed + way.gain)
+    /// The impulse at the end of the step.
+    pub(super) fn impulse_after(&self) -> f64 {
+        self.answer(self.speed + self.gain)
     }
 
-    /// The slope of what the row adds to φ, at a part of the way.
-    pub(super) fn slope(&self, way: Way, part: f64) -> Slope {
-        let impulse = self.answer(way.speed + part * way.gain);
-        let growth = if self.yields_at(impulse) { way.gain * way.gain * self.stiffness } else { 0.0 };
-        Slope { value: -impulse * way.gain, growth }
+    /// The slope of what the row adds to φ, at a share of the step.
+    pub(super) fn slope(&self, share: f64) -> Slope {
+        let impulse = self.answer(self.speed + share * self.gain);
+        let growth = if self.yields_at(impulse) { self.gain * self.gain * self.stiffness } else { 0.0 };
+        Slope { value: -impulse * self.gain, growth }
     }
 
-    /// Adds Jᵀ J/(c k), with the mover `first` in the first rows of the matrix.
-    pub(super) fn stiffen(&self, matrix: &mut Skyline, first: u32) {
-        let sides = || self.movers.into_iter().zip(&self.jacobian);
-        for (mover, left) in sides() {
-            for (other, right) in sides() {
-                if let (Some(mover), Some(other)) = (mover, other)
-                    && other <= mover
-                {
-                    let corner = [mover, other].map(|mover| 3 * (mover - first) as usize);
-                    matrix.add_product(corner, left, right, self.stiffness);
+    /// Has the row take part in the matrix, as it is now, or not. Returns whether that changes the matrix.
+    pub(super) fn take_part(&mut self, is_in: bool) -> bool {
+        let stiffness = if is_in { self.stiffness } else { 0.0 };
+        let taken = Taken { jacobian: self.jacobian, stiffness };
+        let changes = taken != self.taken && (is_in || self.taken.stiffness != 0.0);
+        self.taken = taken;
+        changes
+    }
+
+    /// Adds Jᵀ J/(c k) to the blocks of both movers, and to that in the row of the one and the column of the other, if it takes part.
+    pub(super) fn stiffen(&self, own: &mut [Block; 2], between: &mut Block) {
+        let Taken { jacobian: [a, b], stiffness } = &self.taken;
+        if *stiffness == 0.0 {
+            return;
+        }
+        let [stiff_a, stiff_b] = [a, b].map(|jacobian| jacobian.map(|entry| entry * stiffness));
+        let [own_a, own_b] = own;
+        for (to, left, right) in [(own_a, &stiff_a, a), (own_b, &stiff_b, b), (between, &stiff_b, a)] {
+            for (to, left) in to.iter_mut().zip(left) {
+                for (to, right) in to.iter_mut().zip(right) {
+                    *to += left * right;
                 }
             }
         }

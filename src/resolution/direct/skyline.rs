@@ -1,120 +1,163 @@
-//! A symmetric matrix that is zero outside of its skyline, and its Cholesky factor.
+//! A symmetric matrix of blocks, one row of them for each body, that is zero outside of its skyline; and its Cholesky factor.
 //!
-//! Row i is kept from its first entry that is not zero up to the diagonal. The factor L of A = L Lᵀ fills no place
-//! outside of that, so how much work it is can be told from the order of the rows alone (A. Jennings, 1966;
-//! A. George & J. Liu, "Computer Solution of Large Sparse Positive Definite Systems", 1981, chapter 4).
+//! A row is kept from its first block that is not zero up to the diagonal. The factor L of A = L Lᵀ fills no place outside of that, so how
+//! much work it is can be told from the order of the bodies alone (A. Jennings, 1966; A. George & J. Liu, "Computer Solution of Large
+//! Sparse Positive Definite Systems", 1981, chapter 4).
 
-/// The lower half of a symmetric matrix, row by row, in `f64`: contacts are ten thousand times stiffer than masses
+/// What is between two bodies, of three velocities each, row by row. In `f64`: contacts are ten thousand times stiffer than masses
 /// and masses may differ as much again, which leaves `f32` nothing.
+pub(crate) type Block = [[f64; 3]; 3];
+
+/// The lower half of a symmetric matrix, then its factor L, with the reciprocals of its diagonal.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Skyline {
-    /// Column of the first entry of each row.
+    /// Column of the first block of each row.
     first: Vec<u32>,
-    /// Where the diagonal of each row is in `entries`.
-    diagonal: Vec<u32>,
-    entries: Vec<f64>,
+    /// Where each row begins in `blocks`.
+    starts: Vec<u32>,
+    blocks: Vec<Block>,
 }
 
 impl Skyline {
-    /// Makes it a matrix of zeros, whose row i begins with column `first[i]`.
+    /// Makes it a matrix of zeros, whose row i of blocks begins with column `first[i]`.
     pub(crate) fn reset(&mut self, first: impl Iterator<Item = u32>) {
         self.first.clear();
         self.first.extend(first);
-        self.diagonal.clear();
+        self.starts.clear();
         let mut end = 0;
-        for (row, &first) in self.first.iter().enumerate() {
-            debug_assert!(first as usize <= row);
-            end += row as u32 - first;
-            self.diagonal.push(end);
-            end += 1;
+        for (row, &first) in (0..).zip(&self.first) {
+            debug_assert!(first <= row);
+            self.starts.push(end);
+            end += row - first + 1;
         }
-        self.entries.clear();
-        self.entries.resize(end as usize, 0.0);
+        self.blocks.clear();
+        self.blocks.resize(end as usize, Block::default());
     }
 
-    /// How many rows it has.
+    /// How many rows of blocks it has.
     pub(crate) fn len(&self) -> usize {
         self.first.len()
     }
 
-    /// Adds `value` in `row`, at or left of the diagonal.
-    pub(crate) fn add(&mut self, row: usize, column: usize, value: f64) {
+    /// The block in a row and a column, at or left of the diagonal.
+    pub(crate) fn block_mut(&mut self, row: usize, column: usize) -> &mut Block {
         debug_assert!(column <= row && column >= self.first[row] as usize);
-        self.entries[self.diagonal[row] as usize - (row - column)] += value;
+        &mut self.blocks[self.starts[row] as usize + (column - self.first[row] as usize)]
     }
 
-    /// Adds `factor` times the product of a column of numbers and a row of them, with the upper left `corner` in this row and
-    /// column; nothing beyond the diagonal.
-    pub(crate) fn add_product(
-        &mut self,
-        [row, column]: [usize; 2],
-        left: &[f64; 3],
-        right: &[f64; 3],
-        factor: f64,
-    ) {
-        for (row, left) in (row..).zip(left) {
-            let end = self.diagonal[row] as usize + 1;
-            let start = end - (row + 1 - column);
-            for (entry, right) in self.entries[start..end].iter_mut().zip(right) {
-                *entry += left * right * factor;
+    /// Adds a block in a row and a column; right of the diagonal it is added in the other half, transposed.
+    pub(crate) fn add(&mut self, row: usize, column: usize, what: &Block) {
+        let to = self.block_mut(row.max(column), row.min(column));
+        for i in 0..3 {
+            for j in 0..3 {
+                to[i][j] += if row < column { what[j][i] } else { what[i][j] };
             }
         }
     }
 
-    /// The entries of a row from column `from` up to, not including, column `to`.
-    fn part(&self, row: usize, from: usize, to: usize) -> &[f64] {
-        let diagonal = self.diagonal[row] as usize;
-        &self.entries[diagonal - (row - from)..diagonal - (row - to)]
+    /// The blocks of a row that are left of the diagonal, and that on it.
+    fn row(&self, row: usize) -> (&[Block], &Block) {
+        let start = self.starts[row] as usize;
+        let end = start + (row - self.first[row] as usize);
+        (&self.blocks[start..end], &self.blocks[end])
     }
 
     /// Replaces the matrix, which must be positive definite, by its factor L.
     pub(crate) fn factorize(&mut self) {
         for row in 0..self.len() {
             let first = self.first[row] as usize;
-            let mut pivot = self.entries[self.diagonal[row] as usize];
-            // What is left of less than this share is rounding.
-            let smallest = f64::EPSILON * pivot;
+            let (above, blocks) = self.blocks.split_at_mut(self.starts[row] as usize);
             for column in first..row {
-                let from = first.max(self.first[column] as usize);
-                let sum = dot(self.part(row, from, column), self.part(column, from, column));
-                let place = self.diagonal[row] as usize - (row - column);
-                let entry = (self.entries[place] - sum) / self.entries[self.diagonal[column] as usize];
-                self.entries[place] = entry;
-                pivot -= entry * entry;
+                let first_of_column = self.first[column] as usize;
+                let of_column = &above[self.starts[column] as usize..][..=column - first_of_column];
+                let from = first.max(first_of_column);
+                let (found, rest) = blocks.split_at_mut(column - first);
+                let common = found[from - first..].iter().zip(&of_column[from - first_of_column..]);
+                let block = common.fold(rest[0], |block, (left, right)| minus_product(block, left, right));
+                rest[0] = block.map(|entries| forward(&of_column[column - first_of_column], entries));
             }
-            self.entries[self.diagonal[row] as usize] = pivot.max(smallest).sqrt();
+            let (found, rest) = blocks.split_at_mut(row - first);
+            let diagonal = found.iter().fold(rest[0], |block, left| minus_product(block, left, left));
+            rest[0] = factor(&diagonal, &rest[0]);
         }
     }
 
     /// Replaces b by the solution x of L Lᵀ x = b, after [`factorize`](Self::factorize).
-    pub(crate) fn solve(&self, b: &mut [f64]) {
+    pub(crate) fn solve(&self, b: &mut [[f64; 3]]) {
         for row in 0..self.len() {
-            let first = self.first[row] as usize;
-            let sum = dot(self.part(row, first, row), &b[first..row]);
-            b[row] = (b[row] - sum) / self.entries[self.diagonal[row] as usize];
+            let (blocks, diagonal) = self.row(row);
+            let (before, rest) = b.split_at_mut(row);
+            let mut left = rest[0];
+            for (block, x) in blocks.iter().zip(&before[self.first[row] as usize..]) {
+                for (left, entries) in left.iter_mut().zip(block) {
+                    *left -= dot(entries, x);
+                }
+            }
+            rest[0] = forward(diagonal, left);
         }
         for row in (0..self.len()).rev() {
-            let first = self.first[row] as usize;
-            let x = b[row] / self.entries[self.diagonal[row] as usize];
-            b[row] = x;
-            for (b, entry) in b[first..row].iter_mut().zip(self.part(row, first, row)) {
-                *b -= x * entry;
+            let (blocks, diagonal) = self.row(row);
+            let (before, rest) = b.split_at_mut(row);
+            let x = backward(diagonal, rest[0]);
+            rest[0] = x;
+            for (block, b) in blocks.iter().zip(&mut before[self.first[row] as usize..]) {
+                for (b, product) in b.iter_mut().zip(transposed_times(block, &x)) {
+                    *b -= product;
+                }
             }
         }
     }
 }
 
-fn dot(a: &[f64], b: &[f64]) -> f64 {
-    // Four sums at a time, which do not wait for each other.
-    let mut sums = [0.0; 4];
-    let (a4, b4) = (a.chunks_exact(4), b.chunks_exact(4));
-    let rest: f64 = a4.remainder().iter().zip(b4.remainder()).map(|(a, b)| a * b).sum();
-    for (a, b) in a4.zip(b4) {
-        for ((sum, a), b) in sums.iter_mut().zip(a).zip(b) {
-            *sum += a * b;
+#[inline(always)]
+fn dot(a: &[f64; 3], b: &[f64; 3]) -> f64 {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+}
+
+/// Aᵀ x.
+#[inline(always)]
+fn transposed_times(a: &Block, x: &[f64; 3]) -> [f64; 3] {
+    [0, 1, 2].map(|column| a[0][column] * x[0] + a[1][column] * x[1] + a[2][column] * x[2])
+}
+
+/// C - A Bᵀ.
+#[inline(always)]
+fn minus_product(mut c: Block, a: &Block, b: &Block) -> Block {
+    for (row, of_a) in c.iter_mut().zip(a) {
+        for (entry, of_b) in row.iter_mut().zip(b) {
+            *entry -= dot(of_a, of_b);
         }
     }
-    (sums[0] + sums[1]) + (sums[2] + sums[3]) + rest
+    c
+}
+
+/// L of a block A = L Lᵀ, with the reciprocals of its diagonal. A is what is left of a block of the matrix: less than a share of that is
+/// rounding.
+#[inline(always)]
+fn factor(a: &Block, whole: &Block) -> Block {
+    let reciprocal = |index: usize, pivot: f64| pivot.max(f64::EPSILON * whole[index][index]).sqrt().recip();
+    let r_00 = reciprocal(0, a[0][0]);
+    let [l_10, l_20] = [a[1][0] * r_00, a[2][0] * r_00];
+    let r_11 = reciprocal(1, a[1][1] - l_10 * l_10);
+    let l_21 = (a[2][1] - l_20 * l_10) * r_11;
+    let r_22 = reciprocal(2, a[2][2] - l_20 * l_20 - l_21 * l_21);
+    [[r_00, 0.0, 0.0], [l_10, r_11, 0.0], [l_20, l_21, r_22]]
+}
+
+/// x of L x = b.
+#[inline(always)]
+fn forward(l: &Block, b: [f64; 3]) -> [f64; 3] {
+    let x = b[0] * l[0][0];
+    let y = (b[1] - l[1][0] * x) * l[1][1];
+    [x, y, (b[2] - l[2][0] * x - l[2][1] * y) * l[2][2]]
+}
+
+/// x of Lᵀ x = b.
+#[inline(always)]
+fn backward(l: &Block, b: [f64; 3]) -> [f64; 3] {
+    let z = b[2] * l[2][2];
+    let y = (b[1] - l[2][1] * z) * l[1][1];
+    [(b[0] - l[1][0] * y - l[2][0] * z) * l[0][0], y, z]
 }
 
 #[cfg(test)]
@@ -132,20 +175,26 @@ mod tests {
             let first: Vec<u32> = (0..size).map(|row: u32| row.saturating_sub(row % 5)).collect();
             let mut matrix = Skyline::default();
             matrix.reset(first.iter().copied());
-            let mut full = vec![vec![0.0; size as usize]; size as usize];
-            for (row, &first) in first.iter().enumerate() {
-                for entry in 0..=row - first as usize {
-                    let (column, value) = (row - entry, if entry == 0 { 10.0 } else { number() });
-                    matrix.add(row, column, value);
+            let count = 3 * size as usize;
+            let mut full = vec![vec![0.0; count]; count];
+            for row in 0..count {
+                for column in 3 * first[row / 3] as usize..=row {
+                    let value = if row == column { 30.0 } else { number() };
+                    let block = matrix.block_mut(row / 3, column / 3);
+                    block[row % 3][column % 3] = value;
+                    if row / 3 == column / 3 {
+                        block[column % 3][row % 3] = value;
+                    }
                     (full[row][column], full[column][row]) = (value, value);
                 }
             }
-            let b: Vec<f64> = (0..size).map(|_| number()).collect();
+            let b: Vec<[f64; 3]> = (0..size).map(|_| [(); 3].map(|()| number())).collect();
             let mut x = b.clone();
             matrix.factorize();
             matrix.solve(&mut x);
-            for (row, b) in full.iter().zip(b) {
-                assert!((dot(row, &x) - b).abs() < 1e-13);
+            for (row, b) in full.iter().zip(b.as_flattened()) {
+                let found: f64 = row.iter().zip(x.as_flattened()).map(|(entry, x)| entry * x).sum();
+                assert!((found - b).abs() < 1e-13);
             }
         }
     }

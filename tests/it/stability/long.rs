@@ -8,8 +8,8 @@ fn a_pile_does_not_creep() {
 }
 
 #[test]
-fn thirty_piles_come_to_rest_and_stay() {
-    hold(&["30-piles"]);
+fn piles_come_to_rest_and_stay() {
+    hold(&["10-piles", "30-piles"]);
 }
 
 #[test]

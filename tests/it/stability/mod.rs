@@ -25,7 +25,6 @@ const GRAVEL: &str =
 /// Cases that rustycs does not meet, and why. One that it comes to meet is taken off the list, and gets its test.
 const KNOWN_FAILURES: &[(&str, &str)] = &[
     ("plate-on-heap", "balls under a plate of hundreds of their weights yield to a tenth of it for good"),
-    ("10-piles", "one of the ten comes to rest in its second minute; of thirty in two minutes all do"),
     (
         "pyramid-40",
         "too many boxes for the direct solve: by sweeps the middle sags, and the rows tilt and rock",

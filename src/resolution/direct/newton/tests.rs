@@ -5,24 +5,35 @@ use crate::testing::Random;
 
 /// Movers of these masses, kg, at rest, that can be turned as easily as moved.
 fn movers(masses: &[f64]) -> Newton {
-    let masses: Vec<f64> = masses.iter().flat_map(|&mass| [mass; 3]).collect();
-    Newton { free: vec![0.0; masses.len()], masses, ..Newton::default() }
+    let masses: Vec<Triple> = masses.iter().map(|&mass| [mass; 3]).collect();
+    Newton { free: vec![[0.0; 3]; masses.len()], masses, ..Newton::default() }
 }
 
 /// Adds a row on the x velocity of one mover, or of the second against the first.
 fn add_row(newton: &mut Newton, movers: [Option<u32>; 2], bound: Bound) -> usize {
-    let inverse_mass =
-        |mover: Option<u32>| mover.map_or(0.0, |mover| newton.masses[3 * mover as usize].recip());
-    let mut row = Row::new(movers, bound);
+    newton.add_pair(movers, [bound].into_iter());
+    let inverse_masses =
+        movers.map(|mover| mover.map_or(0.0, |mover| newton.masses[mover as usize][0].recip()));
+    let row = newton.rows.last_mut().unwrap();
     row.jacobian = [[-1.0, 0.0, 0.0], [1.0, 0.0, 0.0]];
-    row.k = inverse_mass(movers[0]) + inverse_mass(movers[1]);
-    newton.rows.push(row);
+    row.k = inverse_masses[0] + inverse_masses[1];
+    leave_unmoved(row, movers);
     newton.rows.len() - 1
+}
+
+/// Nothing of a row is of a body that impulses do not move.
+fn leave_unmoved(row: &mut Row, movers: [Option<u32>; 2]) {
+    for (jacobian, mover) in row.jacobian.iter_mut().zip(movers) {
+        if mover.is_none() {
+            *jacobian = [0.0; 3];
+        }
+    }
 }
 
 /// Solves all as one part; it must come to an end.
 fn solve(newton: &mut Newton) {
-    let mut part = newton.part_from(0, 0);
+    newton.leftmost.clear();
+    let mut part = newton.part_from([0; 3]);
     newton.solve(&mut part);
     assert!(!part.is_unsolved, "{newton:?}");
 }
@@ -30,13 +41,13 @@ fn solve(newton: &mut Newton) {
 /// The impulse of one row of a mover of 2 kg that moves at `speed`, with nothing else.
 fn impulse_alone(bound: Bound, speed: f64) -> f64 {
     let mut newton = movers(&[2.0]);
-    newton.free[0] = speed;
+    newton.free[0][0] = speed;
     add_row(&mut newton, [None, Some(0)], bound);
     // The first solve begins from no impulse and may leave a part of the compliance; the next begins from what it found.
     for _ in 0..3 {
         solve(&mut newton);
     }
-    assert!((newton.sought[0] - speed - 0.5 * newton.rows[0].impulse).abs() < 1e-12, "momentum");
+    assert!((newton.sought[0][0] - speed - 0.5 * newton.rows[0].impulse).abs() < 1e-12, "momentum");
     newton.rows[0].impulse
 }
 
@@ -69,10 +80,10 @@ fn a_row_stops_its_mover_as_far_as_its_bounds_allow() {
 fn friction_is_bounded_by_the_impulse_of_its_row() {
     for (friction, slip) in [(0.5, 1.0), (0.5, 1.4), (0.5, 1.6), (0.5, -9.0), (0.0, 1.0)] {
         let mut newton = movers(&[2.0]);
-        newton.free[..2].copy_from_slice(&[-3.0, slip]);
+        newton.free[0] = [-3.0, slip, 0.0];
         let row = add_row(&mut newton, [None, Some(0)], Bound::AT_LEAST_ZERO);
         let along = add_row(&mut newton, [None, Some(0)], Bound::FrictionOf { row, friction });
-        newton.rows[along].jacobian = [[0.0, -1.0, 0.0], [0.0, 1.0, 0.0]];
+        newton.rows[along].jacobian = [[0.0; 3], [0.0, 1.0, 0.0]];
         for _ in 0..5 {
             solve(&mut newton);
         }
@@ -87,7 +98,7 @@ fn friction_is_bounded_by_the_impulse_of_its_row() {
 #[test]
 fn free_rows_make_a_chain_move_as_one() {
     let mut newton = movers(&[1.0; 10]);
-    newton.free[27] = 5.0;
+    newton.free[9][0] = 5.0;
     for mover in 1..10 {
         add_row(
             &mut newton,
@@ -99,7 +110,7 @@ fn free_rows_make_a_chain_move_as_one() {
         solve(&mut newton);
     }
     for mover in 0..10 {
-        let speed = newton.sought[3 * mover];
+        let speed = newton.sought[mover][0];
         assert!((speed - 0.5).abs() < 1e-4, "{speed} m/s of {mover}");
     }
 }
@@ -127,7 +138,7 @@ fn what_is_found_satisfies_the_complementarity_conditions_of_every_kind_of_row()
         let masses: Vec<f64> = (0..count).map(|_| 10.0_f64.powf(random.random_range(-1.0..1.0))).collect();
         let mut newton = movers(&masses);
         for velocity in &mut newton.free {
-            *velocity = random.random_range(-2.0..2.0);
+            *velocity = [(); 3].map(|()| random.random_range(-2.0..2.0));
         }
         let mut pressing = None;
         for number in 0..count + random.below(count + 1) {
@@ -142,6 +153,7 @@ fn what_is_found_satisfies_the_complementarity_conditions_of_every_kind_of_row()
             row.bias = random.random_range(-0.5..0.5);
             row.k = square(1) / masses[mover as usize]
                 + other.map_or(0.0, |other| square(0) / masses[other as usize]);
+            leave_unmoved(row, [other, Some(mover)]);
             if matches!(bound, Bound::Range([0.0, _])) {
                 pressing = Some(index);
             }
@@ -150,8 +162,8 @@ fn what_is_found_satisfies_the_complementarity_conditions_of_every_kind_of_row()
             solve(&mut newton);
         }
         let mut momentum = newton.free.clone();
-        for row in &newton.rows {
-            let u = speed_of(row, &newton.sought);
+        for (row, pair) in newton.rows.iter().zip(&newton.pairs) {
+            let u = speed_of(row, pair.movers, &newton.sought);
             let [least, greatest] = row.range;
             // k times a slack of impulse is a speed.
             let slack = 1e-4 / row.k;
@@ -161,15 +173,13 @@ fn what_is_found_satisfies_the_complementarity_conditions_of_every_kind_of_row()
             assert!(u <= 1e-4 || is_at_least, "{u} m/s of {row:?}");
             assert!(u >= -1e-4 || is_at_greatest, "{u} m/s of {row:?}");
             *(if is_at_least || is_at_greatest { &mut at_bounds } else { &mut inside }) += 1;
-            for (jacobian, mover) in row.jacobian.iter().zip(row.movers) {
+            for (jacobian, mover) in row.jacobian.iter().zip(pair.movers) {
                 for (axis, entry) in jacobian.iter().enumerate() {
-                    if let Some(place) = mover.map(|mover| 3 * mover as usize + axis) {
-                        momentum[place] += entry * row.impulse / newton.masses[place];
-                    }
+                    momentum[mover][axis] += entry * row.impulse / newton.masses[mover][axis];
                 }
             }
         }
-        for (found, expected) in newton.sought.iter().zip(&momentum) {
+        for (found, expected) in newton.sought.as_flattened().iter().zip(momentum.as_flattened()) {
             assert!((found - expected).abs() < 1e-9, "{found} in the place of {expected} m/s");
         }
     }
@@ -177,12 +187,10 @@ fn what_is_found_satisfies_the_complementarity_conditions_of_every_kind_of_row()
 }
 
 /// J v + bias, told from the definition.
-fn speed_of(row: &Row, velocities: &[f64]) -> f64 {
-    let sides = row.jacobian.iter().zip(row.movers);
-    let of_side = |(jacobian, mover): (&[f64; 3], Option<u32>)| {
-        mover.map_or(0.0, |mover| {
-            (0..3).map(|axis| jacobian[axis] * velocities[3 * mover as usize + axis]).sum()
-        })
+fn speed_of(row: &Row, movers: [usize; 2], velocities: &[Triple]) -> f64 {
+    let sides = row.jacobian.iter().zip(movers);
+    let of_side = |(jacobian, mover): (&Triple, usize)| -> f64 {
+        (0..3).map(|axis| jacobian[axis] * velocities[mover][axis]).sum()
     };
     row.bias + sides.map(of_side).sum::<f64>()
 }
@@ -191,10 +199,10 @@ fn speed_of(row: &Row, velocities: &[f64]) -> f64 {
 #[test]
 fn the_fall_back_sweeps_satisfy_a_row_by_itself() {
     let mut newton = movers(&[2.0]);
-    newton.free[0] = -1.0;
+    newton.free[0][0] = -1.0;
     add_row(&mut newton, [None, Some(0)], Bound::AT_LEAST_ZERO);
-    let mut part = newton.part_from(0, 0);
+    let mut part = newton.part_from([0; 3]);
     part.is_unsolved = true;
     newton.solve(&mut part);
-    assert_eq!((newton.rows[0].impulse, newton.sought[0]), (2.0, 0.0));
+    assert_eq!((newton.rows[0].impulse, newton.sought[0][0]), (2.0, 0.0));
 }

@@ -8,9 +8,6 @@ pub(super) fn of(case: &str) -> &'static str {
              points that stick and that slide. Sweeps carry a load of hundreds of times a ball's weight by overlap, of which 5 mm \
              and a tenth are left once the load has lasted."
         }
-        "10-piles" => {
-            "One of the ten comes to rest in its second minute. In thirty piles, which are given two, all do."
-        }
         "pyramid-40" | "pyramid-100" => {
             "More than 256 bodies, so sweeps only. By them each contact sags under its load, the middle, which bears most, by more \
              than the sides, so the rows tilt and drift; and in the first steps the top falls, and rocks for more than 10 s."
