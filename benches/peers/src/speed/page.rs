@@ -24,6 +24,8 @@ const OTHERS: f64 = 1.0;
 const BOUNCY: f64 = 1.05;
 /// ... and of such scenes the middle one takes at most this part of the time of Box2D.
 const BOUNCY_MIDDLE: f64 = 0.68;
+/// What is solved directly takes at most so many times as long as by the sweeps of Box2D.
+const STRUCTURE: f64 = 2.0;
 /// An overlap up to this, m, is rest, which soft contacts have by design: below it engines rank alike.
 const REST: f64 = 2e-3;
 
@@ -101,6 +103,7 @@ fn page(builds: &[(&str, Vec<Entry<'_>>)], first: &[Entry<'_>], rows: &[Row]) ->
     for (lanes, entries) in builds {
         times(lanes, entries, &mut text);
     }
+    structures(first, &mut text);
     materials(first, &mut text);
     for (lanes, entries) in builds {
         ends(lanes, entries, &mut text);
@@ -151,6 +154,9 @@ fn in_short(lanes: &str, entries: &[Entry<'_>], text: &mut String) {
     // What we hold ourselves to is said of the build of Box2D that people get if they ask for nothing.
     let most = if lanes == "AVX2" { OTHERS } else { EVERY };
     let entries = &plain(entries);
+    if entries.is_empty() {
+        return;
+    }
     let box2d = entries.iter().map(|entry| entry.ratio(1)).collect();
     let rapier = entries.iter().map(|entry| entry.ratio(2)).collect();
     _ = writeln!(text, "## In short, with Box2D for {lanes}\n");
@@ -182,10 +188,30 @@ fn in_short(lanes: &str, entries: &[Entry<'_>], text: &mut String) {
     text.push('\n');
 }
 
-/// The scenes that are not another one with other materials.
+/// The scenes that are solved by sweeps, but for those that are another one with other materials.
 fn plain<'a>(entries: &[Entry<'a>]) -> Vec<Entry<'a>> {
-    let own = entries.iter().filter(|entry| !matches!(entry.course.kind, CourseKind::Material { .. }));
+    let is_plain = |entry: &&Entry<'_>| {
+        !matches!(entry.course.kind, CourseKind::Material { .. } | CourseKind::Structure)
+    };
+    let own = entries.iter().filter(is_plain);
     own.map(|entry| Entry { course: entry.course, rows: entry.rows.clone() }).collect()
+}
+
+/// What it costs to solve directly.
+fn structures(entries: &[Entry<'_>], text: &mut String) {
+    let structures = entries_of(entries, &CourseKind::Structure);
+    if structures.is_empty() {
+        return;
+    }
+    _ = writeln!(
+        text,
+        "## Structures\n\nWhat bears great loads rustycs solves directly. It takes at most {STRUCTURE} times as long as Box2D {}:\n",
+        tally(&structures, |entry| entry.ratio(1) <= STRUCTURE)
+    );
+    for entry in &structures {
+        _ = writeln!(text, "- `{}`: {} of Box2D.", entry.course.name, factor(entry.ratio(1)));
+    }
+    text.push('\n');
 }
 
 /// What the same scene costs with other materials.
@@ -265,8 +291,12 @@ fn times(lanes: &str, entries: &[Entry<'_>], text: &mut String) {
          | scene | bodies | points | rustycs | Box2D | Rapier | of Box2D | of Rapier |\n|---|{}",
         "---:|".repeat(7)
     );
-    let most = if lanes == "AVX2" { OTHERS } else { EVERY };
     for entry in entries {
+        let most = match entry.course.kind {
+            CourseKind::Structure => STRUCTURE,
+            _ if lanes == "AVX2" => OTHERS,
+            _ => EVERY,
+        };
         let time = |row: &&Row| {
             let [least, middle] = row.step_time.map(|time| Unit::Of("s".into()).figure(time));
             format!("{least}, {middle}")

@@ -3,6 +3,7 @@
 mod everyday;
 mod materials;
 mod piles;
+mod structures;
 mod turning;
 
 use crate::scene::{BodySpec, Kind, Outline, Scene};
@@ -34,6 +35,8 @@ pub(crate) enum CourseKind {
     Size,
     /// One as people have.
     Everyday,
+    /// One that stands or falls by how loads are passed on.
+    Structure,
     /// Another one with other materials.
     Material {
         /// Its name.
@@ -86,6 +89,7 @@ pub(crate) fn all() -> Vec<Course> {
     all.extend(turning::races());
     all.extend(piles::sizes());
     all.extend(everyday::courses());
+    all.extend(structures::courses());
     let materials = materials::courses(&all);
     all.extend(materials);
     all
