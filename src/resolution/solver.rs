@@ -195,14 +195,14 @@ impl Solver {
         let states = &mut tables.bodies.states;
         let sweep = SweepOver { have_moved: false, ..sweep.clone() };
         for _ in 0..JOINT_ROUNDS {
-            if self.joints.solve_again(phase, scheme, states) < SETTLED {
-                return;
+            if !self.joints.solve_again(phase, scheme, states, SETTLED) {
+                break;
             }
             for &contact in self.joints.contacts() {
                 tables.graph.run_at(contact, states, &sweep);
             }
         }
-        self.joints.solve_again(phase, scheme, states);
+        self.joints.solve_again(phase, scheme, states, 0.0);
     }
 
     /// Circles that roll from one piece of ground onto the next during the move.
@@ -216,7 +216,7 @@ impl Solver {
         let Self { impacts, continuous, courses, kicks, strikes, blows, .. } = self;
         continuous.run(&mut event_scene(tables, scheme, kicks, courses, strikes, blows), impacts);
         if !self.joints.is_empty() {
-            self.joints.solve_again(Phase::Push, scheme, &mut tables.bodies.states);
+            self.joints.solve_again(Phase::Push, scheme, &mut tables.bodies.states, 0.0);
         }
     }
 

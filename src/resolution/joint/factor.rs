@@ -75,6 +75,12 @@ impl Factor {
         self.l_counts.fill(0);
         self.flags.fill(ROOT);
         for row in 0..n {
+            let diagonal = entry(row, row);
+            if diagonal <= 0.0 {
+                // It takes no part.
+                self.d[row] = f64::INFINITY;
+                continue;
+            }
             let mut top = n;
             self.flags[row] = row as u32;
             for at in self.starts[row]..self.starts[row + 1] {
@@ -92,7 +98,6 @@ impl Factor {
                     self.path[top] = self.path[length];
                 }
             }
-            let diagonal = entry(row, row);
             let pivot = self.eliminate(row, top, diagonal);
             // An infinite pivot leaves the row without an impulse, and without a say in others.
             self.d[row] = if pivot > NO_PIVOT * diagonal { pivot } else { f64::INFINITY };
@@ -105,6 +110,10 @@ impl Factor {
         for place in top..self.d.len() {
             let column = self.path[place] as usize;
             let y = std::mem::replace(&mut self.y[column], 0.0);
+            // Nothing is left of it, or never was where that row takes no part.
+            if y == 0.0 {
+                continue;
+            }
             let (start, end) = (self.l_starts[column], self.l_starts[column] + self.l_counts[column]);
             for at in start as usize..end as usize {
                 self.y[self.l_rows[at] as usize] -= self.l[at] * y;
@@ -121,7 +130,10 @@ impl Factor {
     /// Solves A x = b, where `x` holds b.
     pub(super) fn solve(&mut self) {
         let n = self.d.len();
-        let entries = |column: usize| self.l_starts[column] as usize..self.l_starts[column + 1] as usize;
+        let entries = |column: usize| {
+            let start = self.l_starts[column] as usize;
+            start..start + self.l_counts[column] as usize
+        };
         for column in 0..n {
             let x = self.x[column];
             for at in entries(column) {

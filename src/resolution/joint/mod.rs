@@ -110,25 +110,32 @@ impl JointSolver {
         }
     }
 
-    /// Solves those islands anew whose bodies others have pushed since the last solve; returns by how much, m/s.
-    pub(super) fn solve_again(&mut self, phase: Phase, scheme: &Scheme, states: &mut [BodyState]) -> f64 {
-        let mut most = 0.0_f64;
+    /// Solves those islands anew whose bodies others have pushed since the last solve by more than this, m/s; returns whether there
+    /// are any.
+    pub(super) fn solve_again(
+        &mut self,
+        phase: Phase,
+        scheme: &Scheme,
+        states: &mut [BodyState],
+        more_than: f64,
+    ) -> bool {
+        let mut is_pushed = false;
         self.for_each_island(|solver, island| {
-            let change = solver.read_changes(island, states);
-            if change == 0.0 {
+            island.pushed += solver.read_changes(island, states);
+            if island.pushed <= more_than {
                 return;
             }
-            most = most.max(change);
+            (island.pushed, is_pushed) = (0.0, true);
             if phase == Phase::Push && island.times.h < solver.h {
                 solver.push_island(island, scheme);
             } else {
                 solver.solve_island(island, phase, false);
             }
         });
-        if most > 0.0 {
+        if is_pushed {
             self.write(states);
         }
-        most
+        is_pushed
     }
 
     /// The end of a substep: takes note of what the rows have borne.

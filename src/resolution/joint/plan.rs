@@ -37,6 +37,8 @@ pub(super) struct Island {
     pub(super) times: Times,
     /// Whether a body of it is in a contact.
     pub(super) touches: bool,
+    /// By how much others have pushed its bodies since it was solved, m/s.
+    pub(super) pushed: f64,
     /// Whether what it is to be after the move was found only as if bodies did not turn in it.
     pub(super) is_linear: bool,
     /// Whether that was because how they turn came to no end.
