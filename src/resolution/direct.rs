@@ -117,9 +117,16 @@ impl DirectSolver {
             .flat_map(|part| self.states_of_movers[part.movers.clone()].iter().copied())
     }
 
-    /// Gives the bodies back the velocities without contacts.
+    /// Takes what the contacts gave the bodies in the last solve out of the velocities again; what has struck them since stays.
     pub(crate) fn restore_free(&self, states: &mut [BodyState]) {
-        self.write(&self.newton.free, states);
+        let Newton { free, sought, .. } = &self.newton;
+        for (&row, (free, sought)) in self.states_of_movers.iter().zip(free.iter().zip(sought)) {
+            let state = &mut states[row as usize];
+            let [[free_x, free_y, free_w], [x, y, w]] = [free, sought].map(|all| all.map(|v| v as f32));
+            state.velocity.x = free_x + (state.velocity.x - x);
+            state.velocity.y = free_y + (state.velocity.y - y);
+            state.angular_velocity = free_w + (state.angular_velocity - w);
+        }
     }
 
     /// Finds the velocities with contacts, from those of now, which are without; and the impulses.
@@ -139,20 +146,14 @@ impl DirectSolver {
         for island in &mut self.islands {
             self.newton.solve(island);
         }
-        self.write(&self.newton.sought, states);
+        for (&row, &[x, y, w]) in self.states_of_movers.iter().zip(&self.newton.sought) {
+            let state = &mut states[row as usize];
+            (state.velocity, state.angular_velocity) = (Vec2::new(x as f32, y as f32).into(), w as f32);
+        }
         if aim == Aim::Relax {
             for contact in &self.contacts {
                 contact.write_back(&self.newton.rows, graph);
             }
-        }
-    }
-
-    /// Writes the velocities of all movers into the states.
-    fn write(&self, velocities: &[[f64; 3]], states: &mut [BodyState]) {
-        for (&row, velocity) in self.states_of_movers.iter().zip(velocities) {
-            let state = &mut states[row as usize];
-            state.velocity = Vec2::new(velocity[0] as f32, velocity[1] as f32).into();
-            state.angular_velocity = velocity[2] as f32;
         }
     }
 }

@@ -5,6 +5,7 @@
 
 use crate::body::Bodies;
 use crate::collision::Contact;
+use crate::math::Vec2;
 use crate::resolution::softness::sag;
 
 /// Overlap at rest, as a share of the width of the thinner body, from which an island is solved directly.
@@ -50,6 +51,11 @@ impl Loads {
         let end = index as usize + 1;
         self.of_contact.resize(self.of_contact.len().max(end), ContactLoad::default());
         self.of_contact[index as usize] = ContactLoad::default();
+    }
+
+    /// Forgets the body in a slot, which is removed, or not dynamic any more.
+    pub(crate) fn forget_body(&mut self, slot: u32) {
+        self.unsolved.retain(|&other| other != slot);
     }
 
     /// Forgets what is beyond so many contacts and slots of bodies.
@@ -118,11 +124,13 @@ impl Load {
     }
 }
 
-/// Whether a contact has borne nothing yet, and neither body moves: so begins what is set up at rest.
+/// Whether a contact has borne nothing yet, and its bodies move alike and do not turn: so begins what is set up at rest, on the ground or
+/// on a lift.
 pub(crate) fn begins_at_rest(contact: &Contact, bodies: &Bodies) -> bool {
-    let stands = |slot: u32| !bodies.state(slot).is_moving();
+    let [a, b] = contact.slots.map(|slot| bodies.state(slot));
     contact.manifold.points().iter().all(|point| point.normal_impulse == 0.0)
-        && contact.slots.into_iter().all(stands)
+        && Vec2::from(a.velocity) == Vec2::from(b.velocity)
+        && [a, b].iter().all(|state| state.angular_velocity == 0.0)
 }
 
 #[cfg(test)]

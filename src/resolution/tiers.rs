@@ -158,10 +158,7 @@ impl Tiers {
     pub(crate) fn decide(&mut self, tick: u64, rule: TierRule, loads: &Loads, mut tables: TierTables<'_>) {
         self.direct.clear();
         for &slot in &loads.unsolved {
-            // It may have been removed since.
-            if tables.bodies.records.at(slot).is_some() {
-                self.histories[slot as usize].leave_alone(tick);
-            }
+            self.histories[slot as usize].leave_alone(tick);
         }
         let has_work = !(loads.lasting.is_empty() && loads.begun_at_rest.is_empty());
         if !has_work && !tables.graph.solves_directly() {

@@ -139,6 +139,7 @@ impl World {
         if body_type != BodyType::Dynamic {
             self.graph.set_tier(slot, Tier::Swept);
             self.tiers.forget(slot);
+            self.loads.forget_body(slot);
         }
     }
 

@@ -75,6 +75,7 @@ impl World {
         }
         self.graph.set_tier(slot, Tier::Swept);
         self.tiers.forget(slot);
+        self.loads.forget_body(slot);
         let removed = self.bodies.remove(id.0);
         self.note_removal();
         self.sensors.note_edit();

@@ -230,7 +230,7 @@ impl Newton {
             for row in &mut self.rows[part.rows.clone()] {
                 row.yield_by(compliance);
             }
-            is_solved = self.descend(part, number == 0);
+            is_solved = self.descend(part, number == 0 || begins);
             if !is_solved {
                 self.rows[part.rows.clone()].iter_mut().for_each(Row::go_back);
             }
@@ -243,7 +243,7 @@ impl Newton {
     }
 
     /// Goes down φ, step by step, until its gradient is 0. Returns whether it came there.
-    fn descend(&mut self, part: &Part, is_first: bool) -> bool {
+    fn descend(&mut self, part: &Part, holds_first: bool) -> bool {
         for number in 0..MOST_STEPS {
             self.respond(part);
             if (1..LIMIT_STEPS).contains(&number) {
@@ -254,7 +254,7 @@ impl Newton {
             }
             // Rows that touch are first held, whichever way they would go: a load reaches the ground at once, and
             // not one body further in each step.
-            let holds = is_first && number == 0;
+            let holds = holds_first && number == 0;
             self.factorize(part, holds);
             self.matrix.solve(&mut self.step[part.movers.clone()]);
             self.look_ahead(part, holds);

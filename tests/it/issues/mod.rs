@@ -15,7 +15,9 @@ mod no_error_of_sleepers;
 mod pair_with_a_body_that_left;
 mod pair_with_a_removed_body;
 mod stale_manifold;
+mod struck_in_a_direct_island;
 #[cfg(all(target_os = "linux", feature = "parallel"))]
 mod threads_of_many_worlds;
 mod thrown_by_slow_motion;
+mod towers_that_fell_at_once;
 mod wedged_by_friction;
