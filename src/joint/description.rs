@@ -184,7 +184,9 @@ impl Joint {
         Self::new(JointKind::Wheel, a, b.into())
     }
 
-    /// Drives `b` to a pose beside `a`: that which it has when the joint is added, until it gets another target.
+    /// Pulls `b` back to a pose beside `a` by a spring: to that which it has when the joint is added, or, with
+    /// [`between`](Self::between) or [`local_anchors`](Self::local_anchors), to where both anchors are in one place. Its angle is
+    /// changed by [`JointMut::set_rest`](crate::JointMut::set_rest).
     pub fn motor_to(a: BodyId, b: impl Into<Option<BodyId>>) -> Self {
         Self { spring: Some(USUAL_SPRING), ..Self::new(JointKind::Motor, a, b.into()) }
     }

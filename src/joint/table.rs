@@ -168,8 +168,7 @@ impl Joints {
         let (anchor_a, end) = match description.anchors {
             Anchors::Centers => {
                 let end = pose_b.map_or(pose_a.center, |pose| pose.center);
-                let is_common =
-                    !matches!(description.kind, JointKind::Distance | JointKind::Motor | JointKind::Gear);
+                let is_common = !matches!(description.kind, JointKind::Distance | JointKind::Gear);
                 (if is_common { pose_a.to_local(end) } else { Vec2::ZERO }, end_at(end))
             }
             Anchors::At(place) => (pose_a.to_local(place), end_at(place)),

@@ -75,7 +75,11 @@ pub(super) struct JointBody {
     pub(super) turn: V2,
     /// The same as an angle of any number of turns, rad.
     pub(super) angle: f64,
-    /// By how much it is faster at the end of a substep than on average over it, where that is made of several steps.
+    /// Scratch: the velocity before gaps were closed.
+    pub(super) unclosed: V3,
+    /// What of the velocity only closes gaps, and ends with the move.
+    pub(super) closing: V3,
+    /// By how much it is faster at the end of a substep than on average over it: where that is made of several steps, or gaps close.
     pub(super) ahead: V3,
     /// By forces, m/s² and rad/s².
     pub(super) acceleration: V3,

@@ -12,6 +12,7 @@
 
 mod factor;
 mod finish;
+mod gaps;
 mod geometry;
 mod kinds;
 mod plan;
@@ -129,7 +130,7 @@ impl JointSolver {
             if phase == Phase::Push && island.times.h < solver.h {
                 solver.push_island(island, scheme);
             } else {
-                solver.solve_island(island, phase, false);
+                solver.solve_rows(island, phase, false);
             }
         });
         if is_pushed {

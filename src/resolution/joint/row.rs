@@ -44,6 +44,8 @@ pub(super) struct Times {
     pub(super) h: f64,
     /// How long the forces of a phase act, s.
     pub(super) kick: f64,
+    /// Share of what of a gap is to close in the step that does, no unit.
+    pub(super) closing: f64,
 }
 
 /// Angles, rad, and lengths, by the lever arms of the joint, up to which a row is where it should be: below, the poses of
@@ -56,7 +58,7 @@ const REACHED: f64 = 1e-6;
 /// Gaps that are there, as of bodies that were joined apart, were moved by hand or struck, or of joints that contradict each other,
 /// close no faster than this, m/s or rad/s, as overlaps of contacts do: closed at once, a gap of a metre would throw its bodies
 /// at hundreds of metres per second.
-const CLOSING_SPEED: f64 = 3.0;
+pub(super) const CLOSING_SPEED: f64 = 3.0;
 
 /// A bounded row is at its bound from this share of it on.
 const AT_BOUND: f64 = 1.0 - 1e-9;
@@ -95,6 +97,8 @@ pub(super) struct Row {
     pub(super) pushed: f64,
     /// Scratch: an impulse to go back to.
     pub(super) kept: f64,
+    /// Scratch: the impulse before gaps were closed.
+    pub(super) unclosed: f64,
     /// The load as the substep began.
     pub(super) load_before: f64,
     /// Force of the last substep.
@@ -125,6 +129,7 @@ impl Row {
             impulse: 0.0,
             pushed: 0.0,
             kept: 0.0,
+            unclosed: 0.0,
             load_before: 0.0,
             load: 0.0,
             is_free: false,
@@ -219,6 +224,16 @@ impl Row {
         self.is_free &= self.k > 0.0;
     }
 
+    /// How fast the gap that is there could close, m/s or rad/s; 0 where it is rounding.
+    pub(super) fn closing_speed(&self, times: Times) -> f64 {
+        let gap = match self.role {
+            Role::Rigid => self.x.abs(),
+            Role::Limits([lower, upper]) => (lower - self.x).max(self.x - upper),
+            Role::Spring { .. } | Role::Speed { .. } => 0.0,
+        };
+        if gap > EXACT * self.scale { (gap / times.h).min(CLOSING_SPEED) } else { 0.0 }
+    }
+
     /// Whether the impulse is within its bound, or is to come back from it.
     fn is_inside(&self, bound: f64, w: f64) -> bool {
         self.impulse.abs() < AT_BOUND * bound || (bound > 0.0 && self.impulse * w > 0.0)
@@ -266,7 +281,7 @@ impl Row {
 
 /// What is to be left of a gap after a step: it closes at `CLOSING_SPEED` at most.
 fn left(gap: f64, times: Times) -> f64 {
-    (gap.abs() - CLOSING_SPEED * times.h).max(0.0).copysign(gap)
+    (gap.abs() - times.closing * gap.abs().min(CLOSING_SPEED * times.h)).copysign(gap)
 }
 
 /// a = c h/2 and b = k h²/4 of a spring of one mass with these `k`, 1/s², and `c`, 1/s, of which the midpoint rule makes the poles

@@ -31,8 +31,8 @@ const TURNS: usize = 8;
 const SWEEPS: usize = 4;
 
 impl JointSolver {
-    /// Solves a phase, or, where it `is_new` no more, what was pushed since it was solved.
-    pub(super) fn solve_island(&mut self, island: &mut Island, phase: Phase, is_new: bool) {
+    /// Solves the rows of a phase, or, where it `is_new` no more, what was pushed since they were solved.
+    pub(super) fn solve_rows(&mut self, island: &mut Island, phase: Phase, is_new: bool) {
         let Self { bodies, bases, rows, .. } = self;
         let Island { clusters, bodies: members, times, touches, is_linear, diverges, .. } = island;
         let (times, touches) = (*times, *touches);

@@ -43,7 +43,7 @@ impl JointSolver {
         loop {
             let steps =
                 if may_be_divided { (rest / island.pace.step).ceil().clamp(1.0, MOST_STEPS) } else { 1.0 };
-            island.times = Times { h: rest / steps, kick: kick / h * (rest / steps) };
+            island.times = Times { h: rest / steps, kick: kick / h * (rest / steps), closing: 0.0 };
             fastest = fastest.max(self.push_for_a_step(island, may_be_divided));
             let Times { h: step, .. } = island.times;
             if step >= rest {
@@ -52,6 +52,7 @@ impl JointSolver {
             for &place in &island.bodies {
                 let body = &mut self.bodies[place as usize];
                 *body = body.after(step);
+                body.velocity = [0, 1, 2].map(|index| body.velocity[index] - body.closing[index]);
                 body.accelerate(0.5 * step);
             }
             self.run(island, Phase::Relax);
@@ -71,7 +72,7 @@ impl JointSolver {
         self.velocities.clear();
         self.velocities.extend(island.bodies.iter().map(|&place| self.bodies[place as usize].velocity));
         loop {
-            let Times { h: step, kick } = island.times;
+            let Times { h: step, kick, .. } = island.times;
             for (&place, velocity) in island.bodies.iter().zip(&self.velocities) {
                 let body = &mut self.bodies[place as usize];
                 body.velocity = *velocity;
@@ -83,7 +84,7 @@ impl JointSolver {
             if is_followed || !may_be_divided || step < 2.0 * self.h / MOST_STEPS {
                 return swing;
             }
-            island.times = Times { h: 0.5 * step, kick: 0.5 * kick };
+            island.times = Times { h: 0.5 * step, kick: 0.5 * kick, closing: 0.0 };
             island.pace = Pace { step: 0.5 * step, calm: 0.0 };
         }
     }
@@ -125,7 +126,7 @@ impl JointSolver {
     /// Begins a phase, and solves it.
     pub(super) fn run(&mut self, island: &mut Island, phase: Phase) {
         self.begin(island, phase);
-        self.solve_island(island, phase, true);
+        self.solve_island(island, phase);
     }
 
     /// Brings the rows to where the bodies are, and applies what they bore before.
@@ -178,8 +179,9 @@ fn of_the_whole(body: &JointBody, start: &JointBody, step: f64, h: f64) -> Joint
     let average = if step == h { body.velocity } else { way.map(|way| way / h) };
     // The second kick of the substep is longer than that of the last step.
     let less = 0.5 * (step - h);
-    let ahead =
-        [0, 1, 2].map(|index| body.velocity[index] - average[index] + less * body.acceleration[index]);
+    let ahead = [0, 1, 2].map(|index| {
+        body.velocity[index] - body.closing[index] - average[index] + less * body.acceleration[index]
+    });
     JointBody { velocity: average, ahead, ..*start }
 }
 

@@ -147,6 +147,8 @@ fn body_of(row: u32, inverse: Option<[f32; 2]>) -> JointBody {
         shift: [0.0; 2],
         turn: [1.0, 0.0],
         angle: 0.0,
+        unclosed: [0.0; 3],
+        closing: [0.0; 3],
         ahead: [0.0; 3],
         acceleration: [0.0; 3],
         touches: false,

@@ -2,7 +2,7 @@
 
 use rustycs::prelude::*;
 
-use crate::support::{G, add, assert_near, assert_relative, earth, place, run, space, velocity};
+use crate::support::{G, add, assert_near, assert_relative, earth, place, run, space, unit_box, velocity};
 
 /// ω of a spring of so many hertz, rad/s.
 fn omega(hertz: f64) -> f64 {
@@ -97,4 +97,18 @@ fn a_ratchet_goes_back_to_its_last_tooth_and_no_farther() {
     world.joint_mut(joint).unwrap().set_motor(-1.0, 10.0);
     run(&mut world, 2.0);
     assert_near(world.joint(joint).unwrap().angle(), 0.9, 1e-5, "angle at the tooth");
+}
+
+/// Without anchors a motor joint pulls to the pose that its bodies have: nothing moves.
+#[test]
+fn a_motor_joint_keeps_the_pose_that_its_bodies_have() {
+    let mut world = space();
+    let a = add(&mut world, unit_box(0.0, 0.0).angle(0.3));
+    let b = add(&mut world, unit_box(2.0, 0.7).angle(-0.4));
+    world.add_joint(Joint::motor_to(a, b)).unwrap();
+    run(&mut world, 2.0);
+    for (body, expected) in [(a, [0.0, 0.0]), (b, [2.0, 0.7])] {
+        let found = place(&world, body);
+        assert!((found[0] - expected[0]).abs() + (found[1] - expected[1]).abs() < 1e-6, "{found:?}");
+    }
 }

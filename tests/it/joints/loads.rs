@@ -153,3 +153,38 @@ fn bodies_joined_in_space_keep_momentum_and_angular_momentum() {
         [world.angular_momentum(), at_first.1].map(|l| format!("{l:?}").parse::<f64>().unwrap());
     assert_relative(found, expected, 1e-3, "angular momentum");
 }
+
+/// Hinged planks of 1 kg and 0.5 m in a straight line, pinned at both ends, whose last pin is nearer than the line is long by this share, or
+/// farther. A gap along the line could close only by great ways across it. Closing it takes the energy to lift the weight by as much, and that
+/// of a plank that is as fast as the gap closes, within a substep; no more. Where it can close, it does, and where not, the pins share it.
+#[test]
+fn a_straight_bridge_whose_ends_do_not_fit_gains_no_energy() {
+    for planks in [2, 3, 4, 10, 24_u32] {
+        for short in [0.0, 1e-5, 1e-4, 1e-3, 1e-2, -1e-3] {
+            let mut world = earth();
+            let (mut before, mut joints) = (None, Vec::new());
+            for plank in 0..planks {
+                let left = 0.5 * f64::from(plank);
+                let body = Body::dynamic(Shape::obb(0.48, 0.12)).at([left + 0.25, 0.0]).mass(1.0);
+                let body = add(&mut world, body);
+                joints.push(world.add_joint(Joint::revolute(body, before).at([left, 0.0])).unwrap());
+                before = Some(body);
+            }
+            let length = 0.5 * f64::from(planks);
+            let pin =
+                Joint::revolute(before.unwrap(), None).between([length, 0.0], [(1.0 - short) * length, 0.0]);
+            joints.push(world.add_joint(pin).unwrap());
+            let gap = short.abs() * length;
+            let closing = (240.0 * gap).min(3.0);
+            let most = G * f64::from(planks) * gap + 0.5 * closing * closing + 1e-3;
+            for tick in 0..600 {
+                world.step();
+                let energy = world.energy();
+                assert!(energy <= most, "{planks} planks, {short}: {energy} J at tick {tick}, not {most}");
+            }
+            let widest = joints.iter().map(|&joint| world.joint(joint).unwrap().error().distance);
+            let (widest, most) = (widest.fold(0.0, f32::max), if short < 0.0 { gap } else { 1e-6 });
+            assert!(f64::from(widest) <= most, "{planks} planks, {short}: {widest} m, not {most}");
+        }
+    }
+}

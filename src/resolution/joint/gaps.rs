@@ -1,0 +1,81 @@
+//! Gaps that are there: of bodies that were joined apart, were moved by hand or struck, or of joints that contradict each other.
+//!
+//! A push is first solved with the gaps left as they are, and then with gaps that close. Where that takes small ways of the bodies, it is
+//! by impulses as all else. Along a chain that is stretched out gaps close by great ways across it: in a substep, at hundreds of metres
+//! per second. There the bodies go a part of the way, by a velocity that ends with the move and that no joint bears.
+
+use crate::resolution::joint::JointSolver;
+use crate::resolution::joint::plan::Island;
+use crate::resolution::joint::row::{CLOSING_SPEED, Phase};
+
+/// Bodies are at most so many times as fast as the gaps that they close, no unit. With more, a straight bridge that is a hundredth of a
+/// millimetre too long for its pins gains energy; with less, ten links in a row that each have a gap do not close them together.
+const LEVERAGE: f64 = 10.0;
+
+impl JointSolver {
+    /// Solves a phase.
+    pub(super) fn solve_island(&mut self, island: &mut Island, phase: Phase) {
+        island.times.closing = 0.0;
+        self.solve_rows(island, phase, true);
+        if phase == Phase::Push {
+            for &place in &island.bodies {
+                self.bodies[place as usize].closing = [0.0; 3];
+            }
+            let speed = self.fastest_gap(island);
+            if speed > 0.0 {
+                self.close_gaps(island, (LEVERAGE * speed).min(CLOSING_SPEED));
+            }
+        }
+    }
+
+    /// Adds to the velocities what closes the gaps, so that no body is faster by more than `most`, m/s.
+    fn close_gaps(&mut self, island: &mut Island, most: f64) {
+        for row in rows_of(island) {
+            self.rows[row].unclosed = self.rows[row].impulse;
+        }
+        for &place in &island.bodies {
+            let body = &mut self.bodies[place as usize];
+            body.unclosed = body.velocity;
+        }
+        let diverged = island.diverges;
+        island.times.closing = 1.0;
+        self.solve_rows(island, Phase::Push, false);
+        let faster = island.bodies.iter().map(|&place| {
+            let body = &self.bodies[place as usize];
+            body.pace_of([0, 1, 2].map(|index| body.velocity[index] - body.unclosed[index]))
+        });
+        // `f64::max` would pass over what is not a number.
+        let fastest = faster.fold(0.0, |most: f64, one| if one > most || one.is_nan() { one } else { most });
+        if fastest <= most {
+            return;
+        }
+        island.diverges = diverged;
+        island.times.closing = if fastest.is_finite() { most / fastest } else { 0.0 };
+        for &place in &island.bodies {
+            let body = &mut self.bodies[place as usize];
+            if island.times.closing > 0.0 {
+                body.closing = [0, 1, 2]
+                    .map(|index| island.times.closing * (body.velocity[index] - body.unclosed[index]));
+            }
+            body.velocity = [0, 1, 2].map(|index| body.unclosed[index] + body.closing[index]);
+        }
+        for row in rows_of(island) {
+            self.rows[row].impulse = self.rows[row].unclosed;
+        }
+    }
+
+    /// How fast the fastest gap of an island could close, as a speed of its bodies, m/s.
+    fn fastest_gap(&self, island: &Island) -> f64 {
+        let pace = |row: usize| {
+            let row = &self.rows[row];
+            let speed = row.closing_speed(island.times);
+            let turning = |&body: &u32| self.bodies[body as usize].pace_of([0.0, 0.0, speed]);
+            if row.coordinate.is_angle() { row.bodies.iter().map(turning).fold(0.0, f64::max) } else { speed }
+        };
+        rows_of(island).map(pace).fold(0.0, f64::max)
+    }
+}
+
+fn rows_of(island: &Island) -> impl Iterator<Item = usize> {
+    island.clusters.iter().flat_map(|cluster| &cluster.rows).map(|&row| row as usize)
+}
