@@ -1,5 +1,5 @@
-//! Sets `unoptimized` where the library is built without optimization. There each number of a function has a place of its own on the
-//! stack, and what is inlined into one function for the sake of speed would take more than a thread has.
+//! Sets `unoptimized` where this package is built without optimization. There each local variable has a place of its own on the stack, and
+//! the kernels of `src/resolution/kernel.rs`, inlined into one function for the sake of speed, would take more than a thread has.
 
 fn main() {
     println!("cargo::rerun-if-changed=build.rs");

@@ -52,7 +52,8 @@ fn in_place_of(found: &Manifold, side: usize, exposure: &Exposure, placed: Place
     let is_circle = placed.shapes[1 - side].core().is_none();
     let on_plane =
         if is_circle || found.is_of_corners() { of_round(found, side, exposure, placed) } else { None };
-    if is_circle { on_plane } else { on_plane.or_else(|| on_exposed_face(side, exposure, placed)) }
+    // A circle has no corner to put onto a face.
+    on_plane.or_else(|| on_exposed_face(side, exposure, placed))
 }
 
 /// Whether the exposure of one of the two shapes allows a manifold.

@@ -4,17 +4,17 @@
 //! boxes needs n² sweeps, a mass ratio of n needs n. Here the velocities v of an island minimize
 //!
 //! ```text
-//! φ(v) = ½ (v - v₀)ᵀ M (v - v₀)  +  Σ p(vn + bias; c)  +  Σ f(vt; c_t, µ λ)
+//! φ(v) = ½ (v - v₀)ᵀ M (v - v₀)  +  Σ p(vn + bias; c k)  +  Σ f(vt; c k_t, µ λ)
 //! ```
 //!
-//! v₀ being the velocities without contacts. p(u; c) = min(u - c λ₀, 0)²/(2c) makes λ = max(0, λ₀ - u/c) the normal
-//! impulse, λ₀ being that of the last substep or of the stage before: a point yields to a change of load and not to the
+//! v₀ being the velocities without contacts. p(u; s) = min(u - s λ₀, 0)²/(2s) makes λ = max(0, λ₀ - u/s) the normal
+//! impulse, c being a compliance without unit and k what a unit of impulse does to vn, λ₀ being that of the last substep or of the stage before: a point yields to a change of load and not to the
 //! load, so that at rest nothing sags (method of multipliers; M. Hestenes, 1969). f is Huber's function, whose slope is
 //! the friction, cut off at ±µ λ. φ is convex and piecewise quadratic, so Newton's method with a line search finds the
 //! minimum in a few steps, each a Cholesky factorization of
 //!
 //! ```text
-//! H = M + Σ Jnᵀ Jn/c + Σ Jtᵀ Jt/c_t      over points that press, and points that stick
+//! H = M + Σ Jnᵀ Jn/(c k) + Σ Jtᵀ Jt/(c k_t)      over points that press, and points that stick
 //! ```
 //!
 //! with 3 rows for each body, in an order that keeps rows near those of their neighbours (E. Cuthill & J. McKee,
@@ -44,6 +44,9 @@ use crate::resolution::direct::newton::{Newton, Part};
 const LARGEST_SMALL_ISLAND: usize = 32;
 
 /// The islands that are solved directly.
+///
+/// In a step: `clear`, and `add_island` for each, once the constraints are there; in a substep `solve` to push, the drift,
+/// `restore_free`, a kick, and `solve` to relax, which alone gives the contacts their impulses.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct DirectSolver {
     /// The row of each mover among the states.
@@ -107,8 +110,7 @@ impl DirectSolver {
         self.islands.is_empty()
     }
 
-    /// Rows of the bodies of islands that Newton's method did not solve in this step, but for small ones: those are swept
-    /// as well here as anywhere.
+    /// Rows of the bodies of islands that Newton's method did not solve in this step, but for small ones, which are tried again in the next.
     pub(crate) fn unsolved_rows(&self) -> impl Iterator<Item = u32> {
         let is_left = |part: &&Part| part.is_unsolved && part.movers.len() > LARGEST_SMALL_ISLAND;
         self.islands

@@ -1,7 +1,7 @@
 //! Which islands are solved directly, and which by sweeps: sweeps are enough for nearly all.
 //!
-//! What sweeps leave wrong at rest is known beforehand: a contact sags under an impulse λ to where the bias makes up
-//! for the compliance, which is 14 % of k λ (see [`softness`](super::softness)). Where that is more than an eightieth
+//! What sweeps leave wrong at rest is known beforehand: until the load has lasted, a contact sags under the impulse λ of a substep to where
+//! the bias makes up for half of the compliance, which is 14 % of k λ (see [`sag`]). Where that is more than an eightieth
 //! of the thinner body, in a contact whose bodies hardly move against each other, for a few steps, the island is solved
 //! directly, if that is little work and nothing of it is joined. This ends when the load does, or when the direct solve does not solve the island: that
 //! is tried again later, if much would sag. Only the state decides, never a clock: a clone is solved as its original.
@@ -33,11 +33,12 @@ const CALM_STEPS: u8 = 30;
 /// seen to take long.
 const LARGEST_FACTORIZATION: u64 = 100_000;
 
-/// Nor those of more bodies, which are not even ordered for it: heaps of so many take more multiplications.
+/// Nor those of more bodies, which are not even ordered for it: heaps of so many take more multiplications. Towers of so many would take
+/// fewer.
 const LARGEST_DIRECT_ISLAND: usize = 256;
 
-/// Multiplications for a body by itself: half of 3 × 3 by 3 × 3, more or less.
-const FACTORIZATION_OF_BODY: u64 = 27;
+/// Multiplications of a product of two blocks of 3 × 3.
+const PRODUCT_OF_BLOCKS: u64 = 27;
 
 /// An island that is too much work is left alone for so many steps. To find it every ten steps, and to order it, takes 7 % of
 /// the step of a drum; a heap that comes apart waits for no longer than two seconds.
@@ -63,7 +64,7 @@ pub(crate) struct TierRule {
 }
 
 impl TierRule {
-    /// The overlap that sweeps would leave in the end in a contact under the weight of `mass`, kg, whose k is `k`, 1/kg,
+    /// The overlap that sweeps would leave in a contact, until the load has lasted, under the weight of `mass`, kg, whose k is `k`, 1/kg,
     /// m.
     fn sag_under(&self, mass: f32, k: f32) -> f32 {
         let rate = self.substep_rate.min(USUAL_RATE);
@@ -321,7 +322,7 @@ impl Tiers {
             self.first.push(first);
             // Each entry of a row takes the common part of two rows, in blocks of 3 × 3.
             let common = |column: u32| u64::from(column - first.max(self.first[column as usize]) + 1);
-            work += FACTORIZATION_OF_BODY * (first..=place).map(common).sum::<u64>();
+            work += PRODUCT_OF_BLOCKS * (first..=place).map(common).sum::<u64>();
         }
         work <= LARGEST_FACTORIZATION
     }

@@ -52,7 +52,7 @@ impl World {
         let mut exposures = std::mem::take(&mut self.bodies.exposures);
         self.note_moving_ground(&mut exposures);
         exposures.find_stale(|slot, neighbours| self.exposure_of(slot, neighbours));
-        // In the next step they are no longer there.
+        // Noted for the next step: what is beside them now will have lost them by then.
         self.note_moving_ground(&mut exposures);
         self.bodies.exposures = exposures;
     }

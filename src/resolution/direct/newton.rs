@@ -62,8 +62,8 @@ pub(super) struct Part {
     pairs: Range<usize>,
     rows: Range<usize>,
     compliance: f64,
-    /// Whether Newton's method failed in this step. It would fail in the substeps to come too, at the price of many
-    /// sweeps, so these are swept.
+    /// Whether Newton's method failed in this step. It would fail in the substeps to come too, at the price of twenty factorizations, so
+    /// the rows are swept over until the step ends.
     pub(super) is_unsolved: bool,
 }
 
@@ -246,6 +246,7 @@ impl Newton {
     fn descend(&mut self, part: &Part, holds_first: bool) -> bool {
         for number in 0..MOST_STEPS {
             self.respond(part);
+            // They count from the step to come on: whether this one is balanced goes by those that its impulses had.
             if (1..LIMIT_STEPS).contains(&number) {
                 self.follow_limits(part);
             }
@@ -290,8 +291,8 @@ impl Newton {
         })
     }
 
-    /// Finds the factor of H, for the rows as they respond now, or with all that touch held. At rest no row changes from substep to
-    /// substep, and the last factor serves again.
+    /// Finds the factor of H, for the rows as they respond now, or with all that touch held. The last factor serves again where it is that
+    /// of the same rows: in a world with one such island, mostly.
     fn factorize(&mut self, part: &Part, holds: bool) {
         let mut is_new = false;
         for index in part.rows.clone() {
@@ -347,8 +348,8 @@ impl Newton {
         }
     }
 
-    /// Goes along the step to where φ is least: where its slope, which grows along the way, is 0. A whole step is
-    /// right where no row changes its mind.
+    /// Goes along the step, no farther than to its end, to where φ is least: where its slope, which grows along the way, is 0. A whole step
+    /// is right where no row changes its mind.
     fn go_along_step(&mut self, part: &Part) {
         let rows = &self.rows[part.rows.clone()];
         let mut start = Slope { value: 0.0, growth: 0.0 };
