@@ -8,8 +8,8 @@
 //! ```
 //!
 //! v₀ being the velocities without contacts. p(u; s) = min(u - s λ₀, 0)²/(2s) makes λ = max(0, λ₀ - u/s) the normal
-//! impulse, c being a compliance without unit and k what a unit of impulse does to vn, λ₀ being that of the last substep or of the stage before: a point yields to a change of load and not to the
-//! load, so that at rest nothing sags (method of multipliers; M. Hestenes, 1969). f is Huber's function, whose slope is
+//! impulse. c is a compliance without unit, k what a unit of impulse does to vn, and λ₀ the impulse of the last substep or of the stage
+//! before: a point yields to a change of load and not to the load, so that at rest nothing sags (method of multipliers; M. Hestenes, 1969). f is Huber's function, whose slope is
 //! the friction, cut off at ±µ λ. φ is convex and piecewise quadratic, so Newton's method with a line search finds the
 //! minimum in a few steps, each a Cholesky factorization of
 //!
@@ -110,7 +110,8 @@ impl DirectSolver {
         self.islands.is_empty()
     }
 
-    /// Rows of the bodies of islands that Newton's method did not solve in this step, but for small ones, which are tried again in the next.
+    /// Rows of the bodies of islands that Newton's method did not solve in this step, but for small ones, which are tried
+    /// again in the next.
     pub(crate) fn unsolved_rows(&self) -> impl Iterator<Item = u32> {
         let is_left = |part: &&Part| part.is_unsolved && part.movers.len() > LARGEST_SMALL_ISLAND;
         self.islands

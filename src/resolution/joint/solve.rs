@@ -31,6 +31,15 @@ const TURNS: usize = 8;
 const SWEEPS: usize = 4;
 
 impl JointSolver {
+    /// Solves a phase.
+    pub(super) fn solve_island(&mut self, island: &mut Island, phase: Phase) {
+        island.times.closing = 0.0;
+        self.solve_rows(island, phase, true);
+        if phase == Phase::Push {
+            self.close_gaps(island);
+        }
+    }
+
     /// Solves the rows of a phase, or, where it `is_new` no more, what was pushed since they were solved.
     pub(super) fn solve_rows(&mut self, island: &mut Island, phase: Phase, is_new: bool) {
         let Self { bodies, bases, rows, .. } = self;

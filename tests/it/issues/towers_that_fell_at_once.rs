@@ -5,7 +5,8 @@ use rustycs::prelude::*;
 use crate::support::{add, earth, place, unit_box};
 
 /// A tower of unit boxes of these masses, kg, the lowest first, on a lift that goes at `speed`, m/s, with the tower from the start: within
-/// two seconds its top sinks by less than a ten-thousandth of its height.
+/// two seconds its top sinks by less than a ten-thousandth of its height. The direct solve finds velocities to 1e-5 m/s in each contact:
+/// in that time 2e-5 of the height, of which five times are allowed.
 fn check(masses: &[f32], speed: f32) {
     let mut world = earth();
     let lift = Body::kinematic(Shape::rectangle(3.0, 1.0)).at([0.0, -0.5]);
