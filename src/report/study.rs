@@ -151,7 +151,7 @@ impl<'a> Study<'a> {
         self
     }
 
-    /// Whether to run with [adaptive](Settings::adaptive) substeps, without, or both, each with every other
+    /// Whether to run with [adaptive](Settings::adaptive) solving and substeps, without, or both, each with every other
     /// combination.
     #[must_use]
     pub fn adaptive(mut self, adaptive: impl IntoIterator<Item = bool>) -> Self {

@@ -27,7 +27,7 @@ pub(crate) struct ContactLoad {
     /// For how many steps it has been great.
     steps: u8,
     /// The overlap that sweeps would leave under it, as a share of the width of the thinner body.
-    sag: f32,
+    pub(super) sag: f32,
 }
 
 /// The contacts under lasting load, found at the end of a step.
@@ -86,10 +86,11 @@ pub(crate) struct LoadMeasure {
 }
 
 impl LoadMeasure {
-    /// For substeps of length 1/`substep_rate`, s. More of them than usual do not make an island less worth its direct
-    /// solve: they are asked for to have less error. Nothing counts as a load unless `loads_matter`.
-    pub(crate) fn new(loads_matter: bool, dt: f32, substep_rate: f32) -> Self {
-        let usual = substep_rate.min(USUAL_RATE);
+    /// For substeps of length 1/`substep_rate`, s, in the place of those that were asked for, of length 1/`asked_rate`. More of them than
+    /// usual do not make an island less worth its direct solve: they are asked for to have less error. Nothing counts as a load unless
+    /// `loads_matter`.
+    pub(crate) fn new(loads_matter: bool, dt: f32, [asked_rate, substep_rate]: [f32; 2]) -> Self {
+        let usual = asked_rate.min(USUAL_RATE);
         Self { dt, substep_rate: usual, factor: if loads_matter { substep_rate / usual } else { 0.0 } }
     }
 
@@ -159,7 +160,7 @@ mod tests {
     #[test]
     fn a_load_lasts_when_it_was_great_for_some_steps_and_ends_at_once() {
         let (measure, contact, mut load) =
-            (LoadMeasure::new(true, 1.0 / 60.0, USUAL_RATE), contact(), ContactLoad::default());
+            (LoadMeasure::new(true, 1.0 / 60.0, [USUAL_RATE; 2]), contact(), ContactLoad::default());
         let great = speed_for(DIRECT_SHARE);
         let lasts: Vec<bool> = (0..6).map(|_| measure.is_lasting(&contact, &mut load, great)).collect();
         assert_eq!(lasts, (1..=6).map(|step| step >= LASTING_STEPS).collect::<Vec<_>>());
@@ -175,7 +176,7 @@ mod tests {
         let (contact, great) = (contact(), speed_for(DIRECT_SHARE));
         for factor in [1.0, 2.0, 10.0] {
             let (measure, mut load) =
-                (LoadMeasure::new(true, 1.0 / 60.0, factor * USUAL_RATE), ContactLoad::default());
+                (LoadMeasure::new(true, 1.0 / 60.0, [factor * USUAL_RATE; 2]), ContactLoad::default());
             measure.is_lasting(&contact, &mut load, great / factor);
             assert!(
                 (load.sag / DIRECT_SHARE - 1.0).abs() < 1e-6,

@@ -22,6 +22,7 @@ mod moving;
 mod moving_geometry;
 mod projection;
 mod rates;
+mod refinement;
 mod rolling;
 mod scheme;
 mod softness;
@@ -41,7 +42,8 @@ pub(crate) use islands::{Connections, Islands, find_connected};
 #[cfg(feature = "report")]
 pub(crate) use kernel::work_of_a_substep;
 pub(crate) use load::{Loads, begins_at_rest};
-pub(crate) use rates::rescale;
+pub(crate) use rates::Rescaling;
+pub(crate) use refinement::Refinement;
 pub(crate) use scheme::Scheme;
 pub(crate) use solver::{Acceleration, SolveTables, Solver, solve};
 pub use tier::Tier;

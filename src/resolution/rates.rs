@@ -28,52 +28,70 @@ use crate::store::BitSet;
 /// default.
 const RESTING_KICKS: f32 = 2.0;
 
-/// Makes the impulses of all contacts, which are those of a substep of length `old_h`, s, into what to start one of length
-/// `new_h`, s, from.
-pub(crate) fn rescale(
-    contacts: &mut Contacts,
-    bodies: &Bodies,
-    acceleration: &impl Acceleration,
-    [old_h, new_h]: [f32; 2],
-) {
-    let ratio = new_h / old_h;
-    let struck =
-        if ratio > 1.0 { struck_bodies(contacts, bodies, acceleration, old_h) } else { BitSet::default() };
-    for contact in contacts.iter_mut() {
-        if contact.slots.into_iter().any(|slot| struck.contains(slot)) {
-            continue;
-        }
-        for point in contact.manifold.points_mut() {
-            point.normal_impulse *= ratio;
-            point.tangent_impulse *= ratio;
-            point.lasting_impulse *= ratio;
-        }
-    }
+/// Rescales the impulses of contacts, with its buffers.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Rescaling {
+    /// Slots of the bodies that were struck, or pressed on by one that was.
+    struck: BitSet,
+    /// Scratch: those of them whose neighbours are still to be looked at.
+    passing_on: Vec<u32>,
 }
 
-/// The slots of bodies that were struck in a substep of length `h`, s, or pressed on by one that was.
-fn struck_bodies(contacts: &Contacts, bodies: &Bodies, acceleration: &impl Acceleration, h: f32) -> BitSet {
-    let mut struck = BitSet::default();
-    let mut passing_on = Vec::new();
-    for &slot in bodies.awake.iter().filter(|&&slot| bodies.is_dynamic(slot)) {
-        let varying =
-            if acceleration.varies() { acceleration.at(bodies, slot, Vec2::ZERO) } else { Vec2::ZERO };
-        let forced = (steady(bodies, slot, acceleration) + varying).length();
-        // Written so that NaN is struck.
-        if !(gain(contacts, bodies, slot) <= RESTING_KICKS * forced * h) && struck.insert(slot) {
-            passing_on.push(slot);
+impl Rescaling {
+    /// Makes the impulses of all contacts, which are those of a substep of length `old_h`, s, into what to start one of length
+    /// `new_h`, s, from.
+    pub(crate) fn rescale(
+        &mut self,
+        contacts: &mut Contacts,
+        bodies: &Bodies,
+        acceleration: &impl Acceleration,
+        [old_h, new_h]: [f32; 2],
+    ) {
+        let ratio = new_h / old_h;
+        self.struck.clear();
+        if ratio > 1.0 {
+            self.find_struck(contacts, bodies, acceleration, old_h);
         }
-    }
-    while let Some(slot) = passing_on.pop() {
-        for index in contacts.of_body(bodies, slot) {
-            let contact = &contacts[index];
-            let other = contact.other(slot);
-            if contact.is_loaded() && bodies.is_dynamic(other) && struck.insert(other) {
-                passing_on.push(other);
+        for contact in contacts.iter_mut() {
+            if contact.slots.into_iter().any(|slot| self.struck.contains(slot)) {
+                continue;
+            }
+            for point in contact.manifold.points_mut() {
+                point.normal_impulse *= ratio;
+                point.tangent_impulse *= ratio;
+                point.lasting_impulse *= ratio;
             }
         }
     }
-    struck
+
+    /// Finds the bodies that were struck in a substep of length `h`, s, or pressed on by one that was.
+    fn find_struck(
+        &mut self,
+        contacts: &Contacts,
+        bodies: &Bodies,
+        acceleration: &impl Acceleration,
+        h: f32,
+    ) {
+        let Self { struck, passing_on } = self;
+        for &slot in bodies.awake.iter().filter(|&&slot| bodies.is_dynamic(slot)) {
+            let varying =
+                if acceleration.varies() { acceleration.at(bodies, slot, Vec2::ZERO) } else { Vec2::ZERO };
+            let forced = (steady(bodies, slot, acceleration) + varying).length();
+            // Written so that NaN is struck.
+            if !(gain(contacts, bodies, slot) <= RESTING_KICKS * forced * h) && struck.insert(slot) {
+                passing_on.push(slot);
+            }
+        }
+        while let Some(slot) = passing_on.pop() {
+            for index in contacts.of_body(bodies, slot) {
+                let contact = &contacts[index];
+                let other = contact.other(slot);
+                if contact.is_loaded() && bodies.is_dynamic(other) && struck.insert(other) {
+                    passing_on.push(other);
+                }
+            }
+        }
+    }
 }
 
 /// By how much the impulses that its contacts keep change the velocity of any point of the body in `slot` at most, m/s.

@@ -362,7 +362,8 @@ impl Solver {
         let SolveTables { bodies, contacts, graph, loads, executor, .. } = tables;
         self.blows.end_substeps(graph);
         self.rolling.finish(contacts);
-        let measure = LoadMeasure::new(scheme.adapts, scheme.dt, 1.0 / scheme.substep_time());
+        let measure =
+            LoadMeasure::new(scheme.adapts, scheme.dt, [scheme.asked_rate, 1.0 / scheme.substep_time()]);
         loads.unsolved.extend(self.direct.unsolved_rows().map(|row| bodies.slot_of_row(row as usize)));
         let residual = graph.finish(*executor, &bodies.states, contacts, measure, loads);
         let motions = Chosen::new(&mut bodies.motions, &bodies.awake);

@@ -55,9 +55,9 @@ const HUB_NEIGHBOURS: usize = 12;
 /// When islands may be solved directly.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct TierRule {
-    /// Whether at all: not by schemes that solve velocities once per substep.
-    pub(crate) allows_direct: bool,
-    /// One over the length of a substep, 1/s.
+    /// Whether at all, and whether substeps may be refined: not by schemes that solve velocities once per substep.
+    pub(crate) adapts: bool,
+    /// One over the length of the substeps that are asked for, 1/s.
     pub(crate) substep_rate: f32,
     /// What all bodies are accelerated by, m/s².
     pub(crate) acceleration: f32,
@@ -167,7 +167,7 @@ impl Tiers {
         }
         self.histories.resize(tables.bodies.motions.len(), History::default());
         self.seen.clear();
-        if rule.allows_direct && !loads.begun_at_rest.is_empty() {
+        if rule.adapts && !loads.begun_at_rest.is_empty() {
             self.begun.clear();
             for &index in &loads.begun_at_rest {
                 for slot in tables.slots(index) {
@@ -211,8 +211,8 @@ impl Tiers {
             && (history.is_given_up() && !load.is_recent
                 || history.unsolved_times > 0 && load.largest <= UNSOLVED_SHARE);
         let is_quiet = history.quiet_until > tick || is_hopeless;
-        let is_refused = rule.allows_direct && !is_quiet && !self.can_be_direct(tables);
-        let may_be_direct = rule.allows_direct && !is_quiet && !is_refused;
+        let is_refused = rule.adapts && !is_quiet && !self.can_be_direct(tables);
+        let may_be_direct = rule.adapts && !is_quiet && !is_refused;
         let share = if was_direct { CALM_SHARE * DIRECT_SHARE } else { DIRECT_SHARE };
         let is_calm = was_direct && may_be_direct && load.largest <= share;
         let stays = is_calm && history.calm_steps < CALM_STEPS;

@@ -105,7 +105,7 @@ impl World {
             return true;
         }
         let speed = blow.begun.map_or(contact.approach_speed, |begun| begun.speed);
-        let way = speed * self.settings.substep_seconds();
+        let way = speed * self.substep_seconds();
         let [a, b] = contact.slots.map(|slot| self.bodies.state(slot));
         let comes = |point: &ManifoldPoint| {
             -contact.manifold.normal.dot(point.relative_velocity(a, b)) > TO_COME * speed

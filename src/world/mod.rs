@@ -56,7 +56,9 @@ use crate::collision::{CandidatePairs, Contacts};
 use crate::compute::ThreadPool;
 use crate::joint::Joints;
 use crate::math::{Aabb, Vec2};
-use crate::resolution::{Connections, ConstraintGraph, Loads, Solver, StepResidual, Tiers, find_connected};
+use crate::resolution::{
+    Connections, ConstraintGraph, Loads, Refinement, Rescaling, Solver, StepResidual, Tiers, find_connected,
+};
 use crate::store::{BitSet, Slots};
 use crate::world::attractor::Field;
 use crate::world::held_forces::{Forced, HeldForces};
@@ -99,6 +101,8 @@ pub struct World {
     attractors: Slots<Attractor>,
     solver: Solver,
     tiers: Tiers,
+    refinement: Refinement,
+    rescaling: Rescaling,
     loads: Loads,
     events: Events,
     sensors: Sensors,
@@ -139,10 +143,10 @@ pub struct World {
 
 clone_into_buffers!(World {
     settings, bodies, broad_phase, candidates, contacts, joints, graph, sleepers, forces, acceleration,
-    attractors, tiers, loads, events, sensors, profile, residual, impulses_of, resting, ticks, rate_since,
+    attractors, tiers, refinement, loads, events, sensors, profile, residual, impulses_of, resting, ticks, rate_since,
     is_within_step, unused_time, dropped_time, forced, held_forces, arriving, memory_use
 } scratch {
-    solver, pool, new_pairs, is_close_now, leaves_box, leaving, changed_contacts
+    solver, rescaling, pool, new_pairs, is_close_now, leaves_box, leaving, changed_contacts
 });
 
 impl Default for World {
@@ -196,6 +200,8 @@ impl World {
             attractors: Slots::default(),
             solver: Solver::default(),
             tiers: Tiers::default(),
+            refinement: Refinement::default(),
+            rescaling: Rescaling::default(),
             loads: Loads::default(),
             events: Events::default(),
             sensors: Sensors::default(),

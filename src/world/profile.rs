@@ -82,7 +82,7 @@ pub struct Counters {
     pub colours: usize,
     /// Contacts that found no colour.
     pub overflow: usize,
-    /// Substeps; 0 where nothing is awake.
+    /// Substeps: two or four times as many as are [asked for](crate::Settings::adaptive) while light bodies bear great loads; 0 where nothing is awake.
     pub substeps: u32,
     /// Bodies of islands that were solved [directly](crate::Tier::Direct).
     pub direct_bodies: usize,

@@ -43,7 +43,8 @@ pub struct Settings {
     /// the tick rate by as much as the substeps are divided by: nothing moves then.
     pub substeps: u32,
     /// Whether islands under great load, heavy bodies on light ones or tall stacks, may be solved
-    /// [directly](crate::Tier::Direct). The others pay nothing. Default true.
+    /// [directly](crate::Tier::Direct), and whether a step takes two or four times as many substeps while a heap too large for that
+    /// would be pressed flat by its load: [`Counters::substeps`](crate::Counters::substeps) tells. Others pay nothing. Default true.
     pub adaptive: bool,
     /// Sequential-impulse sweeps over all contacts before the bodies move, per substep, 1 to 1000. Default 1.
     pub iterations: u32,
@@ -229,7 +230,7 @@ impl Settings {
     pub(crate) fn tier_rule(&self, acceleration: f32) -> TierRule {
         let is_biased = self.position_correction == PositionCorrection::Bias;
         TierRule {
-            allows_direct: self.adaptive && self.split_kick && is_biased,
+            adapts: self.adaptive && self.split_kick && is_biased,
             substep_rate: 1.0 / self.substep_seconds(),
             acceleration,
         }
@@ -260,10 +261,11 @@ impl Settings {
     }
 
     /// What the solver needs to know for a step that computes with so many bodies or contacts after each other.
-    pub(crate) fn scheme(&self, sizes: impl Iterator<Item = usize>) -> Scheme {
+    pub(crate) fn scheme(&self, substeps: u32, sizes: impl Iterator<Item = usize>) -> Scheme {
         Scheme {
             dt: self.tick_seconds() as f32,
-            substeps: self.substeps,
+            substeps,
+            asked_rate: 1.0 / self.substep_seconds(),
             iterations: self.iterations,
             relax_iterations: self.relax_iterations,
             split_kick: self.split_kick,

@@ -8,7 +8,7 @@ use crate::collision::broad_phase::BroadPhase;
 use crate::collision::{AHEAD, Refresh, are_out_of_reach, refresh};
 use crate::compute::{BodyState, Chosen, Executor, GROUND_ROW};
 use crate::math::{Rot, Vec2};
-use crate::resolution::{SolveTables, StepResidual, TierTables, begins_at_rest, rescale, solve};
+use crate::resolution::{SolveTables, StepResidual, TierTables, begins_at_rest, solve};
 use crate::world::World;
 use crate::world::attractor::Field;
 use crate::world::profile::{Counters, Stage};
@@ -231,16 +231,18 @@ impl World {
         let mixes = settings.mixes();
         let Self { bodies, contacts, joints, graph, loads, pool, broad_phase, .. } = self;
         self.tiers.decide(self.ticks, rule, loads, TierTables { bodies, contacts, graph, joints });
+        self.refinement.decide(rule, loads, graph);
         loads.clear();
         let field = Field {
             uniform: self.acceleration,
             attractors: &self.attractors,
             gravitational_constant: settings.gravitational_constant,
         };
-        let scheme = settings.scheme(graph.sizes().chain([bodies.awake_count()]));
+        let substeps = settings.substeps * self.refinement.factor();
+        let scheme = settings.scheme(substeps, graph.sizes().chain([bodies.awake_count()]));
         let (last, now) = (self.impulses_of.replace(scheme.substep_time()), scheme.substep_time());
         if let Some(last) = last.filter(|&last| last != now) {
-            rescale(contacts, bodies, &field, [last, now]);
+            self.rescaling.rescale(contacts, bodies, &field, [last, now]);
         }
         let executor = Executor { pool, width: scheme.width };
         let mut tables = SolveTables { bodies, contacts, graph, loads, joints, broad_phase, mixes, executor };
@@ -378,6 +380,16 @@ impl World {
         self.resting = 0;
     }
 
+    /// How many substeps the last step had.
+    fn substeps(&self) -> u32 {
+        self.settings.substeps * self.refinement.factor()
+    }
+
+    /// Length of the substeps of the last step, s.
+    pub(crate) fn substep_seconds(&self) -> f32 {
+        self.settings.tick_seconds() as f32 / self.substeps() as f32
+    }
+
     fn count(&self) -> Counters {
         let (colours, overflow) = self.graph.occupancy();
         Counters {
@@ -388,7 +400,7 @@ impl World {
             impacts: self.solver.blows.impacts().len(),
             colours,
             overflow,
-            substeps: if self.bodies.awake_count() > 0 { self.settings.substeps } else { 0 },
+            substeps: if self.bodies.awake_count() > 0 { self.substeps() } else { 0 },
             direct_bodies: self.tiers.direct.body_count(),
             direct_islands: self.tiers.direct.len(),
         }

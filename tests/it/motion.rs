@@ -117,7 +117,7 @@ fn nothing_is_faster_than_what_drives_it_and_its_fall_allow() {
 /// as the fastest body goes in a tick, if the blow was seen one tick late.
 #[test]
 fn no_overlap_is_deeper_than_what_a_tick_can_miss() {
-    for scene in rustycs_scenes::all().iter().filter(|scene| scene.name != "pile") {
+    for scene in rustycs_scenes::all() {
         watch(scene, |_, first, tick, look| {
             let most = 0.02 + first.top_speed.max(look.top_speed) / 60.0;
             assert!(look.overlap <= most, "{} at tick {tick}: {look:?}, {most} m", scene.name);
@@ -125,21 +125,19 @@ fn no_overlap_is_deeper_than_what_a_tick_can_miss() {
     }
 }
 
-/// A known failure of the law above: after five seconds of falling in, the pile has overlaps of 1 to 9 cm in forty draws; whether
-/// the law allows them is up to how fast something happens to fall just then.
+/// The same in forty draws of the pile, whose masses differ 1,460 : 1: with as many substeps as are asked for, half of them break it.
 #[test]
-fn the_pile_is_still_deeper_than_what_a_tick_can_miss() {
+fn no_pile_is_deeper_than_what_a_tick_can_miss() {
     let scene = rustycs_scenes::find("pile").unwrap();
-    let is_too_deep = |seed: u64| {
+    for seed in 1..=40 {
         let mut world = scene.build(seed, Settings::default());
         for _ in 0..LOOKS[2] {
             scene.before_tick(&mut world);
             world.step();
         }
         let look = Look::at(&world);
-        look.overlap > 0.02 + look.top_speed / 60.0
-    };
-    assert!((1..=40).any(is_too_deep), "the law is met now: ask it of the pile too");
+        assert!(look.overlap <= 0.02 + look.top_speed / 60.0, "seed {seed}: {look:?}");
+    }
 }
 
 /// Nothing sleeps before it has been at rest for a second.

@@ -81,6 +81,8 @@ impl DirectContact {
                 Aim::Relax => gap_bias(separation, substep_rate),
             };
             self.fill_point(rows, &constraint, index, sides, aim);
+            rows[0].carried = rows[0].bias;
+            rows[1].carried = rows[1].bias;
             rows[0].bias += f64::from(bias);
             if is_pending[index] {
                 // It parts, whatever the velocities.

@@ -34,6 +34,8 @@ pub(super) struct Row {
     pub(super) jacobian: [Triple; 2],
     /// What of u does not depend on these velocities, m/s.
     pub(super) bias: f64,
+    /// What of the bias is how what impulses do not move goes past, m/s.
+    pub(super) carried: f64,
     /// Speed that a unit of impulse gives the row by itself, 1/kg.
     pub(super) k: f64,
     pub(super) bound: Bound,
@@ -74,6 +76,7 @@ impl Row {
         Self {
             jacobian: [[0.0; 3]; 2],
             bias: 0.0,
+            carried: 0.0,
             k: 1.0,
             bound,
             impulse: 0.0,

@@ -18,6 +18,7 @@ mod stale_manifold;
 mod struck_in_a_direct_island;
 #[cfg(all(target_os = "linux", feature = "parallel"))]
 mod threads_of_many_worlds;
+mod thrown_by_an_unsolved_island;
 mod thrown_by_slow_motion;
 mod towers_that_fell_at_once;
 mod wedged_by_friction;

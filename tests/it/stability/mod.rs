@@ -33,7 +33,6 @@ const KNOWN_FAILURES: &[(&str, &str)] = &[
     ("leaning-inside", "in the first steps, before the load has come up, the upper nine boxes begin to turn"),
     ("crowd-of-50", "each of 49 others pushes a box as if it were alone"),
     ("gravel-middle", GRAVEL),
-    ("gravel-edge", GRAVEL),
 ];
 
 /// What does not hold in a case.
