@@ -7,18 +7,19 @@
 //! moment       |Λ| ≤ 3/2 c r λ,   so that a disc, which takes (m + I/r²) a = 3/2 m a = Λ/(r h), is slowed down by c λ/(m h)
 //! ```
 //!
-//! As friction does, it makes up for what would turn the circle as far as it goes, and no further: the spin is never turned
-//! round. It begins with what it was in the last substep, half of which acts before the move, so that a disc on a slope
-//! comes to rest. After the move it is solved before the sweep, whose friction answers it, and after it, with the load that
-//! this has found.
+//! As friction does, it makes up for what would turn the circle as far as it goes, and no further: the spin is not turned
+//! round. It begins with what it was in the last substep, half before and half after the move, so that a disc on a slope
+//! comes to rest, and discs in a heap do not tremble. After the move it is solved before the sweep, whose friction answers it, and after it, with
+//! the load that this has found.
 //!
-//! Runs three times per substep on the contacts of bodies with rolling resistance that have a circle. Nothing where there is none.
+//! Runs four times per substep on the contacts of bodies with rolling resistance that have a circle. Nothing where there is none.
 //! What is solved directly takes it as a moment from outside.
 
 use crate::body::Bodies;
 use crate::collision::Contacts;
 use crate::compute::BodyState;
 use crate::resolution::constraint_graph::{ConstraintGraph, GraphIndex};
+use crate::resolution::kernel::WarmStartTime;
 
 /// How much harder than a moment c r N the same deceleration is for a disc that turns as well as moves, no unit: 1 + I/(m r²).
 const OF_A_DISC: f32 = 1.5;
@@ -74,14 +75,20 @@ impl Rolling {
         self.contacts.retain(|contact| contact.inverse_inertias != [0.0; 2]);
     }
 
-    /// Before the move: a `part` of what acted in the last substep, no unit, as far as it does not turn the spin round.
-    pub(crate) fn start(&mut self, part: f32, graph: &ConstraintGraph, states: &mut [BodyState]) {
+    /// One of the warm starts of a substep: a `part` of what acted in the last one, no unit, as far as the load goes.
+    pub(crate) fn start(
+        &mut self,
+        time: WarmStartTime,
+        part: f32,
+        graph: &ConstraintGraph,
+        states: &mut [BodyState],
+    ) {
         for contact in &mut self.contacts {
-            let least = part * contact.moment;
             let greatest = part * contact.limit(graph);
-            let stopping = contact.stopping(states).clamp(least.min(0.0), least.max(0.0));
-            contact.acted = stopping.clamp(-greatest, greatest);
-            contact.turn(contact.acted, states);
+            let moment = (part * contact.moment).clamp(-greatest, greatest);
+            contact.turn(moment, states);
+            let before = if time == WarmStartTime::BeforeMove { 0.0 } else { contact.acted };
+            contact.acted = before + moment;
         }
     }
 

@@ -167,8 +167,7 @@ impl Solver {
     fn push(&mut self, scheme: &Scheme, tables: &mut SolveTables<'_>, has_moved: bool) {
         let h = scheme.substep_time();
         self.seams.hold_back(tables.graph, &tables.bodies.states, h);
-        warm_start(WarmStartTime::BeforeMove, scheme, tables);
-        self.rolling.start(scheme.warm_part(), tables.graph, &mut tables.bodies.states);
+        self.warm_start(WarmStartTime::BeforeMove, scheme, tables);
         if !self.joints.is_empty() {
             self.joints.push(scheme, &self.kicks, &mut tables.bodies.states);
         }
@@ -179,6 +178,14 @@ impl Solver {
         }
         self.hold_joints(Phase::Push, scheme, &sweep, tables);
         self.direct.solve(tables.graph, &mut tables.bodies.states, Aim::Push, h);
+    }
+
+    /// One of the warm starts of a substep.
+    fn warm_start(&mut self, time: WarmStartTime, scheme: &Scheme, tables: &mut SolveTables<'_>) {
+        let start = WarmStart { part: scheme.warm_part(), time, is_fitted: scheme.fitted_kernels };
+        let (graph, states) = (&mut *tables.graph, &mut tables.bodies.states);
+        graph.for_each_swept(tables.executor, states, &start);
+        self.rolling.start(time, scheme.warm_part(), graph, states);
     }
 
     /// Joints and the contacts of their bodies in turn, until what contacts push joints have passed on.
@@ -223,7 +230,7 @@ impl Solver {
     /// Contacts after the bodies have moved.
     fn relax(&mut self, scheme: &Scheme, tables: &mut SolveTables<'_>) {
         if scheme.split_kick && scheme.warm_starting {
-            warm_start(WarmStartTime::AfterMove, scheme, tables);
+            self.warm_start(WarmStartTime::AfterMove, scheme, tables);
         }
         self.rolling.solve(tables.graph, &mut tables.bodies.states);
         if !self.joints.is_empty() {
@@ -405,10 +412,4 @@ fn event_scene<'a>(
         graph,
         scheme,
     }
-}
-
-/// One of the warm starts of a substep.
-fn warm_start(time: WarmStartTime, scheme: &Scheme, tables: &mut SolveTables<'_>) {
-    let start = WarmStart { part: scheme.warm_part(), time, is_fitted: scheme.fitted_kernels };
-    tables.graph.for_each_swept(tables.executor, &mut tables.bodies.states, &start);
 }
