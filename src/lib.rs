@@ -135,18 +135,18 @@ pub use joint::{Joint, JointError, JointId, JointKind};
 pub use math::{Aabb, Point, Pose, Rot, Vec2};
 pub use shape::{Shape, ShapeError};
 pub use world::{
-    Attractor, AttractorError, AttractorId, BodyMut, BodyRef, Character, Clock, ClosestHit, ColliderMut,
-    ColliderRef, ContactEvent, ContactRef, Counters, DrawnPart, Events, Force, ForceError, ForceId, HitEvent,
-    JointGap, JointMut, JointRef, JointRefusal, Lanes, Moved, Mover, PositionCorrection, Profile,
-    QueryFilter, RayHit, Refusal, SensorEvent, Settings, SettingsError, ShapeHit, Stage, StageReport,
-    StepError, Tier, TileMap, World,
+    Attractor, AttractorError, AttractorId, Awake, BodyMut, BodyRef, Character, Clock, ClosestHit,
+    ColliderMut, ColliderRef, ContactEvent, ContactRef, Counters, DrawnPart, Events, Force, ForceError,
+    ForceId, HitEvent, JointGap, JointMut, JointRef, JointRefusal, Lanes, Moved, Mover, PositionCorrection,
+    Profile, QueryFilter, RayHit, Refusal, SensorEvent, Settings, SettingsError, ShapeHit, Stage,
+    StageReport, StepError, Tier, TileMap, World,
 };
 
 /// Everything a program needs by name.
 pub mod prelude {
     pub use crate::{
-        Aabb, Attractor, AttractorError, AttractorId, Body, BodyError, BodyId, BodyMut, BodyRef, BodyType,
-        Character, Clock, ClosestHit, Collider, ColliderId, ColliderMut, ColliderRef, ContactEvent,
+        Aabb, Attractor, AttractorError, AttractorId, Awake, Body, BodyError, BodyId, BodyMut, BodyRef,
+        BodyType, Character, Clock, ClosestHit, Collider, ColliderId, ColliderMut, ColliderRef, ContactEvent,
         ContactFilter, ContactRef, Counters, DrawnPart, Events, FeatureId, Filter, FilteredShape, Force,
         ForceError, ForceId, Ground, HitEvent, Joint, JointError, JointGap, JointId, JointKind, JointMut,
         JointRef, Lanes, Manifold, ManifoldPoint, Material, Mix, Moved, Mover, Point, Pose,

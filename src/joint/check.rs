@@ -120,7 +120,7 @@ impl Joint {
     /// Checks that the kind has every option that was given.
     fn validate_options(&self) -> Result<(), JointError> {
         use JointKind::{Distance, Drag, Friction, Motor, Prismatic, Ratchet, Revolute, Weld, Wheel};
-        let kinds: [(bool, &'static str, &[JointKind]); 7] = [
+        let options: [(bool, &'static str, &'static [JointKind]); 8] = [
             (self.limits.is_some(), "limits", &[Revolute, Prismatic, Distance, Wheel]),
             (self.motor.is_some(), "motor", &[Revolute, Prismatic, Distance, Wheel, Ratchet]),
             (
@@ -132,13 +132,11 @@ impl Joint {
             (self.length.is_some(), "length", &[Distance]),
             (self.target.is_some(), "target", &[Drag]),
             (self.max_force.is_some(), "greatest force", &[Drag, Motor, Friction]),
+            (self.max_torque.is_some(), "greatest torque", &[Motor, Friction]),
         ];
-        let wrong = kinds.iter().find(|(given, _, kinds)| *given && !kinds.contains(&self.kind));
+        let wrong = options.into_iter().find(|(given, _, kinds)| *given && !kinds.contains(&self.kind));
         match wrong {
-            Some(&(_, option, _)) => Err(JointError::NoSuchOption { kind: self.kind, option }),
-            None if self.max_torque.is_some() && !matches!(self.kind, Motor | Friction) => {
-                Err(JointError::NoSuchOption { kind: self.kind, option: "greatest torque" })
-            }
+            Some((_, option, kinds)) => Err(JointError::NoSuchOption { kind: self.kind, option, kinds }),
             None => Ok(()),
         }
     }

@@ -29,6 +29,8 @@ pub enum JointError {
         kind: JointKind,
         /// What was given.
         option: &'static str,
+        /// The kinds that have it.
+        kinds: &'static [JointKind],
     },
     /// The axis has no direction.
     NoAxis,
@@ -62,8 +64,12 @@ impl fmt::Display for JointError {
                 Number(*lower),
                 Number(*upper)
             ),
-            Self::NoSuchOption { kind, option } => {
-                write!(f, "a {kind} joint has no {option}; leave it out, or take another kind of joint")
+            Self::NoSuchOption { kind, option, kinds } => {
+                write!(f, "a {kind} joint has no {option}; leave it out, or take one of these kinds: ")?;
+                for (number, kind) in kinds.iter().enumerate() {
+                    write!(f, "{}{kind}", if number == 0 { "" } else { ", " })?;
+                }
+                Ok(())
             }
             Self::NoAxis => {
                 f.write_str("the axis has no direction; give a vector that is finite and not zero")

@@ -6,7 +6,8 @@ use crate::body::{Body, BodyId, BodyType, Filter, Forcing, Material, Motion, NON
 use crate::compute::BodyState;
 use crate::math::{Aabb, Point, Pose, Rot, Vec2};
 use crate::shape::Shape;
-use crate::world::{ColliderRef, Tier, World};
+use crate::world::sleep::why_awake;
+use crate::world::{Awake, ColliderRef, Tier, World};
 
 /// A read-only view of a body.
 #[derive(Clone, Copy)]
@@ -245,6 +246,26 @@ impl<'a> BodyRef<'a> {
     /// Whether it sleeps.
     pub fn is_sleeping(&self) -> bool {
         self.record().sleep_group != NONE
+    }
+
+    /// Why it does not sleep: to find what keeps a heap awake, look for those where this is neither `None` nor
+    /// [`Awake::Others`]. `None` if it sleeps, and of what is not dynamic.
+    ///
+    /// ```
+    /// use rustycs::prelude::*;
+    ///
+    /// # fn main() -> Result<(), Box<dyn std::error::Error>> {
+    /// let mut world = World::default();
+    /// let drifting = world.add(Body::dynamic(Shape::circle(0.5)).velocity([1.0, 0.0]))?;
+    /// world.step();
+    /// assert_eq!(world.body(drifting).unwrap().why_awake(), Some(Awake::Moves));
+    /// # Ok(())
+    /// # }
+    /// ```
+    pub fn why_awake(&self) -> Option<Awake> {
+        let World { bodies, contacts, joints, settings, .. } = self.world;
+        let rule = settings.sleep.then(|| settings.rest_rule());
+        why_awake(bodies, contacts, joints, self.slot(), rule)
     }
 
     /// Whether the place lies in the body, its outline included.

@@ -48,6 +48,7 @@ pub use joint_view::{JointGap, JointMut, JointRef};
 pub use profile::{Clock, Counters, Profile, Stage, StageReport};
 pub use query::{ClosestHit, QueryFilter, RayHit, ShapeHit};
 pub use settings::{PositionCorrection, Settings, SettingsError};
+pub use sleep::Awake;
 pub use tile_map::TileMap;
 
 use crate::body::{Bodies, BodyError, BodyId};

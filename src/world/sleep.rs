@@ -64,25 +64,63 @@ pub(crate) struct SleepRule {
     pub(crate) tick: u64,
 }
 
-impl SleepTables<'_> {
-    /// Whether the body in `slot` is at rest, and may sleep.
-    fn is_at_rest(&self, slot: u32, rule: SleepRule) -> bool {
-        let motion = &self.bodies.motions[slot as usize];
-        motion.is_watched && motion.may_sleep && self.bodies.watches[slot as usize].is_at_rest(rule.rest)
-    }
+/// Why a body is awake, see [`BodyRef::why_awake`](crate::BodyRef::why_awake).
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum Awake {
+    /// Sleep is off for it, or for the world.
+    MayNotSleep,
+    /// It moves, or has not been at rest for long enough.
+    Moves,
+    /// It is at rest, but nothing holds it there: no contact bears load, no joint holds it, and no damping stops it.
+    NotHeld,
+    /// It could sleep, but for what it is connected with by contacts and joints: something of that cannot, or none of it stands on
+    /// what does not move. Or sleep has not been looked for since: that is done eight times a second.
+    Others,
+}
 
-    /// Whether what still moves of the body in `slot`, which is at rest, is stopped by damping, or nothing does.
-    fn stops_by_itself(&self, slot: u32) -> bool {
-        let (forcing, state) = (&self.bodies.forcings[slot as usize], self.bodies.state(slot));
-        let turns = state.angular_velocity != 0.0;
-        let is_slowed = forcing.linear_damping > 0.0 && (forcing.angular_damping > 0.0 || !turns);
-        is_slowed || self.bodies.watches[slot as usize].is_still() && !state.is_moving()
-    }
+/// Whether the body in `slot` is at rest, and may sleep.
+fn is_at_rest(bodies: &Bodies, slot: u32, rule: RestRule) -> bool {
+    let motion = &bodies.motions[slot as usize];
+    motion.is_watched && motion.may_sleep && bodies.watches[slot as usize].is_at_rest(rule)
+}
 
-    /// Whether a contact of the body in `slot` bears load.
-    fn bears_load(&self, slot: u32) -> bool {
-        self.contacts.of_body(self.bodies, slot).any(|index| self.contacts[index].is_loaded())
+/// Whether a contact or a joint holds the body in `slot`.
+fn is_held(bodies: &Bodies, contacts: &Contacts, joints: &Joints, slot: u32) -> bool {
+    contacts.of_body(bodies, slot).any(|index| contacts[index].is_loaded()) || joints.hold(slot)
+}
+
+/// Whether what still moves of the body in `slot`, which is at rest, is stopped by damping, or nothing does.
+fn stops_by_itself(bodies: &Bodies, slot: u32) -> bool {
+    let (forcing, state) = (&bodies.forcings[slot as usize], bodies.state(slot));
+    let turns = state.angular_velocity != 0.0;
+    let is_slowed = forcing.linear_damping > 0.0 && (forcing.angular_damping > 0.0 || !turns);
+    is_slowed || bodies.watches[slot as usize].is_still() && !state.is_moving()
+}
+
+/// Why the dynamic body in `slot` is awake; `None` if it is not. `rule` is `None` where sleep is off.
+pub(crate) fn why_awake(
+    bodies: &Bodies,
+    contacts: &Contacts,
+    joints: &Joints,
+    slot: u32,
+    rule: Option<RestRule>,
+) -> Option<Awake> {
+    if !bodies.is_awake(slot) || !bodies.is_dynamic(slot) {
+        return None;
     }
+    Some(match rule {
+        Some(rule) if bodies.motions[slot as usize].may_sleep => {
+            if !is_at_rest(bodies, slot, rule) {
+                Awake::Moves
+            } else if !stops_by_itself(bodies, slot) && !is_held(bodies, contacts, joints, slot) {
+                Awake::NotHeld
+            } else {
+                Awake::Others
+            }
+        }
+        _ => Awake::MayNotSleep,
+    })
 }
 
 impl Sleepers {
@@ -109,7 +147,7 @@ impl Sleepers {
         self.resting.clear();
         for row in 1..tables.bodies.row_count() {
             let slot = tables.bodies.slot_of_row(row);
-            let is_candidate = tables.bodies.is_dynamic(slot) && tables.is_at_rest(slot, rule);
+            let is_candidate = tables.bodies.is_dynamic(slot) && is_at_rest(tables.bodies, slot, rule.rest);
             if is_candidate && !self.seen.contains(slot) {
                 self.look_at_island(slot, tables, rule);
             }
@@ -130,21 +168,23 @@ impl Sleepers {
         let all = Connections { contacts: &*tables.contacts, joints: Some(tables.joints) };
         find_connected(slot, bodies, all, &mut self.seen, &mut self.island, |_, contact| {
             // What a moving kinematic body touches stays awake.
-            let moves = |&slot: &u32| bodies.is_awake(slot) && !tables.is_at_rest(slot, rule);
+            let moves = |&slot: &u32| bodies.is_awake(slot) && !is_at_rest(tables.bodies, slot, rule.rest);
             rests &= !contact.slots.iter().any(moves);
             stands |= contact.is_loaded() && !contact.slots.iter().all(|&slot| bodies.is_dynamic(slot));
         });
         // Joints carry as contacts do: what hangs on something that does not move stands.
         let joints = tables.joints;
         if joints.len() > 0 {
-            rests &=
-                self.island.iter().all(|&slot| tables.is_at_rest(slot, rule) && !joints.is_led(slot, bodies));
+            rests &= self
+                .island
+                .iter()
+                .all(|&slot| is_at_rest(tables.bodies, slot, rule.rest) && !joints.is_led(slot, bodies));
             stands |= self.island.iter().any(|&slot| joints.holds_to_ground(slot, bodies));
         }
         let stays = |&slot: &u32| {
-            let is_held =
-                tables.stops_by_itself(slot) || stands && (tables.bears_load(slot) || joints.hold(slot));
-            is_held && !tables.tiers.is_to_change(slot, rule.tick, tables.graph.tier(slot))
+            let stays =
+                stops_by_itself(bodies, slot) || stands && is_held(bodies, tables.contacts, joints, slot);
+            stays && !tables.tiers.is_to_change(slot, rule.tick, tables.graph.tier(slot))
         };
         if rests && self.island.iter().all(stays) {
             self.island.sort_unstable();

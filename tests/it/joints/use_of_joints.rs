@@ -25,7 +25,10 @@ fn a_joint_that_makes_no_sense_is_refused_with_a_sentence_and_nothing_changes() 
         (Joint::rope(a, b).max_length(0.0), "the longest distance is 0 m"),
         (Joint::distance(a, b).spring(0.0, 0.0), "the frequency of the spring is 0 Hz"),
         (Joint::prismatic(a, b).axis([0.0, 0.0]), "the axis has no direction"),
-        (Joint::weld(a, b).motor(1.0, 1.0), "a weld joint has no motor"),
+        (
+            Joint::weld(a, b).motor(1.0, 1.0),
+            "a weld joint has no motor; leave it out, or take one of these kinds: revolute, prismatic, distance, wheel, ratchet",
+        ),
         (Joint::gear(a, b, 0.0), "the size of the ratio is 0"),
     ];
     let before = world.state_hash();

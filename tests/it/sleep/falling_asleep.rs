@@ -139,6 +139,31 @@ fn a_body_that_may_not_sleep_stays_awake_with_what_it_touches() {
 }
 
 /// A body that sleeps is at rest: its velocity reads 0, and it counts as standing still.
+/// A disc that flies, two boxes on each other of which one may not sleep, and a box that sleeps.
+#[test]
+fn a_body_tells_why_it_is_awake() {
+    let mut world = World::default();
+    let flying = add(&mut world, Body::dynamic(Shape::circle(0.5)).velocity([1.0, 0.0]));
+    let why = |world: &World, id: BodyId| world.body(id).unwrap().why_awake();
+    world.step();
+    assert_eq!(why(&world, flying), Some(Awake::Moves));
+
+    let mut world = earth();
+    let ground = add(&mut world, Body::fixed(Shape::aabb(40.0, 1.0)).at([0.0, -0.5]));
+    let restless = add(&mut world, unit_box(0.0, 0.5).may_sleep(false));
+    let above = add(&mut world, unit_box(0.0, 1.5));
+    let alone = add(&mut world, unit_box(5.0, 0.5));
+    world.step();
+    assert_eq!(why(&world, above), Some(Awake::Moves), "not for long enough");
+    (0..600).for_each(|_| world.step());
+    assert_eq!(why(&world, restless), Some(Awake::MayNotSleep));
+    assert_eq!(why(&world, above), Some(Awake::Others));
+    assert_eq!([why(&world, alone), why(&world, ground)], [None, None]);
+    world.set_settings(Settings { sleep: false, ..Settings::default() }).unwrap();
+    world.step();
+    assert_eq!(why(&world, above), Some(Awake::MayNotSleep));
+}
+
 #[test]
 fn a_sleeping_body_has_no_velocity() {
     let (world, _, ids) = sleeping_stack(3);
