@@ -231,7 +231,7 @@ impl World {
         let mixes = settings.mixes();
         let Self { bodies, contacts, joints, graph, loads, pool, broad_phase, .. } = self;
         self.tiers.decide(self.ticks, rule, loads, TierTables { bodies, contacts, graph, joints });
-        self.refinement.decide(rule, loads, graph);
+        self.refinement.decide(rule, loads, graph, joints);
         loads.clear();
         let field = Field {
             uniform: self.acceleration,

@@ -7,9 +7,8 @@ fn deep_contacts(seed: u64) -> [usize; 2] {
     let scene = rustycs_scenes::find("pile").expect("it is the first scene");
     let mut world = scene.build(seed, Settings::default());
     (0..600).for_each(|_| world.step());
-    let deepest = |contact: ContactRef<'_>| {
-        contact.points().iter().map(|point| -point.separation).fold(0.0, f32::max)
-    };
+    let deepest =
+        |contact: ContactRef<'_>| contact.points().iter().map(|point| -point.separation).fold(0.0, f32::max);
     [world.contacts().filter(|&contact| deepest(contact) > 0.01).count(), world.contacts().count()]
 }
 
