@@ -150,6 +150,15 @@ impl Joints {
         self.all.len()
     }
 
+    /// Those that act: a body of theirs is awake.
+    pub(crate) fn awake(&self, bodies: &Bodies) -> impl Iterator<Item = &JointRecord> {
+        let is_awake = |slot: u32| slot != NONE && bodies.is_awake(slot);
+        self.all
+            .iter()
+            .map(|(_, record)| record)
+            .filter(move |record| record.slots().into_iter().any(is_awake))
+    }
+
     /// Gives up room that is not needed for so many slots.
     pub(crate) fn trim(&mut self, slots: usize) {
         self.all.trim();

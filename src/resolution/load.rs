@@ -21,6 +21,9 @@ pub(super) const LASTING_STEPS: u8 = 4;
 /// to and fro.
 pub(super) const CALM_SHARE: f32 = 0.7;
 
+/// And it must have been for so many steps in a row, lest the bodies that a change moves ask for the next.
+pub(super) const CALM_STEPS: u8 = 30;
+
 /// The load of a contact.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct ContactLoad {
@@ -79,25 +82,25 @@ impl Loads {
 pub(crate) struct LoadMeasure {
     /// Length of the step, s.
     pub(crate) dt: f32,
-    /// One over the length of the substep that sags are told for, 1/s.
-    substep_rate: f32,
-    /// How many substeps of now that one takes, no unit; 0 where loads do not matter.
+    /// Substeps per second that sags are told for, 1/s.
+    usual_rate: f32,
+    /// How many times as many there are, no unit: an impulse of a substep is as many times smaller. 0 where loads do not matter.
     factor: f32,
 }
 
 impl LoadMeasure {
-    /// For substeps of length 1/`substep_rate`, s, in the place of those that were asked for, of length 1/`asked_rate`. More of them than
-    /// usual do not make an island less worth its direct solve: they are asked for to have less error. Nothing counts as a load unless
-    /// `loads_matter`.
+    /// For so many substeps per second as are asked for, and as there are, 1/s. Sags are told for those asked for, as more of them do
+    /// not make the load less; but for no more than usual, as those who ask for more want less error, and no other tier. Nothing counts as
+    /// a load unless `loads_matter`.
     pub(crate) fn new(loads_matter: bool, dt: f32, [asked_rate, substep_rate]: [f32; 2]) -> Self {
-        let usual = asked_rate.min(USUAL_RATE);
-        Self { dt, substep_rate: usual, factor: if loads_matter { substep_rate / usual } else { 0.0 } }
+        let usual_rate = asked_rate.min(USUAL_RATE);
+        Self { dt, usual_rate, factor: if loads_matter { substep_rate / usual_rate } else { 0.0 } }
     }
 
     /// Takes note of the load of a contact, whose greatest k λ is `speed`, m/s. Returns whether it lasts.
     #[inline(always)]
     pub(crate) fn is_lasting(self, contact: &Contact, load: &mut ContactLoad, speed: f32) -> bool {
-        let sag = sag(self.factor * speed, self.substep_rate);
+        let sag = sag(self.factor * speed, self.usual_rate);
         if !contact.holds_still || sag <= CALM_SHARE * DIRECT_SHARE * contact.thickness {
             load.steps = 0;
             return false;
@@ -171,17 +174,17 @@ mod tests {
         assert!(!measure.is_lasting(&contact, &mut load, great), "a new load has to last anew");
     }
 
+    /// Whether they are asked for, or refined from those asked for.
     #[test]
     fn more_substeps_do_not_change_what_a_load_is() {
         let (contact, great) = (contact(), speed_for(DIRECT_SHARE));
         for factor in [1.0, 2.0, 10.0] {
-            let (measure, mut load) =
-                (LoadMeasure::new(true, 1.0 / 60.0, [factor * USUAL_RATE; 2]), ContactLoad::default());
-            measure.is_lasting(&contact, &mut load, great / factor);
-            assert!(
-                (load.sag / DIRECT_SHARE - 1.0).abs() < 1e-6,
-                "{load:?} with {factor} times the substeps"
-            );
+            for asked in [1.0, factor] {
+                let rates = [asked, factor].map(|factor| factor * USUAL_RATE);
+                let (measure, mut load) = (LoadMeasure::new(true, 1.0 / 60.0, rates), ContactLoad::default());
+                measure.is_lasting(&contact, &mut load, great / factor);
+                assert!((load.sag / DIRECT_SHARE - 1.0).abs() < 1e-6, "{load:?} at {rates:?} per second");
+            }
         }
     }
 }

@@ -56,6 +56,7 @@ impl Rescaling {
             if contact.slots.into_iter().any(|slot| self.struck.contains(slot)) {
                 continue;
             }
+            contact.rolling_moment *= ratio;
             for point in contact.manifold.points_mut() {
                 point.normal_impulse *= ratio;
                 point.tangent_impulse *= ratio;

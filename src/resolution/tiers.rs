@@ -19,15 +19,12 @@ use crate::joint::Joints;
 use crate::resolution::constraint_graph::ConstraintGraph;
 use crate::resolution::islands::{Islands, find_island};
 use crate::resolution::load::{
-    CALM_SHARE, DIRECT_SHARE, LASTING_STEPS, Load, Loads, USUAL_RATE, begins_at_rest,
+    CALM_SHARE, CALM_STEPS, DIRECT_SHARE, LASTING_STEPS, Load, Loads, USUAL_RATE, begins_at_rest,
 };
 use crate::resolution::softness::sag;
 use crate::resolution::tier::Tier;
 use crate::resolution::tiers::history::{History, RETRY_STEPS};
 use crate::store::BitSet;
-
-/// Sweeps must have been enough for so many steps in a row before an island goes back to them.
-const CALM_STEPS: u8 = 30;
 
 /// Islands whose factorization takes more multiplications than this are not solved directly: a step of the world would be
 /// seen to take long.

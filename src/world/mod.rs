@@ -144,8 +144,8 @@ pub struct World {
 
 clone_into_buffers!(World {
     settings, bodies, broad_phase, candidates, contacts, joints, graph, sleepers, forces, acceleration,
-    attractors, tiers, refinement, loads, events, sensors, profile, residual, impulses_of, resting, ticks, rate_since,
-    is_within_step, unused_time, dropped_time, forced, held_forces, arriving, memory_use
+    attractors, tiers, refinement, loads, events, sensors, profile, residual, impulses_of, resting, ticks,
+    rate_since, is_within_step, unused_time, dropped_time, forced, held_forces, arriving, memory_use
 } scratch {
     solver, rescaling, pool, new_pairs, is_close_now, leaves_box, leaving, changed_contacts
 });

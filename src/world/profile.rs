@@ -82,7 +82,7 @@ pub struct Counters {
     pub colours: usize,
     /// Contacts that found no colour.
     pub overflow: usize,
-    /// Substeps: two or four times as many as are [asked for](crate::Settings::adaptive) while light bodies bear great loads; 0 where nothing is awake.
+    /// Substeps, of which there may be [more than are asked for](crate::Settings::adaptive); 0 where nothing is awake.
     pub substeps: u32,
     /// Bodies of islands that were solved [directly](crate::Tier::Direct).
     pub direct_bodies: usize,

@@ -43,8 +43,9 @@ pub struct Settings {
     /// the tick rate by as much as the substeps are divided by: nothing moves then.
     pub substeps: u32,
     /// Whether islands under great load, heavy bodies on light ones or tall stacks, may be solved
-    /// [directly](crate::Tier::Direct), and whether a step takes two or four times as many substeps while a heap too large for that
-    /// would be pressed flat by its load: [`Counters::substeps`](crate::Counters::substeps) tells. Others pay nothing. Default true.
+    /// [directly](crate::Tier::Direct); and whether all take two or four times as many substeps while, in a heap too large for that,
+    /// heavy bodies would press light ones flat, unless more than 32 joints are awake. [`Counters`](crate::Counters) tell of both.
+    /// Others pay nothing for the first. Default true.
     pub adaptive: bool,
     /// Sequential-impulse sweeps over all contacts before the bodies move, per substep, 1 to 1000. Default 1.
     pub iterations: u32,

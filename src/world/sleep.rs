@@ -72,10 +72,10 @@ pub enum Awake {
     MayNotSleep,
     /// It moves, or has not been at rest for long enough.
     Moves,
-    /// It is at rest, but nothing holds it there: no contact bears load, no joint holds it, and no damping stops it.
+    /// It is at rest, but nothing holds it there: no contact bears load, no joint holds it, and damping does not stop all of its motion.
     NotHeld,
     /// It could sleep, but for what it is connected with by contacts and joints: something of that cannot, or none of it stands on
-    /// what does not move. Or sleep has not been looked for since: that is done eight times a second.
+    /// what does not move. Or it has just come to rest: what may sleep is looked for eight times a second.
     Others,
 }
 
@@ -109,17 +109,15 @@ pub(crate) fn why_awake(
     if !bodies.is_awake(slot) || !bodies.is_dynamic(slot) {
         return None;
     }
-    Some(match rule {
-        Some(rule) if bodies.motions[slot as usize].may_sleep => {
-            if !is_at_rest(bodies, slot, rule) {
-                Awake::Moves
-            } else if !stops_by_itself(bodies, slot) && !is_held(bodies, contacts, joints, slot) {
-                Awake::NotHeld
-            } else {
-                Awake::Others
-            }
-        }
-        _ => Awake::MayNotSleep,
+    let Some(rule) = rule.filter(|_| bodies.motions[slot as usize].may_sleep) else {
+        return Some(Awake::MayNotSleep);
+    };
+    Some(if !is_at_rest(bodies, slot, rule) {
+        Awake::Moves
+    } else if !stops_by_itself(bodies, slot) && !is_held(bodies, contacts, joints, slot) {
+        Awake::NotHeld
+    } else {
+        Awake::Others
     })
 }
 

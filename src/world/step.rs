@@ -8,7 +8,7 @@ use crate::collision::broad_phase::BroadPhase;
 use crate::collision::{AHEAD, Refresh, are_out_of_reach, refresh};
 use crate::compute::{BodyState, Chosen, Executor, GROUND_ROW};
 use crate::math::{Rot, Vec2};
-use crate::resolution::{SolveTables, StepResidual, TierTables, begins_at_rest, solve};
+use crate::resolution::{Loaded, SolveTables, StepResidual, TierTables, begins_at_rest, solve};
 use crate::world::World;
 use crate::world::attractor::Field;
 use crate::world::profile::{Counters, Stage};
@@ -231,14 +231,14 @@ impl World {
         let mixes = settings.mixes();
         let Self { bodies, contacts, joints, graph, loads, pool, broad_phase, .. } = self;
         self.tiers.decide(self.ticks, rule, loads, TierTables { bodies, contacts, graph, joints });
-        self.refinement.decide(rule, loads, graph, joints);
+        self.refinement.decide(rule, Loaded { loads, graph, joints, bodies });
         loads.clear();
         let field = Field {
             uniform: self.acceleration,
             attractors: &self.attractors,
             gravitational_constant: settings.gravitational_constant,
         };
-        let substeps = settings.substeps * self.refinement.factor();
+        let substeps = self.refinement.substeps(settings.substeps);
         let scheme = settings.scheme(substeps, graph.sizes().chain([bodies.awake_count()]));
         let (last, now) = (self.impulses_of.replace(scheme.substep_time()), scheme.substep_time());
         if let Some(last) = last.filter(|&last| last != now) {
@@ -382,7 +382,7 @@ impl World {
 
     /// How many substeps the last step had.
     fn substeps(&self) -> u32 {
-        self.settings.substeps * self.refinement.factor()
+        self.refinement.substeps(self.settings.substeps)
     }
 
     /// Length of the substeps of the last step, s.

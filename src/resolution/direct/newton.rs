@@ -19,10 +19,15 @@ const STIFF_MASS: f64 = 100.0;
 /// little less.
 const LEAST_COMPLIANCE: f64 = 1e-6;
 
-/// Newton steps at most, tries to find how far to go along each, and sweeps where they have not come to an end. From the impulses of
-/// the last substep one or two are the rule. Few islands that need more come to an end, and a step of the world would be seen to take long; fewer
-/// sweeps leave more small piles awake.
+/// Newton steps at most. From the impulses of the last substep one or two are the rule. Few islands that need more come to an end, and a step of
+/// the world would be seen to take long.
 const MOST_STEPS: usize = 20;
+
+/// Tries at most to find how far to go along a step. Each leaves half of what is left of the way at most, 1e-6 in all.
+const MOST_TRIES: usize = 20;
+
+/// Sweeps over an island that Newton's method did not solve. Fewer leave more small piles awake.
+const SWEEPS: usize = 20;
 
 /// The limits of friction follow the normal impulses in so many Newton steps, then they hold still until the next
 /// substep, so that the steps end.
@@ -168,15 +173,14 @@ impl Newton {
         }
     }
 
-    /// Makes the impulses to begin with less, where they would add energy,
+    /// Makes the impulses of the last substep less, if to begin with them would add energy,
     ///
     /// ```text
     /// E(λ) = ½ λᵀ J M⁻¹ Jᵀ λ + λᵀ u₀ > 0,
     /// ```
     ///
-    /// u₀ being how fast the sides of the rows go past each other without them: contacts take energy away. So do those of the last substep where loads
-    /// last. Where they stopped a collision that is over, they would throw the bodies apart: of them the multiple with the
-    /// least E is taken.
+    /// u₀ being how fast the sides of the rows go past each other without impulses. Loads that last take energy, as all contacts do. Impulses that
+    /// have stopped a collision would throw the bodies apart, now that it is over. The multiple of them with the least E is taken.
     fn lessen_impulses(&mut self, part: &Part) {
         let (mut to_change, mut along) = (0.0, 0.0);
         for mover in part.movers.clone() {
@@ -218,7 +222,7 @@ impl Newton {
     /// The fall-back where bodies collide in a heap that Newton's method does not come to grips with: sweeps over the
     /// rows, one at a time, but for friction, which goes by the speed from before the row that it follows.
     fn sweep(&mut self, part: &Part) {
-        for _ in 0..MOST_STEPS {
+        for _ in 0..SWEEPS {
             let mut speed_before = None;
             for number in part.pairs.clone() {
                 let pair = self.pairs[number].clone();
@@ -397,7 +401,7 @@ impl Newton {
         };
         // The slope is made of straight pieces: from one of them on, the next root is the right one.
         let (mut low, mut high, mut share) = (0.0, 1.0, 1.0);
-        for _ in 0..MOST_STEPS {
+        for _ in 0..MOST_TRIES {
             let Slope { value, growth } = slope(share);
             if value.abs() <= NO_WAY * growth || (share == 1.0 && value < 0.0) {
                 break;

@@ -32,6 +32,17 @@ fn a_step_takes_more_substeps_only_while_a_heap_needs_them() {
     assert_eq!(substeps(&world), asked, "what falls bears nothing yet");
     (0..600).for_each(|_| world.step());
     assert_eq!(substeps(&world), 4 * asked);
+    let mut with_joints = world.clone();
+    for number in 0..33 {
+        let mut put = |y: f32| {
+            let body = Body::dynamic(Shape::circle(0.1)).at([100.0 + number as f32, y]).gravity_scale(0.0);
+            with_joints.add(body.velocity([0.0, 1.0])).unwrap()
+        };
+        let pair = [put(0.0), put(1.0)];
+        with_joints.add_joint(Joint::rope(pair[0], pair[1]).max_length(2.0)).unwrap();
+    }
+    (0..100).for_each(|_| with_joints.step());
+    assert_eq!(substeps(&with_joints), asked, "joints would take too long");
     world.retain(|body| body.body_type() != BodyType::Dynamic);
     world.add(Body::dynamic(Shape::obb(1.0, 1.0)).at([0.0, 50.0])).unwrap();
     (0..100).for_each(|_| world.step());
