@@ -12,6 +12,7 @@ mod meeting;
 mod queue;
 mod seams;
 mod strikes;
+mod traveller;
 
 use crate::body::{Bodies, Mixes};
 use crate::collision::broad_phase::BroadPhase;
@@ -47,7 +48,7 @@ pub(crate) struct EventScene<'a> {
     pub(crate) joints: &'a Joints,
     pub(crate) broad_phase: &'a BroadPhase,
     pub(crate) mixes: Mixes,
-    pub(crate) courses: &'a Courses,
+    pub(crate) courses: &'a mut Courses,
     pub(crate) strikes: &'a mut Strikes,
     pub(crate) blows: &'a mut Blows,
     pub(crate) kicks: &'a Kicks,
@@ -139,12 +140,17 @@ impl EventScene<'_> {
         colliders.map(|slot| self.bodies.motions[slot as usize].row)
     }
 
-    /// Whether the contact between two shapes is left to the sweeps of [`Continuous`]: one of their bodies is off course and
-    /// may meet others before, and they may come much nearer.
-    fn is_swept(&self, colliders: [u32; 2]) -> bool {
+    /// Leaves what happens between two shapes at a time, s, to the sweeps of [`Continuous`], if one of their bodies is off course
+    /// and may meet others before; whether it has. What these find too slow waits for the next substep.
+    fn leave_to_continuous(&mut self, colliders: [u32; 2], time: f32) -> bool {
         let rows = self.rows(colliders);
-        rows.into_iter().any(|row| self.courses.is_off(self.bodies, row))
-            && self.may_come_much_nearer(colliders, &self.states(rows), self.h())
+        let may_meet_others =
+            rows.map(|row| self.strikes.last(row) < time && self.courses.is_off(self.bodies, row));
+        for (row, _) in rows.into_iter().zip(may_meet_others).filter(|&(_, may)| may) {
+            // Even if it gets its velocity back before these begin.
+            self.courses.leave(row);
+        }
+        may_meet_others != [false; 2]
     }
 
     /// By which share of the width of the thinner shape two that have met may go deeper before they meet again, no unit.

@@ -89,11 +89,12 @@ pub(crate) struct LoadMeasure {
 }
 
 impl LoadMeasure {
-    /// For so many substeps per second as are asked for, and as there are, 1/s. Sags are told for those asked for, as more of them do
-    /// not make the load less; but for no more than usual, as those who ask for more want less error, and no other tier. Nothing counts as
-    /// a load unless `loads_matter`.
-    pub(crate) fn new(loads_matter: bool, dt: f32, [asked_rate, substep_rate]: [f32; 2]) -> Self {
-        let usual_rate = asked_rate.min(USUAL_RATE);
+    /// For a step of length `dt`, s, of so many `substeps`, `refinement` of them for one that is asked for. Sags are told for those asked
+    /// for, as more of them do not make the load less; but for no more than usual, as those who ask for more want less error, and no other
+    /// tier. Nothing counts as a load unless `loads_matter`.
+    pub(crate) fn new(loads_matter: bool, dt: f32, substeps: u32, refinement: u32) -> Self {
+        let substep_rate = substeps as f32 / dt;
+        let usual_rate = (substep_rate / refinement as f32).min(USUAL_RATE);
         Self { dt, usual_rate, factor: if loads_matter { substep_rate / usual_rate } else { 0.0 } }
     }
 
@@ -163,7 +164,7 @@ mod tests {
     #[test]
     fn a_load_lasts_when_it_was_great_for_some_steps_and_ends_at_once() {
         let (measure, contact, mut load) =
-            (LoadMeasure::new(true, 1.0 / 60.0, [USUAL_RATE; 2]), contact(), ContactLoad::default());
+            (LoadMeasure::new(true, 1.0 / 60.0, 4, 1), contact(), ContactLoad::default());
         let great = speed_for(DIRECT_SHARE);
         let lasts: Vec<bool> = (0..6).map(|_| measure.is_lasting(&contact, &mut load, great)).collect();
         assert_eq!(lasts, (1..=6).map(|step| step >= LASTING_STEPS).collect::<Vec<_>>());
@@ -178,12 +179,12 @@ mod tests {
     #[test]
     fn more_substeps_do_not_change_what_a_load_is() {
         let (contact, great) = (contact(), speed_for(DIRECT_SHARE));
-        for factor in [1.0, 2.0, 10.0] {
-            for asked in [1.0, factor] {
-                let rates = [asked, factor].map(|factor| factor * USUAL_RATE);
-                let (measure, mut load) = (LoadMeasure::new(true, 1.0 / 60.0, rates), ContactLoad::default());
-                measure.is_lasting(&contact, &mut load, great / factor);
-                assert!((load.sag / DIRECT_SHARE - 1.0).abs() < 1e-6, "{load:?} at {rates:?} per second");
+        for factor in [1, 2, 8] {
+            for refinement in [1, factor] {
+                let measure = LoadMeasure::new(true, 1.0 / 60.0, 4 * factor, refinement);
+                let mut load = ContactLoad::default();
+                measure.is_lasting(&contact, &mut load, great / factor as f32);
+                assert!((load.sag / DIRECT_SHARE - 1.0).abs() < 1e-6, "{load:?}, {factor}, {refinement}");
             }
         }
     }

@@ -22,6 +22,9 @@ const LARGEST_SAG: f32 = 0.7;
 /// 1 cm/s after twenty seconds with 1, 241 with 2, 36 with 4, and 6 with 8, which takes half as long again.
 const LARGEST_FACTOR: u32 = 4;
 
+/// Substeps that a step may have, asked for or refined.
+pub(crate) const MOST_SUBSTEPS: u32 = 256;
+
 /// Where more joints are awake, substeps are not refined: with 90 of them in a heap of 335 bodies they take three quarters of a step, and this
 /// would take three times as long. With few, as of what is dragged, it is not seen.
 const MOST_JOINTS: usize = 32;
@@ -53,7 +56,7 @@ pub(crate) struct Loaded<'a> {
 impl Refinement {
     /// How many substeps there are where so many are asked for.
     pub(crate) fn substeps(self, asked: u32) -> u32 {
-        asked * self.factor
+        asked * self.factor.min(MOST_SUBSTEPS / asked)
     }
 
     /// Decides for the next step, from the loads of the last.
@@ -118,6 +121,15 @@ mod tests {
         assert_eq!(
             [factor_for(100.0), factor_for(f32::INFINITY), factor_for(f32::NAN)],
             [LARGEST_FACTOR, LARGEST_FACTOR, 1]
+        );
+    }
+
+    #[test]
+    fn there_are_never_more_substeps_than_may_be_asked_for() {
+        let refined = Refinement { factor: LARGEST_FACTOR, calm_steps: 0 };
+        assert_eq!(
+            [1, 4, 64, 100, 128, 256].map(|asked| refined.substeps(asked)),
+            [4, 16, 256, 200, 256, 256]
         );
     }
 }

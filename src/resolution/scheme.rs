@@ -13,8 +13,8 @@ pub(crate) struct Scheme {
     /// Length of the step, s.
     pub(crate) dt: f32,
     pub(crate) substeps: u32,
-    /// One over the length of the substeps that were asked for, of which there may be fewer, 1/s.
-    pub(crate) asked_rate: f32,
+    /// How many of them there are for one that is asked for.
+    pub(crate) refinement: u32,
     /// Sweeps before the bodies move, per substep.
     pub(crate) iterations: u32,
     /// Sweeps after the bodies have moved, per substep.

@@ -369,8 +369,7 @@ impl Solver {
         let SolveTables { bodies, contacts, graph, loads, executor, .. } = tables;
         self.blows.end_substeps(graph);
         self.rolling.finish(contacts);
-        let measure =
-            LoadMeasure::new(scheme.adapts, scheme.dt, [scheme.asked_rate, 1.0 / scheme.substep_time()]);
+        let measure = LoadMeasure::new(scheme.adapts, scheme.dt, scheme.substeps, scheme.refinement);
         loads.unsolved.extend(self.direct.unsolved_rows().map(|row| bodies.slot_of_row(row as usize)));
         let residual = graph.finish(*executor, &bodies.states, contacts, measure, loads);
         let motions = Chosen::new(&mut bodies.motions, &bodies.awake);
@@ -394,7 +393,7 @@ fn event_scene<'a>(
     tables: &'a mut SolveTables<'_>,
     scheme: &'a Scheme,
     kicks: &'a Kicks,
-    courses: &'a Courses,
+    courses: &'a mut Courses,
     strikes: &'a mut Strikes,
     blows: &'a mut Blows,
 ) -> EventScene<'a> {

@@ -82,7 +82,8 @@ pub struct Counters {
     pub colours: usize,
     /// Contacts that found no colour.
     pub overflow: usize,
-    /// Substeps, of which there may be [more than are asked for](crate::Settings::adaptive); 0 where nothing is awake.
+    /// Substeps, of which there may be [more than are asked for](crate::Settings::adaptive), until they have not been needed for
+    /// 60 steps; 0 where nothing is awake.
     pub substeps: u32,
     /// Bodies of islands that were solved [directly](crate::Tier::Direct).
     pub direct_bodies: usize,

@@ -5,7 +5,7 @@ use core::fmt;
 use crate::body::{HORIZON, Mix, Mixes, Number, RestRule};
 use crate::compute::{Lanes, MOST_THREADS};
 use crate::math::{Aabb, Vec2};
-use crate::resolution::{Asked, Scheme, SpeedLimits, TierRule};
+use crate::resolution::{Asked, MOST_SUBSTEPS, Scheme, SpeedLimits, TierRule};
 
 /// How overlapping bodies are parted.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -71,8 +71,8 @@ pub struct Settings {
     ///
     /// Bodies that touch each other sleep together, once all of them are at rest and each is held there: by contacts that
     /// bear load, on something that does not move, or by damping. What nothing holds sleeps only if it does not move at all.
-    /// A rigid disc rolls without loss, so that a pile in which one can may never sleep: give discs
-    /// [rolling resistance](crate::Body::rolling_resistance), or raise the sleep speed.
+    /// A rigid disc rolls without loss, so that a pile in which one can may never sleep: raise the sleep speed. Of discs on level
+    /// ground [rolling resistance](crate::Body::rolling_resistance) is enough; in a pile, they creep on by millimetres per second.
     pub sleep: bool,
     /// What strays from its place more slowly than this is at rest, m/s, 0 to 10⁶: on average over the next ten seconds,
     /// and of the point of the body that strays most. Default 10⁻⁴, 1 mm in ten seconds.
@@ -197,7 +197,7 @@ impl Settings {
         for (field, value, min, max) in [
             ("tick_rate", f64::from(self.tick_rate), 0.1, 1e6),
             ("max_ticks_per_advance", f64::from(self.max_ticks_per_advance), 1.0, 1e6),
-            ("substeps", f64::from(self.substeps), 1.0, 256.0),
+            ("substeps", f64::from(self.substeps), 1.0, f64::from(MOST_SUBSTEPS)),
             ("iterations", f64::from(self.iterations), 1.0, 1000.0),
             ("relax_iterations", f64::from(self.relax_iterations), 0.0, 1000.0),
             ("position_correction.iterations", f64::from(projections), 1.0, 1000.0),
@@ -266,7 +266,7 @@ impl Settings {
         Scheme {
             dt: self.tick_seconds() as f32,
             substeps,
-            asked_rate: 1.0 / self.substep_seconds(),
+            refinement: substeps / self.substeps,
             iterations: self.iterations,
             relax_iterations: self.relax_iterations,
             split_kick: self.split_kick,

@@ -11,6 +11,7 @@
 use crate::body::{Bodies, NONE, RestRule};
 use crate::collision::Contacts;
 use crate::joint::Joints;
+use crate::math::Vec2;
 use crate::resolution::{Connections, ConstraintGraph, Islands, Tiers, find_connected};
 use crate::store::{BitSet, Slots};
 
@@ -70,7 +71,7 @@ pub(crate) struct SleepRule {
 pub enum Awake {
     /// Sleep is off for it, or for the world.
     MayNotSleep,
-    /// It moves, or has not been at rest for long enough.
+    /// It moves, or has not been at rest for long enough since it moved, or was woken, as by a force.
     Moves,
     /// It is at rest, but nothing holds it there: no contact bears load, no joint holds it, and damping does not stop all of its motion.
     NotHeld,
@@ -93,8 +94,10 @@ fn is_held(bodies: &Bodies, contacts: &Contacts, joints: &Joints, slot: u32) -> 
 /// Whether what still moves of the body in `slot`, which is at rest, is stopped by damping, or nothing does.
 fn stops_by_itself(bodies: &Bodies, slot: u32) -> bool {
     let (forcing, state) = (&bodies.forcings[slot as usize], bodies.state(slot));
-    let turns = state.angular_velocity != 0.0;
-    let is_slowed = forcing.linear_damping > 0.0 && (forcing.angular_damping > 0.0 || !turns);
+    let dampings = [forcing.linear_damping, forcing.angular_damping];
+    let moves = [Vec2::from(state.velocity) != Vec2::ZERO, state.angular_velocity != 0.0];
+    let is_damped = dampings.iter().any(|&damping| damping > 0.0);
+    let is_slowed = is_damped && dampings.iter().zip(moves).all(|(&damping, moves)| damping > 0.0 || !moves);
     is_slowed || bodies.watches[slot as usize].is_still() && !state.is_moving()
 }
 

@@ -33,7 +33,7 @@ mod touch;
 
 pub(crate) use large_circle::is_flat;
 pub(in crate::collision) use polygon_polygon::on_face;
-pub(crate) use sweep::{Swept, gap_between, sweep};
+pub(crate) use sweep::{Swept, gap_between, noise_of, sweep};
 pub(crate) use touch::Touch;
 
 use core::ops::Neg;

@@ -153,6 +153,6 @@ fn reach(hull: &Hull, normal: Vec2) -> f32 {
 }
 
 /// Distances round by a few half epsilons of the lengths they are taken from, m.
-fn noise_of(offset: Vec2) -> f32 {
+pub(crate) fn noise_of(offset: Vec2) -> f32 {
     4.0 * f32::EPSILON * (offset.x.abs() + offset.y.abs())
 }

@@ -12,14 +12,14 @@
 //!
 //! Cost: nothing where nobody is off course; else a question to the tree per body and event, and a sweep for each pair whose
 //! circles meet. The sweeps of a substep are bounded. Beyond, bodies are stopped at the surface of what they meet, and keep
-//! their velocity: time is lost, but nothing passes.
+//! their velocity: the time that is left is lost for them, but nothing passes.
 
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 
 use crate::body::NONE;
 use crate::collision::broad_phase::Tree;
-use crate::collision::{Swept, gap_between, is_flat, sweep};
+use crate::collision::{Swept, gap_between, is_flat, noise_of, sweep};
 use crate::compute::BodyState;
 use crate::math::{Aabb, Rot, Vec2};
 use crate::resolution::blows::{Collision, Impact};
@@ -27,17 +27,20 @@ use crate::resolution::constraint::ContactConstraint;
 use crate::resolution::events::EventScene;
 use crate::resolution::events::impacts::Impacts;
 use crate::resolution::events::meeting::Meeting;
+use crate::resolution::events::traveller::{Traveller, arm_in, circles_meet};
 use crate::resolution::integrate::drift;
 use crate::resolution::moving::manifold_in;
 use crate::store::PairSet;
 
-/// How many pairs may be swept in a substep, for each body that is off course and beside, before bodies are stopped: a disc
-/// that bounces to and fro between two walls at 10 km/s takes a hundred, a heap that is struck some ten for each body.
+/// How many pairs may be swept in a substep that is asked for, for each body that is off course and beside, before bodies are
+/// stopped: a disc that bounces to and fro between two walls at 10 km/s takes a hundred, a heap that is struck some ten for
+/// each body. With 16 and 256 a body leaves a box with a fast paddle, which presses on what was stopped; what rattles for
+/// seconds between bodies of ten thousand times its mass takes all that there are.
 const SWEEPS_PER_TRAVELLER: usize = 128;
 const SWEEPS_BESIDE: usize = 1024;
 
-/// Points meet that are within this share of the width of the thinner body, no unit: the sweep of what turns ends within half
-/// of that. Of a long box that touches with one end, the other end is not there yet.
+/// Points meet that are within this share of the width of the thinner body, no unit, and the rounding of the sweep: what turns
+/// ends within half of that. Of a long box that touches with one end, the other end is not there yet.
 const MEETS_WITHIN: f32 = 2e-3;
 
 /// How often a body may be struck at short intervals, of less than this share of the substep, before its bounces are left to
@@ -53,23 +56,6 @@ pub(crate) struct Encounter {
     pub(crate) collision: Collision,
     /// Whether they had not met before in this step.
     pub(crate) is_first: bool,
-}
-
-/// A body that is swept in this substep.
-#[derive(Clone, Copy, Debug)]
-struct Traveller {
-    row: u32,
-    slot: u32,
-    /// Its box in the tree of ways.
-    leaf: u32,
-    /// Its way is straight from this time of the substep on, s.
-    from: f32,
-    /// Where it was stopped, if it was.
-    halted: Option<BodyState>,
-    /// How often its way has changed.
-    version: u32,
-    /// How often it was struck at short intervals.
-    quick_strikes: u32,
 }
 
 /// A meeting that is expected: its time, s, as bits, which sort as the numbers do, the two bodies, and the versions of their
@@ -125,7 +111,8 @@ impl Continuous {
         scene.courses.find_off(scene.bodies, &mut off);
         if !off.is_empty() {
             self.by_row.resize(scene.bodies.row_count(), NONE);
-            self.sweeps_left = SWEEPS_BESIDE + SWEEPS_PER_TRAVELLER * off.len();
+            let most = SWEEPS_BESIDE + SWEEPS_PER_TRAVELLER * off.len();
+            self.sweeps_left = most / scene.scheme.refinement as usize;
             for &row in &off {
                 let from = scene.strikes.resume(row, &mut scene.bodies.states[row as usize]);
                 self.take_up(row, from, scene);
@@ -145,15 +132,10 @@ impl Continuous {
 
     /// Puts those that were stopped where the move takes them to their place, and lets all go.
     fn finish(&mut self, scene: &mut EventScene<'_>) {
-        for Traveller { row, halted, .. } in self.travellers.drain(..) {
+        for traveller in self.travellers.drain(..) {
+            let row = traveller.row;
             self.by_row[row as usize] = NONE;
-            if let Some(there) = halted {
-                let state = &mut scene.bodies.states[row as usize];
-                let mut before =
-                    BodyState { velocity: state.velocity, angular_velocity: state.angular_velocity, ..there };
-                drift(&mut before, -scene.scheme.substep_time());
-                *state = before;
-            }
+            traveller.stop(scene.h(), scene.kicks, &mut scene.bodies.states[row as usize]);
         }
         self.ways.clear();
     }
@@ -163,15 +145,7 @@ impl Continuous {
         let index = self.travellers.len();
         let slot = scene.bodies.slot_of_row(row as usize);
         self.by_row[row as usize] = index as u32;
-        self.travellers.push(Traveller {
-            row,
-            slot,
-            leaf: 0,
-            from,
-            halted: None,
-            version: 1,
-            quick_strikes: 0,
-        });
+        self.travellers.push(Traveller::new(row, slot, from));
         self.travellers[index].leaf = self.ways.insert(self.way_of(index, scene), slot);
         index
     }
@@ -238,7 +212,7 @@ impl Continuous {
                 let may_meet =
                     bodies.may_collide(own, other) && !scene.joints.part(slot, bodies.body_of(other));
                 if may_meet && (is_moved || bodies.is_awake(other)) {
-                    self.expect([own.min(other), own.max(other)], 0.0, scene);
+                    self.expect([own.min(other), own.max(other)], None, scene);
                 }
             }
         }
@@ -268,10 +242,10 @@ impl Continuous {
         ([of(slots[0], a), of(slots[1], b)], offset, (b.velocity - a.velocity).into())
     }
 
-    /// Queues the next meeting of two bodies, if it comes within this substep, not before a time, s.
-    fn expect(&mut self, slots: [u32; 2], not_before: f32, scene: &EventScene<'_>) {
+    /// Queues the next meeting of two bodies, if it comes within this substep, and later than a time, s, if there is one.
+    fn expect(&mut self, slots: [u32; 2], after: Option<f32>, scene: &EventScene<'_>) {
         let h = scene.h();
-        let from = slots.map(|slot| self.from(slot, scene)).into_iter().fold(not_before, f32::max);
+        let from = slots.map(|slot| self.from(slot, scene)).into_iter().fold(after.unwrap_or(0.0), f32::max);
         let pair = slots.map(|slot| self.state_at(slot, from, scene));
         let motions = slots.map(|slot| &scene.bodies.motions[slot as usize]);
         let ([a, b], offset, velocity) = Self::swept(scene, slots, &pair);
@@ -308,6 +282,10 @@ impl Continuous {
             }
             time = later;
         }
+        // Where the rounding of the sweep is a good part of their width, they would be found to meet there without end.
+        if after.is_some_and(|after| from + time <= after) {
+            return;
+        }
         // Positive zero, whose bits are the smallest.
         let bits = (from + time + 0.0).to_bits();
         self.queue.push(Reverse((bits, slots, self.versions(slots, scene))));
@@ -337,7 +315,8 @@ impl Continuous {
         let mut constraint = ContactConstraint::new(&manifold, scene.mixed(slots).0, motions);
         constraint.find_masses::<2>();
         let gained = manifold.normal.dot(scene.acceleration(rows)) * (time - 0.5 * scene.h());
-        let near = MEETS_WITHIN * motions[0].thickness.min(motions[1].thickness);
+        let (_, offset, _) = Self::swept(scene, slots, &there);
+        let near = MEETS_WITHIN * motions[0].thickness.min(motions[1].thickness) + noise_of(offset);
         let gaps = [0, 1].map(|index| {
             manifold.points().get(index).map(|point| point.separation).filter(|&gap| gap <= near)
         });
@@ -366,7 +345,7 @@ impl Continuous {
         }
         let Some(Met { meeting, is_fast }) = self.meeting(slots, time, scene) else {
             // The surfaces turn away from each other where they touch; elsewhere they may still meet.
-            return self.expect(slots, time, scene);
+            return self.expect(slots, Some(time), scene);
         };
         if slots.into_iter().any(|slot| scene.bodies.is_dynamic(slot) && !scene.bodies.is_awake(slot)) {
             // It wakes in the next step, as its contact begins.
@@ -466,23 +445,4 @@ struct Met {
     meeting: Meeting,
     /// Whether they approach fast enough to bounce.
     is_fast: bool,
-}
-
-/// An arm, m, of a body that has turned within the step.
-fn arm_in(arm: Vec2, state: &BodyState) -> Vec2 {
-    Rot { c: state.delta_rotation.c, s: state.delta_rotation.s }.rotate(arm)
-}
-
-/// Whether a point that starts at `offset` and moves by `motion`, m, comes within a distance of `reach`, m, of the origin.
-fn circles_meet(offset: Vec2, motion: Vec2, reach: f32) -> bool {
-    let (along, length_squared) = (-offset.dot(motion), motion.length_squared());
-    let nearest = if along <= 0.0 || length_squared == 0.0 {
-        offset
-    } else {
-        offset + motion * (along / length_squared).min(1.0)
-    };
-    // The rounding of numbers as large as these.
-    let noise = 8.0 * f32::EPSILON * (offset.norm_1() + motion.norm_1());
-    let reach = reach + noise;
-    nearest.length_squared() <= reach * reach
 }

@@ -2,8 +2,9 @@
 //!
 //! Contacts are found once per step, for bodies that go on with the velocity they have as it begins, along straight ways and
 //! without turning far. A body that is struck within the step, or spins fast, may meet what it has no contact with. It is off
-//! course if it may stray by more than half its own width from where it is expected: then it is to be swept. What strays by
-//! less is still on the same side of everything when the next step finds its contacts.
+//! course if it may stray by more than half its own width from where it is expected: then it is to be swept, until the step
+//! ends, as it is not on its way again when it only moves like before. What strays by less is still on the same side of
+//! everything when the next step finds its contacts.
 //!
 //! Cost: one comparison of all velocities with those of the step's begin, in which nearly all steps find nobody.
 
@@ -21,6 +22,9 @@ const BLOCK: usize = 8;
 pub(crate) struct Courses {
     /// By row: velocity, m/s, and angular velocity, rad/s, as the step began, and 0, an angle. Empty where nobody is swept.
     then: Vec<[f32; 4]>,
+    /// Rows of those that have left their course in this step, and by row whether it has.
+    left: Vec<u32>,
+    has_left: Vec<bool>,
     /// Length of the step, s.
     dt: f32,
 }
@@ -30,27 +34,46 @@ impl Courses {
     pub(crate) fn begin(&mut self, bodies: &Bodies, dt: f32, are_swept: bool) {
         self.dt = dt;
         self.then.clear();
+        for row in self.left.drain(..) {
+            self.has_left[row as usize] = false;
+        }
         if are_swept {
+            self.has_left.resize(bodies.row_count(), false);
+            self.left.reserve(bodies.row_count());
             let unturned =
                 |state: &BodyState| [state.velocity.x, state.velocity.y, state.angular_velocity, 0.0];
             self.then.extend(bodies.states[..bodies.row_count()].iter().map(unturned));
         }
     }
 
-    /// Finds the rows of those that are off course.
-    pub(super) fn find_off(&self, bodies: &Bodies, rows: &mut Vec<u32>) {
-        rows.clear();
+    /// Finds the rows of those that are off course, in order.
+    pub(super) fn find_off(&mut self, bodies: &Bodies, rows: &mut Vec<u32>) {
         let most = self.on_course(bodies.smallest_thickness, bodies.largest_extent);
-        let blocks = bodies.states.chunks(BLOCK).zip(self.then.chunks(BLOCK));
-        for (first, (states, then)) in (0..).step_by(BLOCK).zip(blocks) {
+        for first in (0..self.then.len()).step_by(BLOCK) {
+            let block = first..self.then.len().min(first + BLOCK);
             let mut greatest = [0.0; 4];
-            for (state, then) in states.iter().zip(then) {
+            for (state, then) in bodies.states[block.clone()].iter().zip(&self.then[block.clone()]) {
                 let changes = changes(state, then);
                 greatest = std::array::from_fn(|index| larger(greatest[index], changes[index]));
             }
             if greatest.into_iter().zip(most).any(|(of, most)| of > most) {
-                rows.extend((first..first + then.len() as u32).filter(|&row| self.is_off(bodies, row)));
+                for row in block.map(|row| row as u32) {
+                    if self.is_off(bodies, row) {
+                        self.leave(row);
+                    }
+                }
             }
+        }
+        rows.clear();
+        rows.reserve(self.left.capacity());
+        rows.extend(&self.left);
+        rows.sort_unstable();
+    }
+
+    /// Lets the body in a row be off course until the step ends.
+    pub(super) fn leave(&mut self, row: u32) {
+        if !std::mem::replace(&mut self.has_left[row as usize], true) {
+            self.left.push(row);
         }
     }
 
@@ -64,6 +87,9 @@ impl Courses {
     /// Whether the body in a row is off course.
     pub(super) fn is_off(&self, bodies: &Bodies, row: u32) -> bool {
         let Some(then) = self.then.get(row as usize).filter(|_| row != GROUND_ROW) else { return false };
+        if self.has_left[row as usize] {
+            return true;
+        }
         let motion = &bodies.motions[bodies.slot_of_row(row as usize) as usize];
         let extent = if motion.is_round { 0.0 } else { motion.extent };
         // What has no width is not to get to the far side of the thinnest of what it may meet.

@@ -110,7 +110,7 @@ const ANGULAR_FAILURES: &[u64] = &[
 ];
 
 /// The same of worlds of compounds, of half as many.
-const ANGULAR_FAILURES_OF_COMPOUNDS: &[u64] = &[1, 34, 35, 46, 49, 56, 78, 84, 111, 152, 187, 188];
+const ANGULAR_FAILURES_OF_COMPOUNDS: &[u64] = &[1, 34, 35, 46, 47, 49, 56, 78, 84, 111, 152, 187, 188];
 
 /// The same of worlds of capsules and round corners.
 const ANGULAR_FAILURES_OF_ROUNDED: &[u64] =

@@ -24,28 +24,31 @@ struct Row {
     heavier: f32,
 }
 
-/// In how many of the trials a disc of a row gets behind the wall if the last one strikes with a speed, m/s.
+/// Whether a disc of a row gets behind the wall if the last one strikes with a speed, m/s.
+fn is_passed(Row { count, radius, width, heavier }: Row, speed: f64, seed: u64) -> bool {
+    let mut rng = Xoshiro256PlusPlus::seed_from_u64(seed);
+    let mut world = space();
+    add(&mut world, Body::fixed(Shape::rectangle(width as f32, 100.0)));
+    let mut x = -0.5 * width - radius - rng.random_range(0.0..2.0 * radius);
+    let mut discs = Vec::new();
+    for _ in 1..count {
+        let y = 0.02 * radius * rng.random_range(-1.0..1.0);
+        discs.push(add(&mut world, Body::dynamic(Shape::circle(radius as f32)).at([x, y])));
+        x -= 2.0 * radius + rng.random_range(0.0..radius);
+    }
+    let last = Body::dynamic(Shape::circle(radius as f32)).density(heavier).velocity([speed as f32, 0.0]);
+    discs.push(add(&mut world, last.at([x - rng.random_range(0.0..speed / 30.0), 0.0])));
+    for _ in 0..60 {
+        world.step();
+    }
+    // The wall ends, and some come around it.
+    let is_behind = |[x, y]: [f64; 2]| x > 0.0 && y.abs() < 40.0;
+    discs.iter().any(|&disc| is_behind(place(&world, disc)))
+}
+
+/// In how many of the trials that is so.
 fn passes(row: Row, speed: f64) -> usize {
-    let Row { count, radius, width, heavier } = row;
-    let is_passed = |&seed: &u64| {
-        let mut rng = Xoshiro256PlusPlus::seed_from_u64(seed);
-        let mut world = space();
-        add(&mut world, Body::fixed(Shape::rectangle(width as f32, 100.0)));
-        let mut x = -0.5 * width - radius - rng.random_range(0.0..2.0 * radius);
-        let mut discs = Vec::new();
-        for _ in 1..count {
-            let y = 0.02 * radius * rng.random_range(-1.0..1.0);
-            discs.push(add(&mut world, Body::dynamic(Shape::circle(radius as f32)).at([x, y])));
-            x -= 2.0 * radius + rng.random_range(0.0..radius);
-        }
-        let last = Body::dynamic(Shape::circle(radius as f32)).density(heavier).velocity([speed as f32, 0.0]);
-        discs.push(add(&mut world, last.at([x - rng.random_range(0.0..speed / 30.0), 0.0])));
-        for _ in 0..60 {
-            world.step();
-        }
-        discs.iter().any(|&disc| place(&world, disc)[0] > 0.0)
-    };
-    (0..TRIALS).filter(is_passed).count()
+    (0..TRIALS).filter(|&seed| is_passed(row, speed, seed)).count()
 }
 
 #[test]
@@ -54,6 +57,16 @@ fn no_disc_of_a_row_that_is_struck_passes_a_wall_of_a_centimetre() {
         let row = Row { count: 10, radius: 0.05, width: 0.01, heavier: 1.0 };
         assert_eq!(passes(row, speed), 0, "ten, {speed} m/s");
         assert_eq!(passes(Row { count: 2, heavier: 100.0, ..row }, speed), 0, "a heavy one, {speed} m/s");
+    }
+}
+
+/// A disc that is struck from both sides may have its old velocity again before it is swept, and what it meets was left to the sweep; and
+/// another may strike it later than it should have met the wall. The first four came through.
+#[test]
+fn no_disc_of_a_row_passes_a_wall_as_it_comes_back_to_its_velocity() {
+    let row = Row { count: 10, radius: 0.05, width: 0.01, heavier: 1.0 };
+    for seed in [139, 149, 380, 740].into_iter().chain(1000..1040) {
+        assert!(!is_passed(row, 300.0, seed), "seed {seed}");
     }
 }
 

@@ -100,3 +100,15 @@ fn what_damping_stops_sleeps_without_a_contact() {
     assert!(world.body(puck).unwrap().is_sleeping());
     assert_near(place(&world, puck)[0], 1.0, 3e-3, "way");
 }
+
+/// What only spins needs no damping but of its spin; what also drifts by, however slowly, is not stopped by that.
+#[test]
+fn what_only_spins_sleeps_by_damping_of_its_spin_alone() {
+    let mut world = World::new(Settings::default());
+    let disc = Body::dynamic(Shape::circle(0.5)).angular_velocity(1.0).angular_damping(1.0);
+    let spins = add(&mut world, disc.clone());
+    let drifts = add(&mut world, disc.at([5.0, 0.0]).velocity([1e-5, 0.0]));
+    run(&mut world, 30.0);
+    assert!(world.body(spins).unwrap().is_sleeping());
+    assert_eq!(world.body(drifts).unwrap().why_awake(), Some(Awake::NotHeld));
+}

@@ -5,6 +5,7 @@ mod damping_by_count;
 mod energy_of_many_iterations;
 mod fixed_rotation_that_spins;
 mod flying_out_of_a_direct_island;
+mod gained_while_stopped;
 mod growing_bounces;
 mod hit_of_a_second_impact;
 mod impulse_far_away;
@@ -15,6 +16,7 @@ mod no_error_of_sleepers;
 mod pair_with_a_body_that_left;
 mod pair_with_a_removed_body;
 mod stale_manifold;
+mod standing_still_on_large_ground;
 mod struck_in_a_direct_island;
 #[cfg(all(target_os = "linux", feature = "parallel"))]
 mod threads_of_many_worlds;

@@ -65,8 +65,3 @@ fn what_falls_onto_a_planet_comes_to_rest_as_on_level_ground() {
         assert!((height - 0.5).abs() < 2e-4, "{height} m");
     }
 }
-
-#[test]
-fn a_heap_of_gravel_lies_on_a_large_ground_four_kilometres_from_its_middle() {
-    hold(&["gravel-edge"]);
-}
