@@ -140,17 +140,11 @@ impl EventScene<'_> {
         colliders.map(|slot| self.bodies.motions[slot as usize].row)
     }
 
-    /// Leaves what happens between two shapes at a time, s, to the sweeps of [`Continuous`], if one of their bodies is off course
-    /// and may meet others before; whether it has. What these find too slow waits for the next substep.
-    fn leave_to_continuous(&mut self, colliders: [u32; 2], time: f32) -> bool {
+    /// Whether what happens between two shapes at a time, s, is left to [`Continuous`]: one of their bodies is off course, and may
+    /// meet others before. If it does not meet the pair, the points stay pending until the next substep.
+    fn is_for_continuous(&mut self, colliders: [u32; 2], time: f32) -> bool {
         let rows = self.rows(colliders);
-        let may_meet_others =
-            rows.map(|row| self.strikes.last(row) < time && self.courses.is_off(self.bodies, row));
-        for (row, _) in rows.into_iter().zip(may_meet_others).filter(|&(_, may)| may) {
-            // Even if it gets its velocity back before these begin.
-            self.courses.leave(row);
-        }
-        may_meet_others != [false; 2]
+        rows.map(|row| self.strikes.last(row) < time && self.courses.look_at(self.bodies, row)) != [false; 2]
     }
 
     /// By which share of the width of the thinner shape two that have met may go deeper before they meet again, no unit.
@@ -194,6 +188,7 @@ impl EventScene<'_> {
             drift_until(time, state, &mut after);
             *state = after;
             self.strikes.note(row, time, after);
+            self.courses.look_at(self.bodies, row);
         }
         collision
     }

@@ -11,8 +11,8 @@
 //! restitution, is met again only if it would go deeper by a good part of its width.
 //!
 //! Cost: nothing where nobody is off course; else a question to the tree per body and event, and a sweep for each pair whose
-//! circles meet. The sweeps of a substep are bounded. Beyond, bodies are stopped at the surface of what they meet, and keep
-//! their velocity: the time that is left is lost for them, but nothing passes.
+//! circles meet. Once the sweeps of a substep are spent, each body is stopped at the surface of what it meets next. It keeps its
+//! velocity: the rest of the substep is lost for it, but nothing passes.
 
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
@@ -32,10 +32,9 @@ use crate::resolution::integrate::drift;
 use crate::resolution::moving::manifold_in;
 use crate::store::PairSet;
 
-/// How many pairs may be swept in a substep that is asked for, for each body that is off course and beside, before bodies are
-/// stopped: a disc that bounces to and fro between two walls at 10 km/s takes a hundred, a heap that is struck some ten for
-/// each body. With 16 and 256 a body leaves a box with a fast paddle, which presses on what was stopped; what rattles for
-/// seconds between bodies of ten thousand times its mass takes all that there are.
+/// How many pairs may be swept in a substep of the length that is asked for, for each body that is off course, and beside. A disc that
+/// bounces to and fro between two walls at 10 km/s takes a hundred, a heap that is struck some ten for each body. With 16 and 256 a body
+/// leaves a box with a fast paddle, which presses on what was stopped.
 const SWEEPS_PER_TRAVELLER: usize = 128;
 const SWEEPS_BESIDE: usize = 1024;
 
@@ -43,8 +42,9 @@ const SWEEPS_BESIDE: usize = 1024;
 /// ends within half of that. Of a long box that touches with one end, the other end is not there yet.
 const MEETS_WITHIN: f32 = 2e-3;
 
-/// How often a body may be struck at short intervals, of less than this share of the substep, before its bounces are left to
-/// the sweeps, as if there were no restitution: more happens only where it is wedged, as each bounce is weaker than the last.
+/// A body is wedged that is struck so often in a row, at intervals below a part [`QUICK`] of the substep, as each bounce is weaker than
+/// the last: it is struck on as if there were no restitution. If it were stopped, a row of ten boxes before a wall would take a
+/// tenth of the sweeps, but five of a hundred heaps of every mass would be crushed by up to 5 cm.
 const QUICK_STRIKES: u32 = 16;
 const QUICK: f32 = 1.0 / 256.0;
 
@@ -118,7 +118,7 @@ impl Continuous {
                 self.take_up(row, from, scene);
             }
             for index in 0..off.len() {
-                self.look(index, Some(index), scene);
+                self.look(index, |other| other < index, scene);
             }
             while let Some(Reverse((bits, slots, versions))) = self.queue.pop() {
                 if versions == self.versions(slots, scene) {
@@ -187,8 +187,8 @@ impl Continuous {
         aabb.swept(Vec2::from(state.velocity) * (scene.h() - from))
     }
 
-    /// Sweeps a traveller against everything near its way, but for the travellers `before` an index, which have done so.
-    fn look(&mut self, index: usize, before: Option<usize>, scene: &EventScene<'_>) {
+    /// Sweeps a traveller against everything near its way, but for the travellers that have done so with it.
+    fn look(&mut self, index: usize, has_done_so: impl Fn(usize) -> bool, scene: &EventScene<'_>) {
         let Traveller { slot, row, .. } = self.travellers[index];
         let way = self.ways.aabb(self.travellers[index].leaf);
         let mut near = std::mem::take(&mut self.near);
@@ -200,7 +200,7 @@ impl Continuous {
             true
         });
         self.ways.query(way, |other| {
-            if other != slot && before.is_none_or(|before| index_of(other) as usize > before) {
+            if other != slot && !has_done_so(index_of(other) as usize) {
                 near.extend(scene.bodies.colliders(other));
             }
             true
@@ -369,15 +369,13 @@ impl Continuous {
         self.go_on(slots, moved, time, scene);
     }
 
-    /// Whether one of two bodies was struck too often at short intervals.
+    /// Whether one of two bodies is wedged.
     fn are_wedged(&self, slots: [u32; 2], scene: &EventScene<'_>) -> bool {
-        let strikes = |slot: u32| {
-            let row = scene.bodies.motions[slot as usize].row;
-            self.traveller(row).map_or(0, |traveller| traveller.quick_strikes)
-        };
-        slots.into_iter().any(|slot| strikes(slot) >= QUICK_STRIKES)
+        let quick_strikes = |row| self.traveller(row).map_or(0, |traveller| traveller.quick_strikes);
+        scene.rows(slots).into_iter().any(|row| quick_strikes(row) >= QUICK_STRIKES)
     }
 
+    /// Whether the body of a shape is stopped.
     fn is_halted(&self, slot: u32, scene: &EventScene<'_>) -> bool {
         let row = scene.bodies.motions[slot as usize].row;
         self.traveller(row).is_some_and(|traveller| traveller.halted.is_some())
@@ -394,7 +392,7 @@ impl Continuous {
         }
     }
 
-    /// Stops two bodies where they are at a time, s, until the substep ends; they keep their velocities.
+    /// Stops two bodies where they are at a time, s, until the substep ends, but for what sleeps or was stopped before.
     fn halt(&mut self, slots: [u32; 2], time: f32, scene: &mut EventScene<'_>) {
         let halts = slots.map(|slot| {
             scene.bodies.is_dynamic(slot) && scene.bodies.is_awake(slot) && !self.is_halted(slot, scene)
@@ -402,29 +400,24 @@ impl Continuous {
         for (slot, _) in slots.into_iter().zip(halts).filter(|&(_, halts)| halts) {
             let state = self.state_at(slot, time, scene);
             let there = BodyState { velocity: BodyState::REST.velocity, angular_velocity: 0.0, ..state };
-            let row = scene.bodies.motions[slot as usize].row;
-            let index = match self.by_row[row as usize] {
-                NONE => self.take_up(row, time, scene),
-                index => index as usize,
-            };
+            let index = self.index_of(slot, time, scene);
             self.travellers[index].halted = Some(there);
         }
         self.go_on(slots, halts, time, scene);
     }
 
+    /// The index of the traveller that the body of a shape is from a time on, s, if not before.
+    fn index_of(&mut self, slot: u32, time: f32, scene: &EventScene<'_>) -> usize {
+        let row = scene.bodies.motions[slot as usize].row;
+        match self.by_row[row as usize] {
+            NONE => self.take_up(row, time, scene),
+            index => index as usize,
+        }
+    }
+
     /// Sweeps those of two bodies whose ways have changed at a time, s, anew from there.
     fn go_on(&mut self, slots: [u32; 2], have_changed: [bool; 2], time: f32, scene: &EventScene<'_>) {
-        let changed = slots.into_iter().zip(have_changed).filter(|&(_, has_changed)| has_changed);
-        let indices: [Option<usize>; 2] = {
-            let mut changed = changed.map(|(slot, _)| {
-                let row = scene.bodies.motions[slot as usize].row;
-                match self.by_row[row as usize] {
-                    NONE => self.take_up(row, time, scene),
-                    index => index as usize,
-                }
-            });
-            [changed.next(), changed.next()]
-        };
+        let indices = [0, 1].map(|side| have_changed[side].then(|| self.index_of(slots[side], time, scene)));
         for index in indices.into_iter().flatten() {
             let traveller = &mut self.travellers[index];
             let is_quick = time - traveller.from < QUICK * scene.h();
@@ -434,8 +427,12 @@ impl Continuous {
             let leaf = traveller.leaf;
             self.ways.move_leaf(leaf, self.way_of(index, scene));
         }
-        for index in indices.into_iter().flatten() {
-            self.look(index, None, scene);
+        let [first, second] = indices;
+        if let Some(index) = first {
+            self.look(index, |_| false, scene);
+        }
+        if let Some(index) = second {
+            self.look(index, |other| Some(other) == first, scene);
         }
     }
 }

@@ -2,9 +2,9 @@
 //!
 //! Contacts are found once per step, for bodies that go on with the velocity they have as it begins, along straight ways and
 //! without turning far. A body that is struck within the step, or spins fast, may meet what it has no contact with. It is off
-//! course if it may stray by more than half its own width from where it is expected: then it is to be swept, until the step
-//! ends, as it is not on its way again when it only moves like before. What strays by less is still on the same side of
-//! everything when the next step finds its contacts.
+//! course if it may stray by more than half its own width from where it is expected. What strays by less is still on the same
+//! side of everything when the next step finds its contacts. Once off course it stays so until the step ends, and is swept: its
+//! old velocity does not take it back to its old way.
 //!
 //! Cost: one comparison of all velocities with those of the step's begin, in which nearly all steps find nobody.
 
@@ -20,7 +20,8 @@ const BLOCK: usize = 8;
 /// What bodies were expected to do.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Courses {
-    /// By row: velocity, m/s, and angular velocity, rad/s, as the step began, and 0, an angle. Empty where nobody is swept.
+    /// By row: velocity, m/s, and angular velocity, rad/s, as the step began, and 0, from which the angular velocity counts as a turn.
+    /// Empty where nobody is swept.
     then: Vec<[f32; 4]>,
     /// Rows of those that have left their course in this step, and by row whether it has.
     left: Vec<u32>,
@@ -57,10 +58,8 @@ impl Courses {
                 greatest = std::array::from_fn(|index| larger(greatest[index], changes[index]));
             }
             if greatest.into_iter().zip(most).any(|(of, most)| of > most) {
-                for row in block.map(|row| row as u32) {
-                    if self.is_off(bodies, row) {
-                        self.leave(row);
-                    }
+                for row in block {
+                    self.look_at(bodies, row as u32);
                 }
             }
         }
@@ -70,11 +69,22 @@ impl Courses {
         rows.sort_unstable();
     }
 
-    /// Lets the body in a row be off course until the step ends.
-    pub(super) fn leave(&mut self, row: u32) {
-        if !std::mem::replace(&mut self.has_left[row as usize], true) {
+    /// Looks at the body in a row, as it has got a new velocity; returns whether it is off course. Then it is so until the step ends.
+    pub(super) fn look_at(&mut self, bodies: &Bodies, row: u32) -> bool {
+        let Some(then) = self.then.get(row as usize).filter(|_| row != GROUND_ROW) else { return false };
+        if self.has_left[row as usize] {
+            return true;
+        }
+        let motion = &bodies.motions[bodies.slot_of_row(row as usize) as usize];
+        let extent = if motion.is_round { 0.0 } else { motion.extent };
+        // What has no finite width is not to get to the far side of the thinnest of what it may meet.
+        let width = if motion.thickness.is_finite() { motion.thickness } else { bodies.smallest_thickness };
+        let is_off = self.strays(changes(&bodies.states[row as usize], then), extent) > STRAYS_BY * width;
+        if is_off {
+            self.has_left[row as usize] = true;
             self.left.push(row);
         }
+        is_off
     }
 
     /// Changes within which no body is off course, whatever its width and extent, m: each may take a quarter of the way.
@@ -82,19 +92,6 @@ impl Courses {
         let way = 0.25 * STRAYS_BY * smallest_thickness;
         let speed = way / self.dt;
         [speed, speed, speed / largest_extent, (2.0 * way / largest_extent).sqrt() / self.dt]
-    }
-
-    /// Whether the body in a row is off course.
-    pub(super) fn is_off(&self, bodies: &Bodies, row: u32) -> bool {
-        let Some(then) = self.then.get(row as usize).filter(|_| row != GROUND_ROW) else { return false };
-        if self.has_left[row as usize] {
-            return true;
-        }
-        let motion = &bodies.motions[bodies.slot_of_row(row as usize) as usize];
-        let extent = if motion.is_round { 0.0 } else { motion.extent };
-        // What has no width is not to get to the far side of the thinnest of what it may meet.
-        let width = if motion.thickness.is_finite() { motion.thickness } else { bodies.smallest_thickness };
-        self.strays(changes(&bodies.states[row as usize], then), extent) > STRAYS_BY * width
     }
 
     /// How far a body may stray in the step, m, by its changes. A turn by the angle θ is expected to move its outline, of

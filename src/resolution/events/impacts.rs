@@ -132,7 +132,7 @@ impl Impacts {
         let earliest = rows.iter().fold(0.0, |last: f32, &row| last.max(scene.strikes.last(row)));
         let time = first.max(earliest);
         let colliders = scene.contacts[scene.graph.contact_at(contact)].colliders;
-        if time <= h && !scene.leave_to_continuous(colliders, time) {
+        if time <= h && !scene.is_for_continuous(colliders, time) {
             let impacts_before = impacts_of(rows, scene);
             self.queue.push(Expected { time, contact, impacts_before, looks_in_vain: 0 });
         }
@@ -181,7 +181,7 @@ impl Impacts {
             // The surfaces have turned away from each other since: they meet later.
             let later = time + meeting.gap / meeting.fastest;
             let may_look_again = looks_in_vain < LOOKS_IN_VAIN && later <= scene.h();
-            if may_look_again && !scene.leave_to_continuous(contact.colliders, later) {
+            if may_look_again && !scene.is_for_continuous(contact.colliders, later) {
                 self.queue.push(Expected { time: later, looks_in_vain: looks_in_vain + 1, ..expected });
             }
             return;

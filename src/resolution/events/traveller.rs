@@ -11,13 +11,13 @@ pub(super) struct Traveller {
     pub(super) slot: u32,
     /// Its box in the tree of ways.
     pub(super) leaf: u32,
-    /// Its way is straight from this time of the substep on, s.
+    /// Its way is straight from this time of the substep on, s; or it was stopped then.
     pub(super) from: f32,
     /// Where it was stopped, if it was.
     pub(super) halted: Option<BodyState>,
     /// How often its way has changed.
     pub(super) version: u32,
-    /// How often it was struck at short intervals.
+    /// How often in a row it was struck at short intervals.
     pub(super) quick_strikes: u32,
 }
 
@@ -27,23 +27,24 @@ impl Traveller {
         Self { row, slot, leaf: 0, from, halted: None, version: 1, quick_strikes: 0 }
     }
 
-    /// Lets the move of a substep of length `h`, s, take the body to where it was stopped, if it was. Of what forces gave it in the
-    /// time that it loses it keeps nothing: it would be faster and no lower.
+    /// Lets the move of a substep of length `h`, s, take the body to where it was stopped, if it was. Forces have acted on it for the
+    /// whole substep: what they gave it since is taken out of its velocity again, as far as it is still in there, as the body would be
+    /// faster and no lower.
     pub(super) fn stop(&self, h: f32, kicks: &Kicks, state: &mut BodyState) {
         let Some(there) = self.halted else { return };
         let lost = h - self.from;
         let (velocity, gained) = (Vec2::from(state.velocity), kicks.acceleration(self.row) * lost);
-        let velocity = velocity - gained * kept(velocity.dot(gained), gained.length_squared());
+        let velocity = velocity - gained * share_left(velocity.dot(gained), gained.length_squared());
         let (spin, gained) = (state.angular_velocity, kicks.angular_acceleration(self.row) * lost);
-        let spin = spin - gained * kept(spin * gained, gained * gained);
+        let spin = spin - gained * share_left(spin * gained, gained * gained);
         *state = BodyState { velocity: velocity.into(), angular_velocity: spin, ..there };
         drift(state, -h);
     }
 }
 
-/// How much of what a velocity gained is still in it, as a share, from their product and the square of the gain: a body that is held
-/// keeps nothing.
-fn kept(product: f32, gain_squared: f32) -> f32 {
+/// Which share of what a velocity has gained is still in it, from the product of the two and the square of the gain: all, unless contacts
+/// hold the body against the force.
+fn share_left(product: f32, gain_squared: f32) -> f32 {
     if gain_squared > 0.0 { (product / gain_squared).clamp(0.0, 1.0) } else { 0.0 }
 }
 
