@@ -14,8 +14,8 @@ pub(crate) use candidates::CandidatePairs;
 pub(crate) use contacts::{AHEAD, ChosenContacts, Contact, Contacts, Frozen};
 pub use detection::detect;
 pub(crate) use detection::{
-    Offset, Swept, Touch, detect_flat, detect_from, detect_within, gap_between, is_flat, noise_of, sweep,
-    touch,
+    Offset, Swept, Touch, detect_flat, detect_from, detect_within, gap_between, is_flat, noise_of,
+    time_of_impact, touch,
 };
 pub(crate) use ghosts::{Placed, without_ghosts};
 pub(crate) use manifold::Corner;

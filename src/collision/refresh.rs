@@ -29,7 +29,7 @@ use crate::collision::one_way::decide;
 use crate::collision::refresh::circle::move_to;
 use crate::collision::{
     Contact, Frozen, Manifold, ManifoldPoint, Offset, Placed, Swept, Touch, detect_flat, detect_from,
-    is_flat, sweep, without_ghosts,
+    is_flat, time_of_impact, without_ghosts,
 };
 use crate::compute::{BodyState, GROUND_ROW};
 use crate::math::{Rot, Vec2};
@@ -431,7 +431,7 @@ impl<'a> Pair<'a> {
         let still = |shape, rotation| Swept { shape, rotation, spin: 0.0, arm: Vec2::ZERO };
         let a = still(self.shape_a, self.rotation_a);
         let b = still(self.shape_b, self.rotation_b);
-        let fraction = sweep(a, b, self.offset.near, motion, 1.0, 0.0)?;
+        let fraction = time_of_impact(a, b, self.offset.near, motion, 1.0, 0.0)?;
         self.find_after(motion * fraction, margin)
     }
 

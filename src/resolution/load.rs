@@ -17,6 +17,9 @@ pub(super) const USUAL_RATE: f32 = 240.0;
 /// A contact must be under such a load for so many steps: a blow is over sooner.
 pub(super) const LASTING_STEPS: u8 = 4;
 
+/// And it is recent for so many, as far as they are counted: an island that was given up is tried again for a load that came since.
+const RECENT_STEPS: u8 = u8::MAX;
+
 /// An island goes back to sweeps only when the load is below this share of what asked for more, so that it does not go
 /// to and fro.
 pub(super) const CALM_SHARE: f32 = 0.7;
@@ -124,7 +127,7 @@ impl Load {
     pub(super) fn add(&mut self, load: ContactLoad) {
         if load.steps >= LASTING_STEPS {
             self.largest = self.largest.max(load.sag);
-            self.is_recent |= load.sag > DIRECT_SHARE && load.steps < u8::MAX;
+            self.is_recent |= load.sag > DIRECT_SHARE && load.steps < RECENT_STEPS;
         }
     }
 }

@@ -9,7 +9,7 @@
 //! narrow phase per body whose box meets it, and a comparison per awake body.
 
 use crate::body::{BodyId, ColliderId};
-use crate::collision::{Swept, sweep};
+use crate::collision::{Swept, time_of_impact};
 use crate::compute::GROUND_ROW;
 use crate::math::{Pose, Vec2};
 use crate::world::World;
@@ -178,6 +178,6 @@ impl World {
         let [moved_a, moved_b] = poses.map(|(before, now)| now.center - before.center);
         let offset = poses[1].0.center - poses[0].0.center;
         // In units of the step.
-        sweep(swept(0), swept(1), offset, moved_b - moved_a, 1.0, 0.0).is_some()
+        time_of_impact(swept(0), swept(1), offset, moved_b - moved_a, 1.0, 0.0).is_some()
     }
 }

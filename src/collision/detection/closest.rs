@@ -1,6 +1,6 @@
 //! The nearest points of two hulls that do not overlap: all corners of each against the other.
 //!
-//! Called where two corners face each other across a gap, and by the sweep. Of the other hull only the edge counts whose line
+//! Called where two corners face each other across a gap, and by the time of impact. Of the other hull only the edge counts whose line
 //! a corner stands out from furthest, see [`circle_polygon`](super::circle_polygon), and none where even that line is farther
 //! than what is nearest so far.
 

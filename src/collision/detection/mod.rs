@@ -26,14 +26,14 @@ mod closest;
 mod large_circle;
 mod polygon_polygon;
 mod rounded;
-mod sweep;
 #[cfg(test)]
 mod tests;
+mod time_of_impact;
 mod touch;
 
 pub(crate) use large_circle::is_flat;
 pub(in crate::collision) use polygon_polygon::on_face;
-pub(crate) use sweep::{Swept, gap_between, noise_of, sweep};
+pub(crate) use time_of_impact::{Swept, gap_between, noise_of, time_of_impact};
 pub(crate) use touch::Touch;
 
 use core::ops::Neg;

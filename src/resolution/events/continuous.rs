@@ -10,8 +10,8 @@
 //! What has touched before is for the sweeps of the solver, which know the whole heap: a pair under load, or without
 //! restitution, is met again only if it would go deeper by a good part of its width.
 //!
-//! Cost: nothing where nobody is off course; else a question to the tree per body and event, and a sweep for each pair whose
-//! circles meet. Once the sweeps of a substep are spent, each body is stopped at the surface of what it meets next. It keeps its
+//! Cost: nothing where nobody is off course; else a question to the tree per body and event, and a test for each pair whose
+//! circles meet. Once the tests of a substep are spent, each body is stopped at the surface of what it meets next. It keeps its
 //! velocity: the rest of the substep is lost for it, but nothing passes.
 
 use std::cmp::Reverse;
@@ -19,8 +19,8 @@ use std::collections::BinaryHeap;
 
 use crate::body::NONE;
 use crate::collision::broad_phase::Tree;
-use crate::collision::{Swept, gap_between, is_flat, noise_of, sweep};
-use crate::compute::BodyState;
+use crate::collision::{Swept, gap_between, is_flat, noise_of, time_of_impact};
+use crate::compute::{BodyState, LaneVec2};
 use crate::math::{Aabb, Rot, Vec2};
 use crate::resolution::blows::{Collision, Impact};
 use crate::resolution::constraint::ContactConstraint;
@@ -32,19 +32,19 @@ use crate::resolution::integrate::drift;
 use crate::resolution::moving::manifold_in;
 use crate::store::PairSet;
 
-/// How many pairs may be swept in a substep of the length that is asked for, for each body that is off course, and beside. A disc that
+/// How many pairs may be tested in a substep of the length that is asked for, for each body that is off course, and beside. A disc that
 /// bounces to and fro between two walls at 10 km/s takes a hundred, a heap that is struck some ten for each body. With 16 and 256 a body
 /// leaves a box with a fast paddle, which presses on what was stopped.
-const SWEEPS_PER_TRAVELLER: usize = 128;
-const SWEEPS_BESIDE: usize = 1024;
+const TESTS_PER_TRAVELLER: usize = 128;
+const TESTS_BESIDE: usize = 1024;
 
-/// Points meet that are within this share of the width of the thinner body, no unit, and the rounding of the sweep: what turns
+/// Points meet that are within this share of the width of the thinner body, no unit, and rounding: what turns
 /// ends within half of that. Of a long box that touches with one end, the other end is not there yet.
 const MEETS_WITHIN: f32 = 2e-3;
 
 /// A body is wedged that is struck so often in a row, at intervals below a part [`QUICK`] of the substep, as each bounce is weaker than
 /// the last: it is struck on as if there were no restitution. If it were stopped, a row of ten boxes before a wall would take a
-/// tenth of the sweeps, but five of a hundred heaps of every mass would be crushed by up to 5 cm.
+/// tenth of the tests, but five of a hundred heaps of every mass would be crushed by up to 5 cm.
 const QUICK_STRIKES: u32 = 16;
 const QUICK: f32 = 1.0 / 256.0;
 
@@ -58,9 +58,8 @@ pub(crate) struct Encounter {
     pub(crate) is_first: bool,
 }
 
-/// A meeting that is expected: its time, s, as bits, which sort as the numbers do, the two bodies, and the versions of their
-/// ways.
-type Expected = (u32, [u32; 2], [u32; 2]);
+/// A meeting to come: its time, s, as bits, which sort as the numbers do, the two bodies, and the versions of their ways.
+type Queued = (u32, [u32; 2], [u32; 2]);
 
 /// The stage and its buffers.
 #[derive(Clone, Debug, Default)]
@@ -70,13 +69,13 @@ pub(crate) struct Continuous {
     by_row: Vec<u32>,
     /// The boxes of the ways of travellers, by slot.
     ways: Tree,
-    queue: BinaryHeap<Reverse<Expected>>,
+    queue: BinaryHeap<Reverse<Queued>>,
     encounters: Vec<Encounter>,
     /// The pairs of them.
     encountered: PairSet,
     /// Scratch: the rows of those that are off course as the stage begins.
     off_course: Vec<u32>,
-    sweeps_left: usize,
+    tests_left: usize,
     /// Scratch: what is near a way.
     near: Vec<u32>,
 }
@@ -111,8 +110,8 @@ impl Continuous {
         scene.courses.find_off(scene.bodies, &mut off);
         if !off.is_empty() {
             self.by_row.resize(scene.bodies.row_count(), NONE);
-            let most = SWEEPS_BESIDE + SWEEPS_PER_TRAVELLER * off.len();
-            self.sweeps_left = most / scene.scheme.refinement as usize;
+            let most = TESTS_BESIDE + TESTS_PER_TRAVELLER * off.len();
+            self.tests_left = most / scene.scheme.refinement as usize;
             for &row in &off {
                 let from = scene.strikes.resume(row, &mut scene.bodies.states[row as usize]);
                 self.take_up(row, from, scene);
@@ -220,7 +219,7 @@ impl Continuous {
         self.near = near;
     }
 
-    /// Two bodies as the sweep sees them, the centre of b from that of a, m, and its velocity against it, m/s.
+    /// Two bodies as the test sees them, the centre of b from that of a, m, and its velocity against it, m/s.
     fn swept<'s>(
         scene: &'s EventScene<'_>,
         slots: [u32; 2],
@@ -261,28 +260,28 @@ impl Continuous {
         if !scene.may_come_much_nearer(slots, &pair, h - from) && scene.contact_of(slots).is_some() {
             return;
         }
-        self.sweeps_left = self.sweeps_left.saturating_sub(1);
-        let Some(mut time) = sweep(a, b, offset, velocity, h - from, 0.0) else { return };
+        self.tests_left = self.tests_left.saturating_sub(1);
+        let Some(mut time) = time_of_impact(a, b, offset, velocity, h - from, 0.0) else { return };
         if scene.is_passing(slots, &slots.map(|slot| self.state_at(slot, from + time, scene))) {
             return;
         }
-        if time == 0.0 && !self.bounces_now(slots, from, scene) {
+        if time == 0.0 && !self.bounce_now(slots, from, scene) {
             let thickness = motions[0].thickness.min(motions[1].thickness);
             let deeper = scene.much_nearer(slots) * thickness;
             let deepest = Self::gap_before(slots, scene).min(-deeper);
             let goes_on = |meeting: Meeting| meeting.speed() * (h - from) > MEETS_WITHIN * thickness;
-            let Some(mut later) = sweep(a, b, offset, velocity, h - from, deepest) else { return };
+            let Some(mut later) = time_of_impact(a, b, offset, velocity, h - from, deepest) else { return };
             if later == 0.0 && !self.meeting(slots, from, scene).is_some_and(|met| goes_on(met.meeting)) {
                 // They turn, and another corner may come.
                 let deepest = gap_between(a, b, offset).unwrap_or(0.0) - deeper;
-                later = match sweep(a, b, offset, velocity, h - from, deepest) {
+                later = match time_of_impact(a, b, offset, velocity, h - from, deepest) {
                     Some(later) => later,
                     None => return,
                 };
             }
             time = later;
         }
-        // Where the rounding of the sweep is a good part of their width, they would be found to meet there without end.
+        // Where the rounding of places is a good part of their width, they would be found to meet there without end.
         if after.is_some_and(|after| from + time <= after) {
             return;
         }
@@ -297,12 +296,16 @@ impl Continuous {
         gap_between(a, b, offset).unwrap_or(0.0)
     }
 
-    /// Whether two bodies that touch at a time, s, approach so fast that they bounce.
-    fn bounces_now(&self, slots: [u32; 2], time: f32, scene: &EventScene<'_>) -> bool {
+    /// The restitution with which two bodies bounce if they approach fast: 0 under load, and of the wedged.
+    fn restitution(&self, slots: [u32; 2], scene: &EventScene<'_>) -> f32 {
         let (_, restitution) = scene.mixed(slots);
-        restitution > 0.0
-            && !scene.is_loaded(slots)
-            && !self.are_wedged(slots, scene)
+        let bounces = restitution > 0.0 && !scene.is_loaded(slots) && !self.are_wedged(slots, scene);
+        if bounces { restitution } else { 0.0 }
+    }
+
+    /// Whether two bodies that touch at a time, s, bounce.
+    fn bounce_now(&self, slots: [u32; 2], time: f32, scene: &EventScene<'_>) -> bool {
+        self.restitution(slots, scene) > 0.0
             && self.meeting(slots, time, scene).is_some_and(|met| met.is_fast)
     }
 
@@ -336,7 +339,7 @@ impl Continuous {
 
     /// Lets two bodies collide at a time, s.
     fn meet(&mut self, time: f32, slots: [u32; 2], scene: &mut EventScene<'_>, impacts: &mut Impacts) {
-        if self.sweeps_left == 0 {
+        if self.tests_left == 0 {
             return self.halt(slots, time, scene);
         }
         if self.is_ghost(slots, time, scene) {
@@ -351,11 +354,10 @@ impl Continuous {
             // It wakes in the next step, as its contact begins.
             let there = self.state_at(slots[0], time, scene).delta_position;
             let center = scene.bodies.center(scene.bodies.body_of(slots[0])) + there.into();
-            self.note(slots, meeting.report(center, BodyState::REST.velocity), scene);
+            self.note(slots, meeting.report(center, LaneVec2::default()), scene);
             return self.halt(slots, time, scene);
         }
-        let bounces = is_fast && !scene.is_loaded(slots) && !self.are_wedged(slots, scene);
-        let restitution = if bounces { scene.mixed(slots).1 } else { 0.0 };
+        let restitution = if is_fast { self.restitution(slots, scene) } else { 0.0 };
         let rows = slots.map(|slot| scene.bodies.motions[slot as usize].row);
         let moved = slots.map(|slot| scene.bodies.is_dynamic(slot) && !self.is_halted(slot, scene));
         let collision = scene.collide(slots, moved, &meeting, restitution, time);

@@ -49,7 +49,7 @@ impl Courses {
 
     /// Finds the rows of those that are off course, in order.
     pub(super) fn find_off(&mut self, bodies: &Bodies, rows: &mut Vec<u32>) {
-        let most = self.on_course(bodies.smallest_thickness, bodies.largest_extent);
+        let most = self.harmless_changes(bodies.smallest_thickness, bodies.largest_extent);
         for first in (0..self.then.len()).step_by(BLOCK) {
             let block = first..self.then.len().min(first + BLOCK);
             let mut greatest = [0.0; 4];
@@ -88,7 +88,7 @@ impl Courses {
     }
 
     /// Changes within which no body is off course, whatever its width and extent, m: each may take a quarter of the way.
-    fn on_course(&self, smallest_thickness: f32, largest_extent: f32) -> [f32; 4] {
+    fn harmless_changes(&self, smallest_thickness: f32, largest_extent: f32) -> [f32; 4] {
         let way = 0.25 * STRAYS_BY * smallest_thickness;
         let speed = way / self.dt;
         [speed, speed, speed / largest_extent, (2.0 * way / largest_extent).sqrt() / self.dt]

@@ -126,7 +126,7 @@ impl Impacts {
     fn expect(&mut self, contact: GraphIndex, scene: &mut EventScene<'_>) {
         let Some(Approach { rows, gaps, speeds, acceleration }) = Self::mark(contact, scene) else { return };
         let h = scene.h();
-        let time_of = |index: usize| time_of_impact(gaps[index], speeds[index]?, acceleration, h);
+        let time_of = |index: usize| closing_time(gaps[index], speeds[index]?, acceleration, h);
         let first = [0, 1].into_iter().filter_map(time_of).fold(f32::INFINITY, f32::min);
         // Never before an earlier impact of either body: until then it moved otherwise.
         let earliest = rows.iter().fold(0.0, |last: f32, &row| last.max(scene.strikes.last(row)));
@@ -282,7 +282,7 @@ fn approaching(
 
 /// When the gap `s` closes, within [0, h], for mid-substep speed `v` < 0 and acceleration `a`: the first
 /// root of s + (v - a h/2) t + a t²/2. At once where there is no gap.
-fn time_of_impact(s: f32, v: f32, a: f32, h: f32) -> Option<f32> {
+fn closing_time(s: f32, v: f32, a: f32, h: f32) -> Option<f32> {
     if s <= 0.0 {
         return Some(0.0);
     }
@@ -298,7 +298,7 @@ fn time_of_impact(s: f32, v: f32, a: f32, h: f32) -> Option<f32> {
 
 #[cfg(test)]
 mod tests {
-    use super::time_of_impact;
+    use super::closing_time;
 
     /// A gap that closes with the speed u at its start and the acceleration a is s + u t + a t²/2; v is the speed of the
     /// middle of the substep. Numbers of order 1, a dozen roundings.
@@ -307,7 +307,7 @@ mod tests {
         let h = 0.01;
         for (gap, v, a) in [(0.004, -1.0, 0.0), (0.004, -1.0, 9.81), (0.004, -1.0, -9.81), (1e-5, -0.2, 20.0)]
         {
-            let time = time_of_impact(gap, v, a, h).expect("they meet within the substep");
+            let time = closing_time(gap, v, a, h).expect("they meet within the substep");
             let left = gap + (v - 0.5 * a * h) * time + 0.5 * a * time * time;
             assert!(left.abs() < 1e-6 * gap + 1e-9, "gap {gap}, {v} m/s, {a} m/s²: {left} m left");
         }
@@ -315,9 +315,9 @@ mod tests {
 
     #[test]
     fn what_overlaps_meets_at_once_and_what_is_too_far_or_turns_back_does_not() {
-        assert_eq!(time_of_impact(-0.001, -1.0, 0.0, 0.01), Some(0.0));
-        assert_eq!(time_of_impact(0.02, -1.0, 0.0, 0.01), None);
+        assert_eq!(closing_time(-0.001, -1.0, 0.0, 0.01), Some(0.0));
+        assert_eq!(closing_time(0.02, -1.0, 0.0, 0.01), None);
         // It comes nearer by 0.1²/(2 · 400) m = 12.5 µm, of 1 mm.
-        assert_eq!(time_of_impact(0.001, -0.1 + 0.5 * 400.0 * 0.01, 400.0, 0.01), None);
+        assert_eq!(closing_time(0.001, -0.1 + 0.5 * 400.0 * 0.01, 400.0, 0.01), None);
     }
 }

@@ -1,7 +1,7 @@
 //! What a shape would touch: where it is, or on a way; and what is nearest to a place.
 
 use crate::body::{BodyId, ColliderId};
-use crate::collision::{Swept, detect, detect_within, sweep};
+use crate::collision::{Swept, detect, detect_within, time_of_impact};
 use crate::math::{Point, Pose, Vec2};
 use crate::shape::Shape;
 use crate::world::query::ray::just_beyond;
@@ -262,7 +262,7 @@ impl Caster<'_> {
             spin: 0.0,
             arm: Vec2::ZERO,
         });
-        let left = sweep(a, b, pose.center - start, -self.translation, until as f32, 0.0)?;
+        let left = time_of_impact(a, b, pose.center - start, -self.translation, until as f32, 0.0)?;
         let time = from + f64::from(left);
         let center = self.center_after(time);
         let offset = pose.center - center;

@@ -4,7 +4,7 @@ mod known;
 mod reference;
 mod rounded;
 mod segment;
-mod sweep;
+mod time_of_impact;
 
 use crate::collision::detection::{aabb_aabb, box_box, detect_within, polygon_polygon};
 use crate::collision::{FeatureId, Manifold};

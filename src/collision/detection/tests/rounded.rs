@@ -1,6 +1,6 @@
 //! Manifolds of shapes with round corners, known in closed form.
 
-use crate::collision::detection::{Swept, detect_within, sweep};
+use crate::collision::detection::{Swept, detect_within, time_of_impact};
 use crate::collision::{FeatureId, Manifold};
 use crate::math::{Rot, Vec2};
 use crate::shape::Shape;
@@ -51,7 +51,7 @@ fn capsules_in_line_touch_end_to_end() {
     }
     assert!(at_rest(&capsule, &capsule, along * 1.6, 0.02).is_none());
     let still = |shape| Swept { shape, rotation: Rot::IDENTITY, spin: 0.0, arm: Vec2::ZERO };
-    let when = sweep(still(&capsule), still(&capsule), along * 4.0, along * -5.0, 1.0, 0.0).unwrap();
+    let when = time_of_impact(still(&capsule), still(&capsule), along * 4.0, along * -5.0, 1.0, 0.0).unwrap();
     assert!((when - 0.5).abs() < 1e-6, "{when}");
 }
 

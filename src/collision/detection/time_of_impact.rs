@@ -1,4 +1,4 @@
-//! Sweep: when do two shapes first come near, of which each moves and turns evenly.
+//! Time of impact: when do two shapes first come near, of which each moves and turns evenly.
 //!
 //! For fast pairs only, so that nothing passes through anything. Two shapes are as far apart as the widest strip between
 //! them. A strip along a fixed normal shrinks no faster than the shapes approach each other along it and their outlines turn
@@ -58,7 +58,7 @@ impl Swept<'_> {
 ///
 /// A negative target asks for an overlap of that depth. Never late: at the time returned the distance is the target or, by
 /// rounding and the tolerance of what turns, a little more; more than that where 40 steps were not enough.
-pub(crate) fn sweep(
+pub(crate) fn time_of_impact(
     a: Swept<'_>,
     b: Swept<'_>,
     offset: Vec2,

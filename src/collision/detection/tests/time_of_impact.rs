@@ -1,7 +1,7 @@
-//! Laws of the sweep, against stepping along the motion with the slow twin.
+//! Laws of the time of impact, against stepping along the motion with the slow twin.
 
 use super::reference::{Solid, signed_distance, wide};
-use crate::collision::detection::{Swept, sweep};
+use crate::collision::detection::{Swept, time_of_impact};
 use crate::math::{Rot, Vec2};
 use crate::shape::Shape;
 use crate::shape::testing::{random_shapes, rng};
@@ -15,9 +15,9 @@ fn still(shape: &Shape, rotation: Rot) -> Swept<'_> {
 }
 
 /// The distance is convex in the fraction, so a law on it is a law on the fraction: at the fraction it is the target,
-/// before it is more. Where the sweep finds nothing, no step may be nearer than the target.
+/// before it is more. Where none is found, no step may be nearer than the target.
 #[test]
-fn the_sweep_stops_where_stepping_first_comes_within_the_target() {
+fn it_is_when_stepping_first_comes_within_the_target() {
     let mut rng = rng(31);
     let (mut stopped, mut passed) = (0, 0);
     for round in 0..400 {
@@ -30,7 +30,8 @@ fn the_sweep_stops_where_stepping_first_comes_within_the_target() {
                 let aim = Vec2::new(rng.random_range(-1.5f32..1.5), rng.random_range(-1.5f32..1.5));
                 let motion = (aim - offset) * rng.random_range(0.5f32..2.0);
                 let target = if round % 3 == 0 { -0.01 } else { 0.005 * (round % 3 - 1) as f32 };
-                let hit = sweep(still(a, rotation_a), still(b, rotation_b), offset, motion, 1.0, target);
+                let hit =
+                    time_of_impact(still(a, rotation_a), still(b, rotation_b), offset, motion, 1.0, target);
                 let (solid_a, solid_b) =
                     (Solid::new(a, rotation_a, Vec2::ZERO), Solid::new(b, rotation_b, offset));
                 let distance = |fraction: f64| {
@@ -61,7 +62,7 @@ fn the_fraction_is_exact_for_motions_in_closed_form() {
     let (ball, unit) = (Shape::circle(0.5), Shape::obb(1.0, 1.0));
     let fraction = |a: &Shape, b: &Shape, y: f32| {
         let (a, b) = (still(a, Rot::IDENTITY), still(b, Rot::IDENTITY));
-        sweep(a, b, Vec2::new(5.0, y), Vec2::new(-8.0, 0.0), 1.0, 0.0)
+        time_of_impact(a, b, Vec2::new(5.0, y), Vec2::new(-8.0, 0.0), 1.0, 0.0)
     };
     for a in [&ball, &unit] {
         for b in [&ball, &unit] {
@@ -78,7 +79,7 @@ fn nothing_is_hit_by_parting_resting_or_passing_and_an_overlap_is_hit_at_once() 
     let (ball, unit) = (Shape::circle(0.5), Shape::obb(1.0, 1.0));
     let hit = |a: &Shape, b: &Shape, x: f32, y: f32, motion: [f32; 2]| {
         let (a, b) = (still(a, Rot::IDENTITY), still(b, Rot::IDENTITY));
-        sweep(a, b, Vec2::new(x, y), motion.into(), 1.0, 0.0)
+        time_of_impact(a, b, Vec2::new(x, y), motion.into(), 1.0, 0.0)
     };
     for a in [&ball, &unit] {
         for b in [&ball, &unit] {
@@ -123,7 +124,7 @@ fn what_turns_is_never_nearer_before_it_is_stopped() {
                     &Solid::new(b.shape, turned(b), offset + velocity * time + swung(b)),
                 )
             };
-            let (hit, until) = (sweep(a, b, offset, velocity, 0.1, 0.0), 0.1);
+            let (hit, until) = (time_of_impact(a, b, offset, velocity, 0.1, 0.0), 0.1);
             let last = hit.unwrap_or(until);
             for i in 0..100 {
                 let before = distance(last * i as f32 / 100.0);
