@@ -299,8 +299,8 @@ impl Joint {
         Self { max_torque: Some(torque), ..self }
     }
 
-    /// Breaks where its force (N) or torque (N m) is greater in a step: the joint is removed and
-    /// [reported](crate::Events::broken). Either may be infinite.
+    /// Breaks where its [force](crate::JointRef::force) (N) or torque (N m) is greater on average over a step: the joint is removed
+    /// and [reported](crate::Events::broken). A blow of 10 N s is 600 N in a step of 1/60 s. Either may be infinite.
     pub fn break_at(self, force: f32, torque: f32) -> Self {
         Self { breaks_at: Some([force, torque]), ..self }
     }

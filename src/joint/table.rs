@@ -25,7 +25,7 @@ pub(crate) struct JointState {
     pub(crate) loads: [f32; MOST_ROWS],
     /// Angles of `a` and `b`, rad; each of any number of turns.
     pub(crate) angles: [f64; 2],
-    /// Force on `b` in the last substep, N, and torque, N m.
+    /// Force on `b` in the last step, N, and torque, N m, on average.
     pub(crate) force: Vec2,
     pub(crate) torque: f32,
     /// How far the rigid rows and limits were off at the end of the last step, m and rad.
@@ -87,7 +87,7 @@ impl JointRecord {
         if self.description.kind == JointKind::Gear { self.length } else { 0.0 }
     }
 
-    /// Whether it bore more in the last substep than it can.
+    /// Whether it bore more in the last step, on average, than it can.
     pub(crate) fn bears_too_much(&self) -> bool {
         let is_too_much =
             |[force, torque]: [f32; 2]| self.state.force.length() > force || self.state.torque.abs() > torque;

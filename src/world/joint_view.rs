@@ -109,13 +109,14 @@ impl<'a> JointRef<'a> {
         f64::from(self.direction().dot(of_b - velocity_at(self.body_a(), of_a)))
     }
 
-    /// The force on `b` (or the world) at its anchor, N, in the last substep; that on `a` is opposite.
+    /// The force on `b` (or the world) at its anchor, N, on average over the last step; that on `a` is opposite. Times the length of
+    /// the step it is the impulse, N s, that of a blow too.
     pub fn force(&self) -> Vec2 {
         self.record().state.force
     }
 
-    /// The torque on `b` (or the world) beside that of the force, N m, in the last substep: of motors, springs and limits of the
-    /// angle, and of welds.
+    /// The torque on `b` (or the world) beside that of the force, N m, on average over the last step: of motors, springs and limits of
+    /// the angle, and of welds.
     pub fn torque(&self) -> f32 {
         self.record().state.torque
     }

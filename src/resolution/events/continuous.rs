@@ -319,7 +319,10 @@ impl Continuous {
         constraint.find_masses::<2>();
         let gained = manifold.normal.dot(scene.acceleration(rows)) * (time - 0.5 * scene.h());
         let (_, offset, _) = Self::swept(scene, slots, &there);
-        let near = MEETS_WITHIN * motions[0].thickness.min(motions[1].thickness) + noise_of(offset);
+        // Where a body is at a time is rounded as its way in the substep is.
+        let rounding = there.map(|state| noise_of(Vec2::from(state.velocity) * scene.h()));
+        let near = MEETS_WITHIN * motions[0].thickness.min(motions[1].thickness)
+            + (noise_of(offset) + rounding[0] + rounding[1]);
         let gaps = [0, 1].map(|index| {
             manifold.points().get(index).map(|point| point.separation).filter(|&gap| gap <= near)
         });

@@ -28,15 +28,15 @@ impl JointSolver {
         for (place, base) in self.places.iter().zip(&self.bases) {
             let record = &mut joints.all[place.joint];
             let rows = &self.rows[place.rows[0] as usize..place.rows[1] as usize];
-            if finish_joint(record, base, rows, &self.bodies) {
+            if finish_joint(record, base, rows, &self.bodies, f64::from(scheme.dt)) {
                 self.broken.push(place.joint);
             }
         }
     }
 }
 
-/// Writes back what a joint bore; whether it was too much.
-fn finish_joint(record: &mut JointRecord, base: &Base, rows: &[Row], bodies: &[JointBody]) -> bool {
+/// Writes back what a joint bore in a step of `dt`, s; whether it was too much.
+fn finish_joint(record: &mut JointRecord, base: &Base, rows: &[Row], bodies: &[JointBody], dt: f64) -> bool {
     let state = &mut record.state;
     let (mut force, mut torque) = ([0.0; 2], 0.0);
     (state.gap, state.angle_gap) = (0.0, 0.0);
@@ -46,10 +46,12 @@ fn finish_joint(record: &mut JointRecord, base: &Base, rows: &[Row], bodies: &[J
     for (row, load) in rows.iter().zip(&mut state.loads) {
         let is_finite = row.load.is_finite() && (row.load as f32).is_finite();
         *load = if is_finite { row.load as f32 } else { 0.0 };
+        // On average, as a blow may come in any of the substeps.
+        let borne = row.in_step / dt;
         if row.coordinate.is_angle() {
-            torque += row.j[1][2] * row.load;
+            torque += row.j[1][2] * borne;
         } else {
-            force = [force[0] + row.j[1][0] * row.load, force[1] + row.j[1][1] * row.load];
+            force = [force[0] + row.j[1][0] * borne, force[1] + row.j[1][1] * borne];
         }
         let x = row.coordinate.value(&at) - row.zero;
         let gap = match row.role {

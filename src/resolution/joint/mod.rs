@@ -142,6 +142,9 @@ impl JointSolver {
     /// The end of a substep: takes note of what the rows have borne.
     pub(super) fn end_substep(&mut self, scheme: &Scheme) {
         self.for_each_island(|solver, island| solver.note_loads(island, scheme));
+        for row in &mut self.rows {
+            row.in_step += row.in_substep;
+        }
     }
 
     fn for_each_island(&mut self, mut act: impl FnMut(&mut Self, &mut Island)) {

@@ -103,6 +103,9 @@ pub(super) struct Row {
     pub(super) load_before: f64,
     /// Force of the last substep.
     pub(super) load: f64,
+    /// Impulse in this substep, and in the substeps of this step before it.
+    pub(super) in_substep: f64,
+    pub(super) in_step: f64,
     /// Whether it takes part in the direct solve.
     pub(super) is_free: bool,
     /// How fast it is off what is asked for, m/s or rad/s.
@@ -132,6 +135,8 @@ impl Row {
             unclosed: 0.0,
             load_before: 0.0,
             load: 0.0,
+            in_substep: 0.0,
+            in_step: 0.0,
             is_free: false,
             residual: 0.0,
             wanted: 0.0,

@@ -35,7 +35,7 @@ impl JointSolver {
         for &joint in &island.joints {
             let [first, end] = self.places[joint as usize].rows;
             for row in &mut self.rows[first as usize..end as usize] {
-                row.load = row.load_before;
+                (row.load, row.in_substep) = (row.load_before, 0.0);
             }
         }
         let may_be_divided = scheme.split_kick && !island.touches;
@@ -154,10 +154,13 @@ impl JointSolver {
         for &joint in &island.joints {
             let [first, end] = self.places[joint as usize].rows;
             for row in &mut self.rows[first as usize..end as usize] {
-                let load = (row.pushed + row.impulse) / island.times.h;
+                let impulse = row.pushed + row.impulse;
+                let load = impulse / island.times.h;
                 let is_kept = scheme.warm_starting || matches!(row.role, Role::Spring { .. });
                 // Beyond all bounds nothing is known.
-                row.load = if is_kept && (load as f32).is_finite() { load } else { 0.0 };
+                let is_known = (load as f32).is_finite();
+                row.load = if is_kept && is_known { load } else { 0.0 };
+                row.in_substep += if is_known { impulse } else { 0.0 };
             }
         }
     }

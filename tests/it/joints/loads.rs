@@ -131,6 +131,35 @@ fn a_joint_breaks_above_its_force_and_not_below() {
     }
 }
 
+/// A disc of 5 kg strikes a plank that is welded to the world, in any part of a step. What the weld bears in all takes the momentum that
+/// the disc loses, and it breaks by the greatest force of a step, and by no other.
+#[test]
+fn a_blow_is_borne_and_breaks_whenever_it_comes() {
+    let struck = |offset: f64, most: f32| {
+        let mut world = space();
+        let plank = add(&mut world, Body::dynamic(Shape::obb(0.2, 2.0)).mass(10.0));
+        let weld = world.add_joint(Joint::weld(plank, None).break_at(most, f32::INFINITY)).unwrap();
+        let disc = Body::dynamic(Shape::circle(0.2)).at([-2.0 - offset, 0.0]).mass(5.0).velocity([30.0, 0.0]);
+        let disc = add(&mut world, disc);
+        let (mut borne, mut greatest) = (0.0, 0.0_f32);
+        for _ in 0..30 {
+            world.step();
+            let force = world.joint(weld).map_or(f32::INFINITY, |weld| weld.force().length());
+            (borne, greatest) = (borne + f64::from(force) / 60.0, greatest.max(force));
+        }
+        (borne, greatest, 5.0 * (30.0 - velocity(&world, disc)[0]))
+    };
+    for number in 0..20_u8 {
+        let offset = 0.027 * f64::from(number);
+        let (borne, greatest, lost) = struck(offset, f32::INFINITY);
+        assert!(lost > 100.0, "{offset} m: {lost} N s");
+        // Roundings of `f32`, some ten.
+        assert_relative(borne, lost, 1e-6, "what the weld bears");
+        assert!(struck(offset, 1.01 * greatest).1.is_finite(), "{offset} m: it holds {greatest} N");
+        assert!(struck(offset, 0.99 * greatest).1.is_infinite(), "{offset} m: it breaks below {greatest} N");
+    }
+}
+
 /// No forces but those of joints, which are equal and opposite: roundings of `f32` are left.
 #[test]
 fn bodies_joined_in_space_keep_momentum_and_angular_momentum() {
