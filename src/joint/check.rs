@@ -78,13 +78,15 @@ impl Joint {
             _ => (f64::NEG_INFINITY, "m"),
         };
         let Some([lower, upper]) = self.limits else { return Ok(()) };
-        check("the lower limit", lower, [least, f64::INFINITY], unit)?;
-        check("the upper limit", upper, [least, f64::INFINITY], unit)?;
+        let [shorter, longer] = match self.kind {
+            JointKind::Distance => ["the least length", "the greatest length"],
+            _ => ["the lower limit", "the upper limit"],
+        };
+        let shortest = if self.kind == JointKind::Distance { SHORTEST } else { least };
+        check(shorter, lower, [least, f64::INFINITY], unit)?;
+        check(longer, upper, [shortest, f64::INFINITY], unit)?;
         if lower > upper {
             return Err(JointError::LimitsCrossed { lower, upper });
-        }
-        if self.kind == JointKind::Distance {
-            check("the longest distance", upper, [SHORTEST, f64::INFINITY], "m")?;
         }
         Ok(())
     }
@@ -111,6 +113,9 @@ impl Joint {
             check("the torque at which it breaks", f64::from(torque), any_strength, "N m")?;
         }
         match self.kind {
+            JointKind::Friction if self.max_force.is_none() && self.max_torque.is_none() => {
+                Err(JointError::NoStrength)
+            }
             JointKind::Gear => check("the size of the ratio", self.ratio.abs(), RATIOS, ""),
             JointKind::Ratchet => check("the angle of a tooth", self.ratio, RATIOS, "rad"),
             _ => Ok(()),

@@ -34,6 +34,8 @@ pub enum JointError {
     },
     /// The axis has no direction.
     NoAxis,
+    /// A friction joint that resists nothing.
+    NoStrength,
     /// A quantity is NaN, infinite, or outside the range that the engine can compute with.
     OutOfRange {
         /// What was given.
@@ -74,13 +76,19 @@ impl fmt::Display for JointError {
             Self::NoAxis => {
                 f.write_str("the axis has no direction; give a vector that is finite and not zero")
             }
+            Self::NoStrength => f.write_str(
+                "a friction joint without a greatest force or torque resists nothing; give max_force (N), max_torque (N m), or both",
+            ),
             Self::OutOfRange { quantity, value, min, max, unit } => {
-                let [value, min, max] = [*value, *min, *max].map(Number);
                 let space = if unit.is_empty() { "" } else { " " };
-                write!(
-                    f,
-                    "{quantity} is {value}{space}{unit}; give a finite number from {min} to {max}{space}{unit}"
-                )
+                write!(f, "{quantity} is {}{space}{unit}; give ", Number(*value))?;
+                let [least, most] = [min, max].map(|bound| Number(*bound));
+                match [min.is_finite(), max.is_finite()] {
+                    [true, true] => write!(f, "a finite number from {least} to {most}{space}{unit}"),
+                    [true, false] => write!(f, "a number of {least}{space}{unit} or more"),
+                    [false, true] => write!(f, "a number of {most}{space}{unit} or less"),
+                    [false, false] => f.write_str("a number, finite or infinite"),
+                }
             }
         }
     }

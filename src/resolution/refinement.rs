@@ -85,7 +85,8 @@ impl Loaded<'_> {
     fn largest_sag(&self, rule: TierRule) -> f32 {
         let Self { loads, graph, .. } = self;
         let is_swept = |index: &&u32| graph.home(**index).is_some_and(|home| !home.is_solved_directly());
-        let sags = loads.lasting.iter().filter(is_swept).map(|&index| loads.of_contact[index as usize].sag);
+        let lasting = loads.great.iter().filter(|&&index| loads.of_contact[index as usize].lasts());
+        let sags = lasting.filter(is_swept).map(|&index| loads.of_contact[index as usize].sag);
         // Loads tell those of no more than the usual rate; with more substeps they are less.
         sags.fold(0.0, f32::max) * rule.substep_rate.min(USUAL_RATE) / rule.substep_rate
     }

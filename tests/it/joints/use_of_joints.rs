@@ -22,7 +22,12 @@ fn a_joint_that_makes_no_sense_is_refused_with_a_sentence_and_nothing_changes() 
         (Joint::revolute(a, b).at([f64::NAN, 0.0]), "the anchor is NaN"),
         (Joint::revolute(a, b).motor(f32::NAN, 1.0), "the speed of the motor is NaN"),
         (Joint::distance(a, b).length(-1.0), "the length is -1 m"),
-        (Joint::rope(a, b).max_length(0.0), "the longest distance is 0 m"),
+        (Joint::rope(a, b).max_length(0.0), "the greatest length is 0 m; give a number of 1e-6 m or more"),
+        (
+            Joint::rope(a, b).break_at(-1.0, 0.0),
+            "the force at which it breaks is -1 N; give a number of 0 N or more",
+        ),
+        (Joint::friction(a, b), "a friction joint without a greatest force or torque resists nothing"),
         (Joint::distance(a, b).spring(0.0, 0.0), "the frequency of the spring is 0 Hz"),
         (Joint::prismatic(a, b).axis([0.0, 0.0]), "the axis has no direction"),
         (
