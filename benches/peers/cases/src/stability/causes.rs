@@ -26,6 +26,12 @@ pub(super) fn of(case: &str) -> &'static str {
              single corner does not count as lasting and so is not solved directly; others in islands that Newton's method \
              does not solve. A few still move after 10 s, under little gravity."
         }
+        "10-piles" | "30-piles" => {
+            "One trembles for minutes at 0.1 mm/s, where rest begins. Of 160 piles by other seeds one or two do."
+        }
+        "gravel-middle" | "gravel-edge" => {
+            "Sweeps leave a hundredth of a stone of overlap, or half of it, as chance will have it: so do most heaps of such stones."
+        }
         _ => "",
     }
 }
