@@ -72,19 +72,15 @@ impl Joint {
 
     /// Checks where it may go.
     fn validate_limits(&self) -> Result<(), JointError> {
-        let (least, unit) = match self.kind {
-            JointKind::Distance => (0.0, "m"),
-            JointKind::Revolute | JointKind::Ratchet => (f64::NEG_INFINITY, "rad"),
-            _ => (f64::NEG_INFINITY, "m"),
-        };
         let Some([lower, upper]) = self.limits else { return Ok(()) };
-        let [shorter, longer] = match self.kind {
-            JointKind::Distance => ["the least length", "the greatest length"],
-            _ => ["the lower limit", "the upper limit"],
+        let any = [f64::NEG_INFINITY; 2];
+        let (names, least, unit) = match self.kind {
+            JointKind::Distance => (["the least length", "the greatest length"], [0.0, SHORTEST], "m"),
+            JointKind::Revolute | JointKind::Ratchet => (["the lower limit", "the upper limit"], any, "rad"),
+            _ => (["the lower limit", "the upper limit"], any, "m"),
         };
-        let shortest = if self.kind == JointKind::Distance { SHORTEST } else { least };
-        check(shorter, lower, [least, f64::INFINITY], unit)?;
-        check(longer, upper, [shortest, f64::INFINITY], unit)?;
+        check(names[0], lower, [least[0], f64::INFINITY], unit)?;
+        check(names[1], upper, [least[1], f64::INFINITY], unit)?;
         if lower > upper {
             return Err(JointError::LimitsCrossed { lower, upper });
         }

@@ -83,11 +83,12 @@ impl fmt::Display for JointError {
                 let space = if unit.is_empty() { "" } else { " " };
                 write!(f, "{quantity} is {}{space}{unit}; give ", Number(*value))?;
                 let [least, most] = [min, max].map(|bound| Number(*bound));
-                match [min.is_finite(), max.is_finite()] {
-                    [true, true] => write!(f, "a finite number from {least} to {most}{space}{unit}"),
-                    [true, false] => write!(f, "a number of {least}{space}{unit} or more"),
-                    [false, true] => write!(f, "a number of {most}{space}{unit} or less"),
-                    [false, false] => f.write_str("a number, finite or infinite"),
+                if max.is_finite() {
+                    write!(f, "a finite number from {least} to {most}{space}{unit}")
+                } else if min.is_finite() {
+                    write!(f, "a number of {least}{space}{unit} or more")
+                } else {
+                    f.write_str("a number, or an infinite one")
                 }
             }
         }

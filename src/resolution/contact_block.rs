@@ -54,7 +54,7 @@ pub(crate) struct BlockMarks {
     /// Those whose impulses are added up over the step.
     pub(crate) asked: Marks,
     /// At the end of the step: those under great load.
-    pub(crate) burdened: Marks,
+    pub(crate) greatly_loaded: Marks,
     /// At the end of the step: those that may have begun or ceased to touch.
     pub(crate) changing: Marks,
 }

@@ -7,6 +7,7 @@ use crate::body::Bodies;
 use crate::collision::Contact;
 use crate::math::Vec2;
 use crate::resolution::softness::sag;
+use crate::resolution::tangles::DEEP_SHARE;
 
 /// Overlap at rest, as a share of the width of the thinner body, from which an island is solved directly.
 pub(super) const DIRECT_SHARE: f32 = 0.0125;
@@ -17,11 +18,8 @@ pub(super) const USUAL_RATE: f32 = 240.0;
 /// A load lasts that is there for so many steps: a blow is over sooner. In small islands a blow counts as well.
 pub(super) const LASTING_STEPS: u8 = 4;
 
-/// But not where bodies overlap by more than this share of the width of the thinner, no unit: they are pushed apart, and what that takes is
-/// no load. Crosses that are set into each other came to four times the speed of a push.
-const PUSHED_SHARE: f32 = 0.1;
-
-/// And it is recent for so many, as far as they are counted: an island that was given up is tried again for a load that came since.
+/// And it is recent for so many, as far as they are counted: an island that was given up is tried again for a load that came
+/// since.
 const RECENT_STEPS: u8 = u8::MAX;
 
 /// An island goes back to sweeps only when the load is below this share of what asked for more, so that it does not go
@@ -46,9 +44,10 @@ impl ContactLoad {
         self.steps >= LASTING_STEPS
     }
 
-    /// Whether it is great, and not what it takes to push the bodies apart.
+    /// Whether it lasts, or is a blow. Bodies that are deep in each other are pushed apart, which is none: taken for one, crosses that
+    /// are set into each other fly apart.
     fn counts(self, contact: &Contact) -> bool {
-        self.lasts() || self.steps > 0 && contact.penetration() <= PUSHED_SHARE * contact.thickness
+        self.lasts() || self.steps > 0 && contact.penetration() <= DEEP_SHARE * contact.thickness
     }
 }
 

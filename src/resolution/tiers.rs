@@ -2,9 +2,10 @@
 //!
 //! What sweeps leave wrong at rest is known beforehand: until the load has lasted, a contact sags under the impulse λ of a substep to where
 //! the bias makes up for half of the compliance, which is 14 % of k λ (see [`sag`]). Where that is more than an eightieth
-//! of the thinner body, in a contact whose bodies hardly move against each other, for a few steps, or for one in a small island, the
-//! island is solved directly, if that is little work and nothing of it is joined. This ends when the load does, or when the direct solve does not solve the island: that
-//! is tried again later, if much would sag. Only the state decides, never a clock: a clone is solved as its original.
+//! of the thinner body, in a contact whose bodies hardly move against each other, for a few steps, the island is solved
+//! directly, if that is little work and nothing of it is joined. In a small island one step is enough: that is a blow. It ends
+//! when the load does, or when the direct solve does not solve the island: that is tried again later, if much would sag. Only
+//! the state decides, never a clock: a clone is solved as its original.
 //!
 //! A heap of great weight that begins at rest is solved directly from its first step on: its loads have yet to build up,
 //! and it would fall meanwhile.
@@ -34,15 +35,14 @@ const LARGEST_FACTORIZATION: u64 = 100_000;
 /// fewer.
 const LARGEST_DIRECT_ISLAND: usize = 256;
 
-/// An island of no more bodies is solved directly also for a blow, in the steps after it: swept, what is struck is pressed in, and throws
-/// back what strikes it, at an eighth of its speed where masses are equal and at half where they are 10 : 1. Larger ones are struck all
-/// the time: with sixteen, a step of boxes on lifts takes twice as long. Nor where a kinematic body presses them on: between it and
-/// walls there may be no solution, and two of forty bodies left a box with a paddle.
+/// An island of no more bodies is solved directly also in the steps after a blow. Swept, what is struck is pressed in, and throws back
+/// what strikes it: at an eighth of its speed where masses are equal, at half where they are 10 : 1. Larger islands are struck all
+/// the time.
 const SMALL_ISLAND: usize = 4;
 
-/// How long an island counts as calm already that is solved directly for a blow, or as it begins at rest, steps: until it is known what
-/// its contacts bear, and no longer if that is little.
-const BLOW_CALM_STEPS: u8 = CALM_STEPS - LASTING_STEPS - 1;
+/// For how many steps an island counts as calm already, as it comes to be solved directly before its loads have lasted: it stays so
+/// until they would, and no longer if they are little.
+const CALM_AT_FIRST: u8 = CALM_STEPS - LASTING_STEPS - 1;
 
 /// Multiplications of a product of two blocks of 3 × 3.
 const PRODUCT_OF_BLOCKS: u64 = 27;
@@ -185,7 +185,7 @@ impl Tiers {
         for &index in &loads.great {
             let lasts = loads.of_contact[index as usize].lasts();
             for slot in tables.slots(index) {
-                if lasts || is_in_small_island(slot, &tables) {
+                if lasts || !self.seen.contains(slot) && is_in_small_island(slot, &tables) {
                     self.decide_island(slot, tick, rule, loads, &mut tables);
                 }
             }
@@ -220,6 +220,7 @@ impl Tiers {
             is_driven |= contact.slots.into_iter().any(drives);
         });
         let was_direct = self.island.iter().any(|&slot| tables.graph.is_direct(slot));
+        // Between walls and what a kinematic body presses on, a blow may have no solution: bodies left a box with a paddle.
         let blows_count = self.island.len() <= SMALL_ISLAND && !is_driven;
         let largest = if blows_count { load.greatest } else { load.lasting };
         let history = History::of_island(self.island.iter().map(|&slot| self.histories[slot as usize]));
@@ -233,10 +234,12 @@ impl Tiers {
         let is_calm = was_direct && may_be_direct && largest <= share;
         let stays = is_calm && history.calm_steps < CALM_STEPS;
         let is_direct = may_be_direct && (largest > share || stays);
-        let calm_steps = match is_calm {
-            true => history.calm_steps.saturating_add(1),
-            false if load.lasting <= share => BLOW_CALM_STEPS,
-            false => 0,
+        let calm_steps = if is_calm {
+            history.calm_steps.saturating_add(1)
+        } else if load.lasting <= share {
+            CALM_AT_FIRST
+        } else {
+            0
         };
         self.give(if is_direct { Tier::Direct } else { Tier::Swept }, calm_steps, tables);
         if !is_direct {
@@ -271,7 +274,7 @@ impl Tiers {
             for &slot in &self.island {
                 self.seen.insert(slot);
             }
-            self.give(Tier::Direct, BLOW_CALM_STEPS, tables);
+            self.give(Tier::Direct, CALM_AT_FIRST, tables);
         }
     }
 

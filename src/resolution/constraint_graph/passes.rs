@@ -65,7 +65,7 @@ impl ConstraintGraph {
         for colour in self.colours.iter().filter(|colour| !colour.is_empty()) {
             for (number, block) in colour.blocks.all().1.iter().enumerate() {
                 let indices = &colour.contacts[number * COLUMN..];
-                block.marks.burdened.for_each(|place| loads.great.push(indices[place]));
+                block.marks.greatly_loaded.for_each(|place| loads.great.push(indices[place]));
                 block.marks.changing.for_each(|place| contacts.note_change(indices[place]));
             }
         }
@@ -247,7 +247,7 @@ fn write_back(
         let load = residuals.load.get(place);
         block.write_back(place, contact, load, measure.dt);
         let is_great = measure.is_great(contact, loads.get_mut(place), load);
-        block.marks.burdened.set(place, is_great);
+        block.marks.greatly_loaded.set(place, is_great);
         let touches = contact.has_bounced || residuals.touching.get(place);
         debug_assert_eq!(touches, contact.has_touched());
         block.marks.changing.set(place, touches != contact.is_touching);

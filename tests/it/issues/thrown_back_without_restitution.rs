@@ -5,8 +5,8 @@ use rustycs::prelude::*;
 
 use crate::support::{add, add_floor, earth};
 
-/// A box falls 3 m on a box that rests. Nothing bounces; what is left is the speed of the first step, in which the blow is not yet known,
-/// and of pushing out what was pressed in by it: a tenth of the speed of the fall.
+/// A box falls 3 m on a box that rests. The law is that nothing comes back. In the first step the blow is not known yet, and what it presses
+/// in is pushed out again: that is still let pass, up to a tenth of the speed of the fall.
 #[test]
 fn what_falls_on_a_box_without_restitution_hardly_comes_back() {
     for ratio in [0.5, 1.0, 2.0, 4.0, 10.0] {
