@@ -6,8 +6,7 @@
 use crate::body::Bodies;
 use crate::collision::Contact;
 use crate::math::Vec2;
-use crate::resolution::softness::sag;
-use crate::resolution::tangles::DEEP_SHARE;
+use crate::resolution::softness::{DEEP_SHARE, sag};
 
 /// Overlap at rest, as a share of the width of the thinner body, from which an island is solved directly.
 pub(super) const DIRECT_SHARE: f32 = 0.0125;

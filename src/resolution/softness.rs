@@ -57,6 +57,11 @@ const LARGEST_SHARE: f32 = 0.3;
 /// one place come to 100 m/s without it.
 pub(crate) const PUSH_SPEED: f32 = 3.0;
 
+/// Two bodies are deep in each other where they overlap by this share of the width of the narrower, no unit. What is fitted closely
+/// into a hole touches both sides of it, but overlaps them by less. With a quarter, sixty letters in one place still came to 97 m/s;
+/// with 3 %, light bodies under heavy ones are twice as fast as with a tenth.
+pub(crate) const DEEP_SHARE: f32 = 0.1;
+
 /// Overlap at rest under a load that has not lasted yet, m, whose impulse times k is `speed`, m/s, per substep: there the bias makes up for
 /// what yields to the half of it that acts before the move.
 #[inline(always)]

@@ -16,12 +16,7 @@ use crate::compute::BodyState;
 use crate::math::Vec2;
 use crate::resolution::constraint_graph::{ConstraintGraph, GraphIndex};
 use crate::resolution::projection::Project;
-use crate::resolution::softness::PUSH_SPEED;
-
-/// Two bodies are deep in each other where they overlap by this share of the width of the narrower, no unit. What is fitted closely into a
-/// hole touches both sides of it, but overlaps them by less. With a quarter, sixty letters in one place still came to 97 m/s; with 3 %,
-/// light bodies under heavy ones are twice as fast as with a tenth.
-pub(super) const DEEP_SHARE: f32 = 0.1;
+use crate::resolution::softness::{DEEP_SHARE, PUSH_SPEED};
 
 /// What lies between two others is squeezed by their loads, and may overlap both: up to this share it is pushed apart as all is, no unit.
 /// With a tenth, the bodies of a heap sink into each other, and heavy ones push light ones out through walls; with all, five letters in

@@ -245,7 +245,14 @@ impl Tiers {
         if !is_direct {
             for &slot in &self.island {
                 let of_body = &mut self.histories[slot as usize];
-                let pause = if is_refused { TOO_LARGE_STEPS } else { RETRY_STEPS };
+                // The next blow may come at any time, and few bodies are soon looked at.
+                let pause = if is_refused {
+                    TOO_LARGE_STEPS
+                } else if blows_count {
+                    0
+                } else {
+                    RETRY_STEPS
+                };
                 of_body.quiet_until = history.quiet_until.max(tick + pause);
                 if is_calm {
                     of_body.unsolved_times = 0;

@@ -39,7 +39,7 @@ impl JointSolver {
 fn finish_joint(record: &mut JointRecord, base: &Base, rows: &[Row], bodies: &[JointBody], dt: f64) -> bool {
     let state = &mut record.state;
     let (mut force, mut torque) = ([0.0; 2], 0.0);
-    (state.gap, state.angle_gap) = (0.0, 0.0);
+    (state.gap, state.angle_gap, state.force, state.torque) = (0.0, 0.0, Vec2::ZERO, 0.0);
     let Some(first) = rows.first() else { return false };
     let [a, b] = first.bodies.map(|body| &bodies[body as usize]);
     let at = base.at(a, b);
@@ -47,11 +47,11 @@ fn finish_joint(record: &mut JointRecord, base: &Base, rows: &[Row], bodies: &[J
         let is_finite = row.load.is_finite() && (row.load as f32).is_finite();
         *load = if is_finite { row.load as f32 } else { 0.0 };
         // On average, as a blow may come in any of the substeps.
-        let borne = row.in_step / dt;
+        let [x, y, moment] = row.in_step.map(|impulse| impulse / dt);
         if row.coordinate.is_angle() {
-            torque += row.j[1][2] * borne;
+            torque += moment;
         } else {
-            force = [force[0] + row.j[1][0] * borne, force[1] + row.j[1][1] * borne];
+            force = [force[0] + x, force[1] + y];
         }
         let x = row.coordinate.value(&at) - row.zero;
         let gap = match row.role {
@@ -62,7 +62,7 @@ fn finish_joint(record: &mut JointRecord, base: &Base, rows: &[Row], bodies: &[J
         let worst = if row.coordinate.is_angle() { &mut state.angle_gap } else { &mut state.gap };
         *worst = worst.max(gap as f32);
     }
-    let finite = |x: f64| (x as f32).clamp(f32::MIN, f32::MAX);
+    let finite = |x: f64| if x.is_nan() { 0.0 } else { (x as f32).clamp(f32::MIN, f32::MAX) };
     state.force = Vec2::new(finite(force[0]), finite(force[1]));
     state.torque = finite(torque);
     state.turned([a.angle, b.angle]);

@@ -143,7 +143,7 @@ impl JointSolver {
     pub(super) fn end_substep(&mut self, scheme: &Scheme) {
         self.for_each_island(|solver, island| solver.note_loads(island, scheme));
         for row in &mut self.rows {
-            row.in_step += row.in_substep;
+            row.in_step = [0, 1, 2].map(|index| row.in_step[index] + row.in_substep[index]);
         }
     }
 

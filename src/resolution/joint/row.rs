@@ -103,9 +103,9 @@ pub(super) struct Row {
     pub(super) load_before: f64,
     /// Force of the last substep.
     pub(super) load: f64,
-    /// Impulse in this substep, and in the substeps of this step before it.
-    pub(super) in_substep: f64,
-    pub(super) in_step: f64,
+    /// Impulse on b, and its moment, in the phases of this substep that are over, and in the substeps of this step that are.
+    pub(super) in_substep: V3,
+    pub(super) in_step: V3,
     /// Whether it takes part in the direct solve.
     pub(super) is_free: bool,
     /// How fast it is off what is asked for, m/s or rad/s.
@@ -135,12 +135,17 @@ impl Row {
             unclosed: 0.0,
             load_before: 0.0,
             load: 0.0,
-            in_substep: 0.0,
-            in_step: 0.0,
+            in_substep: [0.0; 3],
+            in_step: [0.0; 3],
             is_free: false,
             residual: 0.0,
             wanted: 0.0,
         }
+    }
+
+    /// Adds the impulse of a phase that is over to that of the substep.
+    pub(super) fn note_impulse(&mut self) {
+        self.in_substep = [0, 1, 2].map(|index| self.in_substep[index] + self.j[1][index] * self.impulse);
     }
 
     /// Begins a phase where the bodies are, with half of the last impulse.

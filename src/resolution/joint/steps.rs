@@ -35,7 +35,7 @@ impl JointSolver {
         for &joint in &island.joints {
             let [first, end] = self.places[joint as usize].rows;
             for row in &mut self.rows[first as usize..end as usize] {
-                (row.load, row.in_substep) = (row.load_before, 0.0);
+                (row.load, row.in_substep) = (row.load_before, [0.0; 3]);
             }
         }
         let may_be_divided = scheme.split_kick && !island.touches;
@@ -140,6 +140,7 @@ impl JointSolver {
             for row in rows {
                 if phase == Phase::Relax {
                     row.pushed = row.impulse;
+                    row.note_impulse();
                 }
                 row.begin(&at, &a, &b, phase, island.times);
                 for (body, j) in row.bodies.into_iter().zip(row.j) {
@@ -154,13 +155,11 @@ impl JointSolver {
         for &joint in &island.joints {
             let [first, end] = self.places[joint as usize].rows;
             for row in &mut self.rows[first as usize..end as usize] {
-                let impulse = row.pushed + row.impulse;
-                let load = impulse / island.times.h;
+                row.note_impulse();
+                let load = (row.pushed + row.impulse) / island.times.h;
                 let is_kept = scheme.warm_starting || matches!(row.role, Role::Spring { .. });
                 // Beyond all bounds nothing is known.
-                let is_known = (load as f32).is_finite();
-                row.load = if is_kept && is_known { load } else { 0.0 };
-                row.in_substep += if is_known { impulse } else { 0.0 };
+                row.load = if is_kept && (load as f32).is_finite() { load } else { 0.0 };
             }
         }
     }

@@ -160,6 +160,26 @@ fn a_blow_is_borne_and_breaks_whenever_it_comes() {
     }
 }
 
+/// A disc goes round the end of a rod by 0.9 rad in each step. What the rod bears in the step is what turns the momentum of the disc.
+#[test]
+fn the_force_of_a_step_turns_the_momentum_also_where_the_joint_turns() {
+    let mut world = space();
+    let disc =
+        add(&mut world, Body::dynamic(Shape::circle(0.2)).at([2.0, 0.0]).mass(3.0).velocity([0.0, 108.0]));
+    let rod = world.add_joint(Joint::distance(disc, None).between([2.0, 0.0], [0.0, 0.0])).unwrap();
+    let mut before = velocity(&world, disc);
+    for tick in 0..60 {
+        world.step();
+        let (now, force) = (velocity(&world, disc), world.joint(rod).unwrap().force());
+        for (axis, on_world) in [force.x, force.y].into_iter().enumerate() {
+            let missing = 3.0 * (now[axis] - before[axis]) + f64::from(on_world) / 60.0;
+            // Of 324 N s, four substeps of roundings of `f32`.
+            assert!(missing.abs() < 1e-6 * 324.0, "tick {tick}: {missing} N s");
+        }
+        before = now;
+    }
+}
+
 /// No forces but those of joints, which are equal and opposite: roundings of `f32` are left.
 #[test]
 fn bodies_joined_in_space_keep_momentum_and_angular_momentum() {
