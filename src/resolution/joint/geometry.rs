@@ -210,9 +210,12 @@ impl Base {
 /// What a row measures.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Coordinate {
-    /// The gap of the anchors along x, or y, of the world.
+    /// The gap along x, or y, of the world, of two anchors that may be apart.
     X,
     Y,
+    /// The same of two anchors that are to be in one place.
+    PinX,
+    PinY,
     /// The gap along the axis, or across it.
     Along,
     Across,
@@ -233,8 +236,8 @@ impl Coordinate {
     /// What it is, m or rad.
     pub(super) fn value(self, at: &Geometry) -> f64 {
         match self {
-            Self::X => at.gap[0],
-            Self::Y => at.gap[1],
+            Self::X | Self::PinX => at.gap[0],
+            Self::Y | Self::PinY => at.gap[1],
             Self::Along => dot(at.axis, at.gap),
             Self::Across => cross(at.axis, at.gap),
             Self::Distance => dot(at.gap, at.gap).sqrt(),
@@ -267,19 +270,29 @@ impl Coordinate {
 
     /// Its Jacobian: how fast it grows with the velocities of a and of b.
     pub(super) fn jacobian(self, at: &Geometry) -> [V3; 2] {
-        // d/dt (u · gap) = u · (v_b + w_b × r_b - v_a - w_a × r_a); where u turns with a, r_a ends at the anchor of b.
-        let along = |u: V2, r_a: V2| [[-u[0], -u[1], -cross(r_a, u)], [u[0], u[1], cross(at.r_b, u)]];
+        // d/dt (u · gap) = u · (v_b + w_b × r_b - v_a - w_a × r_a)
+        let between = |u: V2, r_a: V2, r_b: V2| [[-u[0], -u[1], -cross(r_a, u)], [u[0], u[1], cross(r_b, u)]];
+        // Where u turns with a, r_a ends at the anchor of b.
+        let of_a = |u: V2| between(u, add(at.r_a, at.gap), at.r_b);
+        // Where u turns with both, both end in the middle. With a u that stays, bodies that turn as one would open a gap that is there:
+        // a joint that others hold already would have a say by its gap of a micrometre, and bear a thousand times the load.
+        let of_both = |u: V2| {
+            let half = [0.5 * at.gap[0], 0.5 * at.gap[1]];
+            between(u, add(at.r_a, half), sub(at.r_b, half))
+        };
         match self {
-            Self::X => along([1.0, 0.0], at.r_a),
-            Self::Y => along([0.0, 1.0], at.r_a),
-            Self::Along => along(at.axis, add(at.r_a, at.gap)),
-            Self::Across => along(perp(at.axis), add(at.r_a, at.gap)),
+            Self::X => between([1.0, 0.0], at.r_a, at.r_b),
+            Self::Y => between([0.0, 1.0], at.r_a, at.r_b),
+            Self::PinX => of_both([1.0, 0.0]),
+            Self::PinY => of_both([0.0, 1.0]),
+            Self::Along => of_a(at.axis),
+            Self::Across => of_a(perp(at.axis)),
             Self::Distance => {
                 let distance = self.value(at);
                 // Two anchors in one place: any direction serves.
                 let u =
                     if distance > 0.0 { [at.gap[0] / distance, at.gap[1] / distance] } else { [0.0, 1.0] };
-                along(u, at.r_a)
+                between(u, at.r_a, at.r_b)
             }
             Self::Angle => [[0.0, 0.0, -1.0], [0.0, 0.0, 1.0]],
             Self::Gear(ratio) => [[0.0, 0.0, 1.0], [0.0, 0.0, ratio]],

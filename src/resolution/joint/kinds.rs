@@ -4,7 +4,9 @@ use core::f64::consts::TAU;
 
 use crate::joint::{JointKind, JointRecord, Spring};
 use crate::resolution::joint::geometry::Coordinate;
-use crate::resolution::joint::geometry::Coordinate::{Across, Along, Angle, Distance, Gear, X, Y};
+use crate::resolution::joint::geometry::Coordinate::{
+    Across, Along, Angle, Distance, Gear, PinX, PinY, X, Y,
+};
 use crate::resolution::joint::row::{Role, Row};
 
 /// Inverse masses and moments of inertia that a joint moves: of both bodies together.
@@ -36,7 +38,7 @@ pub(super) fn rows_of(joint: &JointRecord, inverse: Inverse, rows: &mut Vec<Row>
     let rigid = |coordinate| Row::new(coordinate, Role::Rigid);
     match kind {
         JointKind::Revolute => {
-            rows.extend([rigid(X), rigid(Y)]);
+            rows.extend([rigid(PinX), rigid(PinY)]);
             push_options(joint, Angle, inverse, rows);
         }
         JointKind::Prismatic => {
@@ -51,11 +53,11 @@ pub(super) fn rows_of(joint: &JointRecord, inverse: Inverse, rows: &mut Vec<Row>
         }
         JointKind::Distance => push_distance(joint, inverse, rows),
         JointKind::Weld => {
-            for coordinate in [X, Y, Angle] {
+            for (soft, stiff) in [(X, PinX), (Y, PinY), (Angle, Angle)] {
                 let spring = joint.description.spring;
-                match spring.and_then(|spring| inverse.spring(coordinate, spring, 0.0, None)) {
-                    Some(role) => rows.push(Row::new(coordinate, role)),
-                    None => rows.push(rigid(coordinate)),
+                match spring.and_then(|spring| inverse.spring(soft, spring, 0.0, None)) {
+                    Some(role) => rows.push(Row::new(soft, role)),
+                    None => rows.push(rigid(stiff)),
                 }
             }
         }
@@ -68,7 +70,7 @@ pub(super) fn rows_of(joint: &JointRecord, inverse: Inverse, rows: &mut Vec<Row>
             rows.push(row);
         }
         JointKind::Ratchet => {
-            rows.extend([rigid(X), rigid(Y)]);
+            rows.extend([rigid(PinX), rigid(PinY)]);
             push_spring(joint, Angle, inverse, rows);
             push_motor(joint, Angle, rows);
             rows.push(Row::new(Angle, Role::Limits([joint.state.tooth, f64::INFINITY])));

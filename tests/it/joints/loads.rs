@@ -160,6 +160,46 @@ fn a_blow_is_borne_and_breaks_whenever_it_comes() {
     }
 }
 
+/// A disc strikes crates that are welded to all their neighbours, more welds than they need. None ever bears more than the disc
+/// gives in a step.
+#[test]
+fn welds_in_rings_bear_no_more_than_a_blow_gives() {
+    for (side, rate) in [(2_usize, 60.0), (2, 240.0), (3, 60.0), (3, 240.0)] {
+        let mut world = World::new(Settings { tick_rate: rate, ..Settings::default() });
+        let place = |column: usize, row: usize| [column as f64, row as f64];
+        let mut crates = Vec::new();
+        for number in 0..side * side {
+            let body = Body::dynamic(Shape::obb(1.0, 1.0)).at(place(number % side, number / side));
+            crates.push(add(&mut world, body.mass(10.0)));
+        }
+        for number in 0..side * side {
+            let [x, y] = place(number % side, number / side);
+            if number % side > 0 {
+                let weld = Joint::weld(crates[number - 1], crates[number]).at([x - 0.5, y]);
+                world.add_joint(weld).unwrap();
+            }
+            if number >= side {
+                let weld = Joint::weld(crates[number - side], crates[number]).at([x, y - 0.5]);
+                world.add_joint(weld).unwrap();
+            }
+        }
+        let disc = Body::dynamic(Shape::circle(0.3)).at([-6.0, 0.7]).mass(20.0).velocity([20.0, 0.0]);
+        let disc = add(&mut world, disc);
+        let (mut before, mut given) = (velocity(&world, disc), 0.0_f64);
+        for tick in 0..120 {
+            world.step();
+            let now = velocity(&world, disc);
+            given = given.max(20.0 * (now[0] - before[0]).hypot(now[1] - before[1]) * f64::from(rate));
+            before = now;
+            for (_, joint) in world.joints() {
+                let borne = f64::from(joint.force().length());
+                assert!(borne <= given, "{side}, {rate} Hz, tick {tick}: {borne} N of {given} N");
+            }
+        }
+        assert!(given > 100.0 * f64::from(rate), "the disc misses");
+    }
+}
+
 /// A disc goes round the end of a rod by 0.9 rad in each step. What the rod bears in the step is what turns the momentum of the disc.
 #[test]
 fn the_force_of_a_step_turns_the_momentum_also_where_the_joint_turns() {
