@@ -227,13 +227,12 @@ impl Tiers {
         let is_hopeless = !was_direct
             && (history.is_given_up() && !load.is_recent
                 || history.unsolved_times > 0 && largest <= UNSOLVED_SHARE);
-        let is_quiet = history.quiet_until > tick || is_hopeless;
-        let is_refused = rule.adapts && !is_quiet && !self.can_be_direct(tables);
-        let may_be_direct = rule.adapts && !is_quiet && !is_refused;
+        let is_paused = history.quiet_until > tick;
         let share = if was_direct { CALM_SHARE * DIRECT_SHARE } else { DIRECT_SHARE };
-        let is_calm = was_direct && may_be_direct && largest <= share;
+        let is_calm = was_direct && largest <= share;
         let stays = is_calm && history.calm_steps < CALM_STEPS;
-        let is_direct = may_be_direct && (largest > share || stays);
+        let is_asked = rule.adapts && !is_paused && !is_hopeless && (largest > share || stays);
+        let is_direct = is_asked && self.can_be_direct(tables);
         let calm_steps = if is_calm {
             history.calm_steps.saturating_add(1)
         } else if load.lasting <= share {
@@ -246,7 +245,7 @@ impl Tiers {
             for &slot in &self.island {
                 let of_body = &mut self.histories[slot as usize];
                 // The next blow may come at any time, and few bodies are soon looked at.
-                let pause = if is_refused {
+                let pause = if is_asked {
                     TOO_LARGE_STEPS
                 } else if blows_count {
                     0
