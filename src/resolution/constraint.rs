@@ -319,6 +319,12 @@ impl<L: Lane> ContactConstraint<L> {
         }
     }
 
+    /// How fast the outlines of the two bodies turn against each other, rad/s.
+    #[inline(always)]
+    pub(crate) fn outlines_turn_at(&self, a: &BodyState<L>, b: &BodyState<L>) -> L {
+        (b.angular_velocity * self.turns.b - a.angular_velocity * self.turns.a).abs()
+    }
+
     /// Lets the substep begin without impulses where the mask holds.
     #[inline(always)]
     pub(crate) fn forget_impulses_where(&mut self, mask: L::Mask) {

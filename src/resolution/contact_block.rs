@@ -263,6 +263,18 @@ impl ContactBlock {
         }
     }
 
+    /// Lets the contacts from `place` on begin a substep without impulses where the mask holds.
+    #[inline(always)]
+    pub(crate) fn forget_where<L: Lane, const POINTS: usize>(
+        &mut self,
+        place: usize,
+        constraint: &mut ContactConstraint<L>,
+        forgotten: L::Mask,
+    ) {
+        constraint.forget_impulses_where(forgotten);
+        self.store_friction_impulses::<L, POINTS>(place, constraint);
+    }
+
     /// Those of the contacts from `place` on whose bodies are [tangled](crate::resolution::tangles), if there are some in the block.
     #[inline(always)]
     pub(crate) fn tangled<L: Lane>(&self, place: usize) -> Option<L::Mask> {

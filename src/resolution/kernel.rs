@@ -34,6 +34,8 @@ fn fit<L: Lane>(block: &ContactBlock, is_fitted: bool) -> Fit {
 pub(crate) struct WarmStart {
     /// Share of the last impulses, no unit: a half; all where the kick is not split; 0 where they are to be forgotten.
     pub(crate) part: f32,
+    /// Where two outlines turn faster against each other, the last impulses are forgotten, rad/s.
+    pub(crate) fastest_turn: f32,
     pub(crate) time: WarmStartTime,
     /// Whether what no contact of a block needs is left out.
     pub(crate) is_fitted: bool,
@@ -71,13 +73,19 @@ impl WarmStart {
     ) {
         let mut constraint = block.load::<L>(place);
         let part = L::splat(self.part);
+        let [mut a, mut b] = states.gather_velocities(place);
         match self.time {
             WarmStartTime::BeforeMove => {
                 let all = || L::splat(1.0).greater(L::splat(0.0));
                 let forgotten = if self.part == 0.0 { Some(all()) } else { block.tangled::<L>(place) };
                 if let Some(forgotten) = forgotten {
-                    constraint.forget_impulses_where(forgotten);
-                    block.store_friction_impulses::<L, POINTS>(place, &constraint);
+                    block.forget_where::<L, POINTS>(place, &mut constraint, forgotten);
+                }
+                if !STILL {
+                    let is_fast = constraint.outlines_turn_at(&a, &b).greater(L::splat(self.fastest_turn));
+                    if L::bits(is_fast) != 0 {
+                        block.forget_where::<L, POINTS>(place, &mut constraint, is_fast);
+                    }
                 }
                 constraint.begin_normal_impulses::<POINTS>(part);
                 block.store_warm_starts::<L, POINTS>(place, &constraint);
@@ -85,7 +93,6 @@ impl WarmStart {
             WarmStartTime::AfterMove => constraint.count_warm_start::<POINTS>(),
         }
         block.store_normal_impulses::<L, POINTS>(place, &constraint);
-        let [mut a, mut b] = states.gather_velocities(place);
         let Action { impulse, moments } = constraint.warm_start::<POINTS>(part, SMOOTH);
         constraint.push(impulse, &mut a, &mut b);
         if !STILL {
@@ -231,7 +238,7 @@ pub(crate) fn work_of_a_substep() -> Count {
     blocks.resize(1);
     count(|| {
         for time in [WarmStartTime::BeforeMove, WarmStartTime::AfterMove] {
-            do_once(&mut blocks, &WarmStart { part: 0.5, time, is_fitted });
+            do_once(&mut blocks, &WarmStart { part: 0.5, fastest_turn: f32::MAX, time, is_fitted });
         }
         let push = SweepOver {
             sweep: Sweep::PUSH,
@@ -253,7 +260,8 @@ mod tests {
     fn a_warm_start_does_what_its_equations_say() {
         let mut blocks = PairBlocks::default();
         blocks.resize(1);
-        let start = WarmStart { part: 0.5, time: WarmStartTime::BeforeMove, is_fitted: true };
+        let time = WarmStartTime::BeforeMove;
+        let start = WarmStart { part: 0.5, fastest_turn: f32::MAX, time, is_fitted: true };
         let found = count(|| do_once(&mut blocks, &start));
         // Per point: the impulse along the normal times the part; both times their directions (2 + 2), summed (2); r × that
         // for two bodies (3 + 3).
@@ -262,11 +270,13 @@ mod tests {
         let sum = 2 + 2;
         // Per body: the impulse times 1/m, added to v (2 + 2); the moment times 1/I, added to w.
         let body = 2 + 2 + 1 + 1;
+        // How fast outlines turn: two products, their difference, its size (2), and the comparison.
+        let turning = 2 + 1 + 2 + 1;
         // The direction of the tangent is a negation, and is multiplied by the part.
-        assert_eq!(found.operations, 1 + 2 + 2 * point + sum + 2 * body);
-        // Numbers: of each body 1/m and 1/I; the normal; per point two anchors and two impulses. Written: per
+        assert_eq!(found.operations, turning + 1 + 2 + 2 * point + sum + 2 * body);
+        // Numbers: of each body 1/m, 1/I and whether its outline turns; the normal; per point two anchors and two impulses. Written: per
         // point the impulse along the normal and the warm start. Half rows of two bodies, to and fro.
-        let numbers = 2 * 2 + 2 + 2 * (4 + 2) + 2 * 2;
+        let numbers = 2 * 3 + 2 + 2 * (4 + 2) + 2 * 2;
         assert_eq!(found.bytes, 4 * numbers + 4 * 16);
     }
 }

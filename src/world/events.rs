@@ -201,7 +201,8 @@ impl Events {
         &self.sensor_ended
     }
 
-    /// Bodies that left [`Settings::bounds`](crate::Settings::bounds) and were removed: their ids are stale.
+    /// Bodies that left [`Settings::bounds`](crate::Settings::bounds) and were removed. The ids are no longer valid in the world:
+    /// they are to be compared with those that were kept.
     pub fn left(&self) -> &[BodyId] {
         &self.left
     }
@@ -212,7 +213,8 @@ impl Events {
         &self.refused
     }
 
-    /// Joints that bore more than they [can](crate::Joint::break_at) and were removed: their ids are stale.
+    /// Joints that bore more than they [can](crate::Joint::break_at) and were removed. The ids are no longer valid in the world:
+    /// they are to be compared with those that were kept.
     pub fn broken(&self) -> &[JointId] {
         &self.broken
     }

@@ -29,7 +29,11 @@ pub(super) fn of(case: &str) -> &'static str {
         "10-piles" | "30-piles" => {
             "One trembles for minutes at 0.1 mm/s, where rest begins. Of 160 piles by other seeds one or two do."
         }
-        "gravel-middle" | "gravel-edge" => {
+        "gravel-edge" => {
+            "Sweeps leave a hundredth of a stone of overlap, or half of it; and one stone trembles at 0.4 mm/s until 14 s. Of 500 such \
+             heaps one does, at the edge as in the middle."
+        }
+        "gravel-middle" => {
             "Sweeps leave a hundredth of a stone of overlap, or half of it, as chance will have it: so do most heaps of such stones."
         }
         _ => "",
