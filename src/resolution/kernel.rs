@@ -274,8 +274,9 @@ mod tests {
         let turning = 2 + 1 + 2 + 1;
         // The direction of the tangent is a negation, and is multiplied by the part.
         assert_eq!(found.operations, turning + 1 + 2 + 2 * point + sum + 2 * body);
-        // Numbers: of each body 1/m and 1/I, as outlines turn where there are no circles; the normal; per point two anchors and two impulses. Written: per
-        // point the impulse along the normal and the warm start. Half rows of two bodies, to and fro.
+        // Numbers: of each body 1/m and 1/I, as all outlines turn where there are no circles; the normal; per point two anchors
+        // and two impulses. Written: per point the impulse along the normal and the warm start. Half rows of two bodies, to
+        // and fro.
         let numbers = 2 * 2 + 2 + 2 * (4 + 2) + 2 * 2;
         assert_eq!(found.bytes, 4 * numbers + 4 * 16);
     }
