@@ -17,15 +17,15 @@ pub(super) const USUAL_RATE: f32 = 240.0;
 /// A load lasts that is there for so many steps: a blow is over sooner. In small islands a blow counts as well.
 pub(super) const LASTING_STEPS: u8 = 4;
 
-/// And it is recent for so many, as far as they are counted: an island that was given up is tried again for a load that came
-/// since.
+/// A load that came fewer steps ago is recent: an island that was given up is tried again for it. Steps are counted up to here.
 const RECENT_STEPS: u8 = u8::MAX;
 
 /// An island goes back to sweeps only when the load is below this share of what asked for more, so that it does not go
 /// to and fro.
 pub(super) const CALM_SHARE: f32 = 0.7;
 
-/// And it must have been for so many steps in a row, lest the bodies that a change moves ask for the next.
+/// An island goes back to sweeps only when its load was small for so many steps in a row, lest the bodies that a change moves ask for
+/// the next.
 pub(super) const CALM_STEPS: u8 = 30;
 
 /// The load of a contact.
@@ -115,9 +115,9 @@ impl LoadMeasure {
         Self { dt, usual_rate, factor: if loads_matter { substep_rate / usual_rate } else { 0.0 } }
     }
 
-    /// Takes note of the load of a contact, whose greatest k λ is `speed`, m/s. Returns whether it is great.
+    /// Takes note of the load of a contact, whose greatest k λ is `speed`, m/s. Returns whether it counts.
     #[inline(always)]
-    pub(crate) fn is_great(self, contact: &Contact, load: &mut ContactLoad, speed: f32) -> bool {
+    pub(crate) fn note_load(self, contact: &Contact, load: &mut ContactLoad, speed: f32) -> bool {
         let sag = sag(self.factor * speed, self.usual_rate);
         if !contact.holds_still || sag <= CALM_SHARE * DIRECT_SHARE * contact.thickness {
             load.steps = 0;
@@ -188,7 +188,7 @@ mod tests {
             (LoadMeasure::new(true, 1.0 / 60.0, 4, 1), contact(), ContactLoad::default());
         let great = speed_for(DIRECT_SHARE);
         for step in 1..=6 {
-            assert!(measure.is_great(&contact, &mut load, great), "step {step}");
+            assert!(measure.note_load(&contact, &mut load, great), "step {step}");
             let mut island = Load::default();
             island.add(load, &contact);
             let sags = [island.greatest, island.lasting].map(|sag| sag / DIRECT_SHARE);
@@ -198,8 +198,11 @@ mod tests {
                 "step {step}: {island:?}"
             );
         }
-        assert!(!measure.is_great(&contact, &mut load, speed_for(0.5 * CALM_SHARE * DIRECT_SHARE)));
-        assert!(measure.is_great(&contact, &mut load, great) && !load.lasts(), "a new load has to last anew");
+        assert!(!measure.note_load(&contact, &mut load, speed_for(0.5 * CALM_SHARE * DIRECT_SHARE)));
+        assert!(
+            measure.note_load(&contact, &mut load, great) && !load.lasts(),
+            "a new load has to last anew"
+        );
     }
 
     /// Whether they are asked for, or refined from those asked for.
@@ -210,7 +213,7 @@ mod tests {
             for refinement in [1, factor] {
                 let measure = LoadMeasure::new(true, 1.0 / 60.0, 4 * factor, refinement);
                 let mut load = ContactLoad::default();
-                measure.is_great(&contact, &mut load, great / factor as f32);
+                measure.note_load(&contact, &mut load, great / factor as f32);
                 assert!((load.sag / DIRECT_SHARE - 1.0).abs() < 1e-6, "{load:?}, {factor}, {refinement}");
             }
         }

@@ -1,5 +1,5 @@
-//! How many substeps a step takes: as many as are asked for, or two or four times as many where those would let heavy bodies press
-//! light ones flat.
+//! How many substeps a step takes: as many as are asked for, or two or four times as many, up to 256, where those would let heavy
+//! bodies press light ones flat.
 //!
 //! The overlap that sweeps leave under a load is in proportion to the length of a substep, see [`sag`]. So the loads of the last step
 //! say how short the substeps of the next have to be. What is solved directly does not sag. All islands take as many substeps, as their

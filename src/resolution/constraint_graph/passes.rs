@@ -246,8 +246,8 @@ fn write_back(
         let contact = contacts.get_mut(place);
         let load = residuals.load.get(place);
         block.write_back(place, contact, load, measure.dt);
-        let is_great = measure.is_great(contact, loads.get_mut(place), load);
-        block.marks.greatly_loaded.set(place, is_great);
+        let counts = measure.note_load(contact, loads.get_mut(place), load);
+        block.marks.greatly_loaded.set(place, counts);
         let touches = contact.has_bounced || residuals.touching.get(place);
         debug_assert_eq!(touches, contact.has_touched());
         block.marks.changing.set(place, touches != contact.is_touching);

@@ -44,8 +44,10 @@ fn finish_joint(record: &mut JointRecord, base: &Base, rows: &[Row], bodies: &[J
     let [a, b] = first.bodies.map(|body| &bodies[body as usize]);
     let at = base.at(a, b);
     for (row, load) in rows.iter().zip(&mut state.loads) {
-        let is_finite = row.load.is_finite() && (row.load as f32).is_finite();
-        *load = if is_finite { row.load as f32 } else { 0.0 };
+        *load = row.load as f32;
+        if !load.is_finite() {
+            *load = 0.0;
+        }
         // On average, as a blow may come in any of the substeps.
         let [x, y, moment] = row.in_step.map(|impulse| impulse / dt);
         if row.coordinate.is_angle() {
@@ -53,7 +55,7 @@ fn finish_joint(record: &mut JointRecord, base: &Base, rows: &[Row], bodies: &[J
         } else {
             force = [force[0] + x, force[1] + y];
         }
-        let x = row.coordinate.value(&at) - row.zero;
+        let x = row.value(&at);
         let gap = match row.role {
             Role::Rigid => x.abs(),
             Role::Limits([lower, upper]) => (lower - x).max(x - upper).max(0.0),
