@@ -164,6 +164,9 @@ impl Solver {
     /// Impacts of contacts that approach fast enough to bounce; whether there were some, which move bodies.
     fn run_impacts(&mut self, scheme: &Scheme, tables: &mut SolveTables<'_>) -> bool {
         self.seams.release(tables.graph);
+        if !self.joints.is_empty() {
+            self.joints.begin_substep(&tables.bodies.states);
+        }
         let Self { impacts, kicks, courses, strikes, blows, .. } = self;
         strikes.begin_substep(tables.bodies.row_count());
         impacts.len() > 0 && impacts.run(&mut event_scene(tables, scheme, kicks, courses, strikes, blows))

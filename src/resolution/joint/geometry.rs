@@ -68,6 +68,8 @@ pub(super) struct JointBody {
     /// How stiffly what its joints bear pulls it back, N/m, and turns it back, N m/rad.
     pub(super) stiffness: [f64; 2],
     pub(super) velocity: V3,
+    /// What it goes on in this substep beside its velocity, as it was struck within it and moved otherwise before: m/s and rad/s.
+    pub(super) lag: V3,
     /// Scratch: a velocity to go back to.
     pub(super) kept: V3,
     pub(super) shift: V2,
@@ -127,9 +129,14 @@ impl JointBody {
         self.inverse_mass * (j[0] * k[0] + j[1] * k[1]) + self.inverse_inertia * j[2] * k[2]
     }
 
+    /// How fast it goes on in this substep, m/s and rad/s.
+    pub(super) fn pace(&self) -> V3 {
+        [0, 1, 2].map(|index| self.velocity[index] + self.lag[index])
+    }
+
     /// Where it will be after a drift of `h`, s.
     pub(super) fn after(&self, h: f64) -> Self {
-        let [x, y, w] = self.velocity;
+        let [x, y, w] = self.pace();
         Self {
             shift: add(self.shift, [h * x, h * y]),
             turn: rotate(rotation(h * w), self.turn),
@@ -148,6 +155,23 @@ impl JointBody {
         self.shift = [state.delta_position.x, state.delta_position.y].map(f64::from);
         self.turn = [state.delta_rotation.c, state.delta_rotation.s].map(f64::from);
         self.angle = nearest(atan2_f64(self.turn[1], self.turn[0]), near);
+    }
+
+    /// Whether it is where it was read last.
+    pub(super) fn is_where(&self, state: &BodyState) -> bool {
+        let (moved, turned) = (state.delta_position, state.delta_rotation);
+        [moved.x, moved.y].map(f64::from) == self.shift && [turned.c, turned.s].map(f64::from) == self.turn
+    }
+
+    /// Reads by how much it was moved since its place was read, in a substep of length `h`, s.
+    pub(super) fn read_lag(&mut self, state: &BodyState, h: f64) {
+        self.lag = [0.0; 3];
+        if !self.is_where(state) {
+            let mut there = *self;
+            there.read_place(state, self.angle);
+            let [x, y] = [0, 1].map(|axis| there.shift[axis] - self.shift[axis]);
+            self.lag = [x, y, there.angle - self.angle].map(|moved| moved / h);
+        }
     }
 
     /// Its energy with this velocity, J.

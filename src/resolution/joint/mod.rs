@@ -76,12 +76,24 @@ impl JointSolver {
         &self.contacts
     }
 
+    /// Where the bodies are, before anything strikes them in this substep.
+    pub(super) fn begin_substep(&mut self, states: &[BodyState]) {
+        for body in &mut self.bodies {
+            let state = &states[body.row as usize];
+            if !body.is_where(state) {
+                body.read_place(state, body.angle + self.h * body.pace()[2]);
+            }
+        }
+    }
+
     /// Before the bodies move: what is rigid is exact when they have.
     pub(super) fn push(&mut self, scheme: &Scheme, kicks: &Kicks, states: &mut [BodyState]) {
         let (h, kick) = (f64::from(scheme.substep_time()), f64::from(scheme.kick_time()));
         self.h = h;
-        self.read(states, Phase::Push);
         for body in &mut self.bodies {
+            let state = &states[body.row as usize];
+            body.read_velocity(state);
+            body.read_lag(state, h);
             let Vec2 { x, y } = kicks.acceleration(body.row);
             let all = [x, y, kicks.angular_acceleration(body.row)].map(f64::from);
             body.acceleration = if scheme.split_kick && body.inverse_mass > 0.0 { all } else { [0.0; 3] };
@@ -122,7 +134,7 @@ impl JointSolver {
     ) -> bool {
         let mut is_pushed = false;
         self.for_each_island(|solver, island| {
-            island.pushed += solver.read_changes(island, states);
+            island.pushed += solver.read_changes(island, phase, states);
             if island.pushed <= more_than {
                 return;
             }
@@ -159,29 +171,35 @@ impl JointSolver {
     fn read(&mut self, states: &[BodyState], phase: Phase) {
         for body in &mut self.bodies {
             let state = &states[body.row as usize];
-            let expected = body.angle + if phase == Phase::Relax { self.h * body.velocity[2] } else { 0.0 };
+            let expected = body.angle + if phase == Phase::Relax { self.h * body.pace()[2] } else { 0.0 };
             body.read_velocity(state);
             body.read_place(state, expected);
+            body.lag = [0.0; 3];
         }
     }
 
     /// Reads the bodies of an island that others have pushed; returns by how much, m/s.
-    fn read_changes(&mut self, island: &Island, states: &[BodyState]) -> f64 {
+    fn read_changes(&mut self, island: &Island, phase: Phase, states: &[BodyState]) -> f64 {
         let mut most = 0.0_f64;
         for &place in &island.bodies {
             let body = &mut self.bodies[place as usize];
             let state = &states[body.row as usize];
-            let before = body.velocity;
+            if body.inverse_mass <= 0.0 {
+                continue;
+            }
+            let (before, lag) = (body.velocity, body.lag);
+            if phase == Phase::Push {
+                body.read_lag(state, self.h);
+            }
             // As it was written.
-            if body.inverse_mass <= 0.0 || is_at(state, before) {
+            if is_at(state, before) && body.lag == lag {
                 continue;
             }
             body.read_velocity(state);
             let change = [0, 1, 2].map(|index| body.velocity[index] - before[index]);
-            body.read_place(state, body.angle);
             let start = &mut self.starts[place as usize];
             start.velocity = [0, 1, 2].map(|index| start.velocity[index] + change[index]);
-            (start.shift, start.turn, start.angle) = (body.shift, body.turn, body.angle);
+            start.lag = body.lag;
             most = most.max(body.pace_of(change));
         }
         most

@@ -203,8 +203,12 @@ impl Row {
 
     /// How fast the coordinate changes, m/s or rad/s.
     pub(super) fn speed(&self, a: &JointBody, b: &JointBody) -> f64 {
-        let along = |j: V3, v: V3| j[0] * v[0] + j[1] * v[1] + j[2] * v[2];
         along(self.j[0], a.velocity) + along(self.j[1], b.velocity)
+    }
+
+    /// What it comes to in a drift of `h`, s, if the bodies go on without turning.
+    pub(super) fn ahead(&self, a: &JointBody, b: &JointBody, h: f64) -> f64 {
+        self.x + h * (along(self.j[0], a.pace()) + along(self.j[1], b.pace()))
     }
 
     /// The coordinate, from what a rigid row asks for.
@@ -287,6 +291,11 @@ impl Row {
         let [least, most] = self.bounds(times);
         impulse.max(least).min(most)
     }
+}
+
+/// The speed along a coordinate of a body, m/s or rad/s.
+fn along(j: V3, v: V3) -> f64 {
+    j[0] * v[0] + j[1] * v[1] + j[2] * v[2]
 }
 
 /// What is to be left of a gap after a step: it closes at `CLOSING_SPEED` at most.

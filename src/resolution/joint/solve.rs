@@ -168,7 +168,7 @@ impl Problem<'_> {
             return;
         }
         let [a, b] = row.bodies.map(|body| &self.bodies[body as usize]);
-        let ahead = (aim == Aim::Way).then(|| row.x + self.times.h * row.speed(a, b));
+        let ahead = (aim == Aim::Way).then(|| row.ahead(a, b, self.times.h));
         row.look(a, b, ahead, self.times);
         let cut = row.cut(row.impulse - row.residual / (row.k + row.softness), self.times);
         let gain = cut - row.impulse;
@@ -211,7 +211,7 @@ impl Problem<'_> {
             }
             let ahead = match &of_joint {
                 Some((_, Some(after))) => Some(row.value(after)),
-                _ => (aim == Aim::Way).then(|| row.x + h * row.speed(a, b)),
+                _ => (aim == Aim::Way).then(|| row.ahead(a, b, h)),
             };
             row.look(a, b, ahead, self.times);
         }
