@@ -42,10 +42,10 @@ impl JointSolver {
 
     /// Solves the rows of a phase, or, where it `is_new` no more, what was pushed since they were solved.
     pub(super) fn solve_rows(&mut self, island: &mut Island, phase: Phase, is_new: bool) {
-        let Self { bodies, bases, rows, .. } = self;
+        let Self { bodies, starts, bases, rows, .. } = self;
         let Island { clusters, bodies: members, times, touches, is_linear, diverges, .. } = island;
         let (times, touches) = (*times, *touches);
-        let mut problem = Problem { rows, bodies, bases, members, times, touches, diverges: false };
+        let mut problem = Problem { rows, bodies, starts, bases, members, times, touches, diverges: false };
         if is_new {
             (*is_linear, *diverges) = (false, false);
             for cluster in clusters.iter_mut() {
@@ -72,6 +72,8 @@ impl JointSolver {
 struct Problem<'a> {
     rows: &'a mut [Row],
     bodies: &'a mut [JointBody],
+    /// As the substep began.
+    starts: &'a [JointBody],
     bases: &'a [Base],
     /// Places of the bodies of the island.
     members: &'a [u32],
@@ -119,12 +121,14 @@ impl Problem<'_> {
         }
     }
 
-    /// Whether what was found since has no more energy than that, but for `GAIN`.
+    /// Whether what was found since has no more energy than that, but for `GAIN`, or than the bodies had as the substep began.
     fn is_near(&self) -> bool {
         let bodies = || self.members.iter().map(|&place| &self.bodies[place as usize]);
+        let starts = self.members.iter().map(|&place| &self.starts[place as usize]);
+        let start: f64 = starts.map(|body| body.energy_of(body.velocity)).sum();
         let before: f64 = bodies().map(|body| body.energy_of(body.kept)).sum();
         let now: f64 = bodies().map(|body| body.energy_of(body.velocity)).sum();
-        now <= GAIN * before
+        now <= (GAIN * before).max(start)
     }
 
     /// Goes back to what was kept.
