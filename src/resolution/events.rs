@@ -37,8 +37,8 @@ use crate::resolution::scheme::Scheme;
 /// would be solved by pairs; half of the width, and one may leave the other on the far side.
 const MUCH_NEARER: f32 = 0.25;
 
-/// The same of what has met a link of a chain: its middle is to stay before the link, and bodies may go so much deeper twice.
-const MUCH_NEARER_LINK: f32 = 0.05;
+/// The same of what has met a line: its middle is to stay before it, and bodies may go so much deeper more than once.
+const MUCH_NEARER_LINE: f32 = 0.05;
 
 /// What events happen to.
 #[derive(Debug)]
@@ -149,8 +149,8 @@ impl EventScene<'_> {
 
     /// By which share of the width of the thinner shape two that have met may go deeper before they meet again, no unit.
     fn much_nearer(&self, colliders: [u32; 2]) -> f32 {
-        let are_linked = colliders.into_iter().any(|slot| self.bodies.shapes[slot as usize].link().is_some());
-        if are_linked { MUCH_NEARER_LINK } else { MUCH_NEARER }
+        let has_line = colliders.into_iter().any(|slot| self.bodies.shapes[slot as usize].is_segment());
+        if has_line { MUCH_NEARER_LINE } else { MUCH_NEARER }
     }
 
     /// Whether two shapes, with their bodies in these states, may come much nearer within a step, if so in each of its
@@ -162,7 +162,7 @@ impl EventScene<'_> {
         let speed =
             Vec2::from(states[1].velocity - states[0].velocity).norm_1() + rim_speeds[0] + rim_speeds[1];
         speed * time * self.scheme.substeps as f32
-            > MUCH_NEARER * motions[0].thickness.min(motions[1].thickness)
+            > self.much_nearer(colliders) * motions[0].thickness.min(motions[1].thickness)
     }
 
     /// Lets the bodies of two shapes collide that meet at a time within the substep, s, and moves those of them that contacts

@@ -149,3 +149,36 @@ fn without_continuous_collision_things_pass() {
     assert!(all_passes(Wall::BehindOneAtRest, &Thrown::disc(), false) > 50);
     assert!(all_passes(Wall::Whole, &Thrown::needle(100.0), false) > 0);
 }
+
+/// Needles by chance, of 5 mm to 50 cm and to a thirtieth as thin, at a line, which has no thickness at all: the first corner stops at
+/// it, and the rest is yet to come.
+#[test]
+fn no_needle_passes_a_line() {
+    for seed in 0..600 {
+        let mut rng = Xoshiro256PlusPlus::seed_from_u64(seed);
+        let settings = Settings {
+            tick_rate: [20.0, 60.0, 240.0][rng.random_range(0..3)],
+            substeps: [1, 4, 8][rng.random_range(0..3)],
+            ..Settings::default()
+        };
+        let mut world = World::new(settings);
+        add(&mut world, Body::fixed(Shape::segment([0.0, -50.0], [0.0, 50.0])));
+        let length = 0.005 * 100.0_f32.powf(rng.random_range(0.0..1.0));
+        let width = length / [5.0, 10.0, 30.0][rng.random_range(0..3)];
+        let half = 0.5 * length;
+        let shape = if rng.random_bool(0.5) {
+            Shape::obb(length, width)
+        } else {
+            Shape::capsule([-half, 0.0], [half, 0.0], 0.5 * width)
+        };
+        let speed = 3.0 * 1_000.0_f32.powf(rng.random_range(0.0..1.0));
+        let needle = Body::dynamic(shape).velocity([speed, 0.0]).angle(rng.random_range(-3.1..3.1));
+        let needle = needle.at([f64::from(-length) - rng.random_range(0.0..2.0), 0.0]);
+        let needle = add(&mut world, needle.restitution([0.0, 0.5][rng.random_range(0..2)]));
+        for tick in 0..60 {
+            world.step();
+            let [x, y] = place(&world, needle);
+            assert!(x <= 0.0 || y.abs() > 49.0, "seed {seed}: {length} m at {speed} m/s, tick {tick}");
+        }
+    }
+}
