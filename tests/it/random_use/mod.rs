@@ -38,7 +38,7 @@ proptest! {
 
 proptest! {
     // A program takes a seventh of a second: most of it are the sweeps of what flies at thousands of its widths in a substep.
-    #![proptest_config(config(500))]
+    #![proptest_config(config(250))]
 
     /// A known failure: `PROPTEST_CASES=30000` still finds a program that comes to a place that is not a number. In the one that
     /// was found a needle of 1.2 km by 13 µm is in contact, positions are projected, and the tick takes 0.2 s.
