@@ -59,9 +59,8 @@ pub(super) fn decide(contact: &mut Contact, before: OneWay, bodies: &Bodies) {
                 && leans(bodies, contact.colliders, &contact.manifold)
                     .all(|Lean { up, .. }| !rises(up, b - a))
         }
-        OneWay::Bears => {
-            leans(bodies, contact.colliders, &contact.manifold).all(|Lean { lean, .. }| lean > 0.0)
-        }
+        OneWay::Bears => leans(bodies, contact.colliders, &contact.manifold)
+            .all(|Lean { lean, is_over_corner, .. }| lean > 0.0 || is_over_corner),
         _ => {
             is_on_free_side(bodies, contact.colliders, &contact.manifold, b - a) || {
                 let poses = contact.colliders.map(|slot| bodies.previous_pose(slot));
@@ -91,7 +90,7 @@ pub(crate) fn is_on_free_side(
     let is_outside = gap >= -ON_SURFACE * a.min(b);
     is_outside
         && leans(bodies, colliders, manifold)
-            .all(|Lean { lean, least, up, .. }| lean >= FACE || lean >= least && !rises(up, velocity))
+            .all(|lean| lean.lean >= FACE || lean.comes_from_before(velocity))
 }
 
 /// Whether a shape that is found to overlap a link of a chain, as fast corners do that swing into it, or what was put there, was
@@ -111,9 +110,8 @@ pub(crate) fn was_before_links(
     };
     let offset = poses[1].center - poses[0].center;
     let [a, b] = colliders.map(|slot| bodies.motions[slot as usize].thickness);
-    let was_before = |lean: Lean| {
-        lean.is_link && lean.lean >= lean.least && !rises(lean.up, velocity) && lean.up.dot(offset) > 0.0
-    };
+    let was_before =
+        |lean: Lean| lean.is_link && lean.comes_from_before(velocity) && lean.up.dot(offset) > 0.0;
     leans(bodies, colliders, manifold).all(was_before)
         && gap_between(still(0), still(1), offset).is_some_and(|gap| gap >= -BEFORE_LINK * a.min(b))
 }
@@ -139,6 +137,15 @@ struct Lean {
     least: f32,
     /// The direction in which b moves against a when the other body moves along that of the floor.
     up: Vec2,
+    /// Whether the other body is over an outward corner between two links: before the chain, whichever of them it comes to.
+    is_over_corner: bool,
+}
+
+impl Lean {
+    /// Whether the other body, with this velocity of b against a, m/s, comes from the free side.
+    fn comes_from_before(&self, velocity: Vec2) -> bool {
+        self.is_over_corner || self.lean >= self.least && !rises(self.up, velocity)
+    }
 }
 
 /// Of each of two bodies that is a one-way floor.
@@ -149,9 +156,11 @@ fn leans<'a>(
 ) -> impl Iterator<Item = Lean> + 'a {
     colliders.into_iter().zip([1.0, -1.0]).filter_map(move |(slot, sign)| {
         let direction = bodies.roles.of(slot).one_way?;
-        let up = bodies.motions[slot as usize].pose.rotation.rotate(direction) * sign;
-        let shape = &bodies.shapes[slot as usize];
+        let rotation = bodies.motions[slot as usize].pose.rotation;
+        let (shape, up) = (&bodies.shapes[slot as usize], rotation.rotate(direction) * sign);
+        let towards = rotation.unrotate(manifold.normal * sign);
+        let is_over_corner = matches!(shape, Shape::Segment(segment) if segment.is_over_corner(towards));
         let (is_link, least) = (shape.link().is_some(), free_side_of(shape));
-        Some(Lean { lean: up.dot(manifold.normal), is_link, least, up })
+        Some(Lean { lean: up.dot(manifold.normal), is_link, least, up, is_over_corner })
     })
 }

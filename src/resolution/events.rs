@@ -16,7 +16,7 @@ mod traveller;
 
 use crate::body::{Bodies, Mixes};
 use crate::collision::broad_phase::BroadPhase;
-use crate::collision::{Contacts, OneWay, is_on_free_side, was_before_links};
+use crate::collision::{Contacts, OneWay, is_on_free_side, noise_of, was_before_links};
 use crate::compute::BodyState;
 use crate::joint::Joints;
 use crate::math::Vec2;
@@ -124,7 +124,8 @@ impl EventScene<'_> {
         }
         match self.contact_of(colliders).and_then(|index| self.contacts[index].one_way) {
             Some(OneWay::Bears) => false,
-            Some(OneWay::Passes) => true,
+            Some(OneWay::Passes) if Continuous::gap_before(colliders, self) <= 0.0 => true,
+            // What is still apart may come from another side than it seemed to as the step began.
             _ => {
                 let manifold = manifold_in(colliders, self.bodies, [a, b]);
                 let velocity = (b.velocity - a.velocity).into();
@@ -151,6 +152,18 @@ impl EventScene<'_> {
     fn much_nearer(&self, colliders: [u32; 2]) -> f32 {
         let has_line = colliders.into_iter().any(|slot| self.bodies.shapes[slot as usize].is_segment());
         if has_line { MUCH_NEARER_LINE } else { MUCH_NEARER }
+    }
+
+    /// By how much the speed of a point of one shape against the other is rounded in these states of their bodies, m/s.
+    fn rounding(&self, colliders: [u32; 2], states: &[BodyState; 2]) -> f32 {
+        let of = |side: usize| {
+            noise_of(states[side].velocity.into())
+                + 4.0
+                    * f32::EPSILON
+                    * states[side].angular_velocity.abs()
+                    * self.bodies.swing(colliders[side])
+        };
+        of(0) + of(1)
     }
 
     /// Whether two shapes, with their bodies in these states, may come much nearer within a step, if so in each of its

@@ -110,6 +110,18 @@ impl Segment {
     pub(crate) fn left(&self) -> Vec2 {
         self.core.normals[Link::FACE]
     }
+
+    /// Whether what lies in a direction from a link of a chain is over an outward corner with the next link, or with the one before: beyond
+    /// the end of the one, and not yet before that of the other.
+    pub(crate) fn is_over_corner(&self, direction: Vec2) -> bool {
+        let Some(Link { along: [before, after] }) = self.link else { return false };
+        let along = -self.left().perp();
+        let is_over = |first: Vec2, second: Vec2| {
+            first.cross(second) < 0.0 && first.dot(direction) >= 0.0 && second.dot(direction) <= 0.0
+        };
+        before.is_some_and(|before| is_over(before, along))
+            || after.is_some_and(|after| is_over(along, after))
+    }
 }
 
 impl Link {
@@ -127,6 +139,26 @@ mod tests {
     use super::{Link, Segment};
     use crate::math::{Pose, Vec2};
     use crate::shape::{Shape, ShapeError};
+
+    /// A hill, walked over from the left: what is over its top, beside it, and below the foot of its slope.
+    #[test]
+    fn over_an_outward_corner_is_what_is_beyond_one_link_and_not_yet_before_the_other() {
+        let points = [[-1.0, 0.0], [0.0, 1.0], [1.0, 0.0], [2.0, 0.0]].map(Vec2::from);
+        let [up, down, flat] = Segment::chain(&points, false).unwrap().try_into().unwrap();
+        for (direction, over) in [
+            ([0.0, 1.0], [true, true, false]),
+            ([0.5, 1.0], [true, true, false]),
+            ([-0.5, 1.0], [true, true, false]),
+            ([1.5, 1.0], [false; 3]),
+            ([0.0, -1.0], [false; 3]),
+        ] {
+            assert_eq!(
+                [up, down, flat].map(|link| link.is_over_corner(direction.into())),
+                over,
+                "{direction:?}"
+            );
+        }
+    }
 
     #[test]
     fn a_segment_is_a_line_about_its_middle() {

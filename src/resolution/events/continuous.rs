@@ -269,7 +269,9 @@ impl Continuous {
             let thickness = motions[0].thickness.min(motions[1].thickness);
             let deeper = scene.much_nearer(slots) * thickness;
             let deepest = Self::gap_before(slots, scene).min(-deeper);
-            let goes_on = |meeting: Meeting| meeting.speed() * (h - from) > MEETS_WITHIN * thickness;
+            let rounding = scene.rounding(slots, &pair) * (h - from);
+            let goes_on =
+                |meeting: Meeting| meeting.speed() * (h - from) > MEETS_WITHIN * thickness + rounding;
             let Some(mut later) = time_of_impact(a, b, offset, velocity, h - from, deepest) else { return };
             if later == 0.0 && !self.meeting(slots, from, scene).is_some_and(|met| goes_on(met.meeting)) {
                 // They turn, and another corner may come.
@@ -291,7 +293,7 @@ impl Continuous {
     }
 
     /// The distance of two bodies as the step began, m, negative where they overlapped.
-    fn gap_before(slots: [u32; 2], scene: &EventScene<'_>) -> f32 {
+    pub(super) fn gap_before(slots: [u32; 2], scene: &EventScene<'_>) -> f32 {
         let ([a, b], offset, _) = Self::swept(scene, slots, &[BodyState::REST; 2]);
         gap_between(a, b, offset).unwrap_or(0.0)
     }
@@ -346,8 +348,8 @@ impl Continuous {
             return self.halt(slots, time, scene);
         }
         if self.is_ghost(slots, time, scene) {
-            // What covers it is met for itself.
-            return;
+            // What covers it is met for itself; but they may meet where nothing does.
+            return self.expect(slots, Some(time), scene);
         }
         let Some(Met { meeting, is_fast }) = self.meeting(slots, time, scene) else {
             // The surfaces turn away from each other where they touch; elsewhere they may still meet.

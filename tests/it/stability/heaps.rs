@@ -13,12 +13,13 @@ fn deep_contacts(seed: u64) -> [usize; 2] {
 }
 
 /// Densities are 78 : 1 and masses up to 1460 : 1. If contacts yielded to all that they bear, one in five would be deeper than
-/// 1 cm: a light box of 0.2 m under a hundred times its mass by 34 mm.
+/// 1 cm: a light box of 0.2 m under a hundred times its mass by 34 mm. One in 700 is, on average of fifty heaps; up to nine of one heap are, so
+/// that of twelve heaps more than one in 250 would be hardly by chance.
 #[test]
 fn light_bodies_do_not_sink_into_heavy_ones() {
-    let heaps: Vec<[usize; 2]> = (21..25).map(deep_contacts).collect();
+    let heaps: Vec<[usize; 2]> = (21..33).map(deep_contacts).collect();
     let [deep, all] = [0, 1].map(|index| heaps.iter().map(|heap| heap[index]).sum::<usize>());
-    assert!(deep <= all / 500, "{deep} of {all} contacts are deeper than 1 cm: {heaps:?}");
+    assert!(deep <= all / 250, "{deep} of {all} contacts are deeper than 1 cm: {heaps:?}");
 }
 
 /// The substeps of a world are as many as are asked for, but while light bodies bear great loads in a heap too large for the direct solve.
