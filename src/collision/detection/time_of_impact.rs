@@ -1,12 +1,12 @@
 //! Time of impact: when do two shapes first come near, of which each moves and turns evenly.
 //!
 //! For fast pairs only, so that nothing passes through anything. Two shapes are as far apart as the widest strip between
-//! them. Until a strip along a fixed normal has shrunk to the target they are farther apart: a step by that time is never too long
-//! (conservative advancement: B. Mirtich, 1996). The strip lies between corners. Along its normal each moves at its speed of now, to first
-//! order, and by no more than the bound of its acceleration gives beside; the step is the first time at which a corner of one could so meet a corner of
-//! the other. A strip along an edge is taken along with that edge as it turns: the far end of a needle that turns is no nearer to what
-//! lies beside its middle. Where nothing turns, the distance is a convex function of how far one has moved, and the step is
-//! Newton's; where something does, it is nearly so: of needles that are wedged before a wall most are found in two or three steps.
+//! them. Until a strip along a fixed normal has shrunk to the target they are farther apart: a step by that time is never
+//! too long (conservative advancement: B. Mirtich, 1996). The strip lies between corners. Each moves along the normal as fast
+//! as it does now, and farther by a t²/2 at most, for the bound a of its acceleration; the step is the first time at which
+//! a corner of one may so meet a corner of the other. A strip along an edge turns with that edge, so that the far end of a
+//! needle that turns comes no nearer to what lies beside its middle. Where nothing turns, the distance is a convex function of
+//! how far one has moved, and the step is Newton's.
 
 use crate::collision::detection::closest::Closest;
 use crate::collision::detection::polygon_polygon::best_face;
@@ -18,8 +18,8 @@ use crate::shape::{Hull, MAX_VERTICES, Shape};
 /// 40 steps the time has all the bits that `f32` has, either way. What turns may not have come near by then.
 const MAX_STEPS: usize = 40;
 
-/// What turns is near its target within this part of the width of the thinner shape, no unit: each step closes a part of
-/// what is left, and would never end.
+/// What turns is near its target within this part of the width of the thinner shape, no unit: the bound of the acceleration keeps each
+/// step a little short, and the steps would not end.
 const TOLERANCE: f32 = 1e-3;
 
 /// A shape that turns evenly.
@@ -146,11 +146,11 @@ pub(crate) fn time_of_impact(
     Some(time)
 }
 
-/// When a strip of a width that has so much `left` may have closed, s, within the time `rest`, s: its sides go towards each other with the
-/// speed of `approach`, m/s, and the corners on them as they do, but for half of `bend`, m/s², by the square of time.
+/// When a strip may first have shrunk by what is `left`, m, if within the time `rest`, s. Its sides approach each other at the speed
+/// `approach`, m/s, beside the corners' own; `bend` bounds the acceleration of two corners against each other, m/s².
 fn first_closing(left: f32, approach: f32, [a, b]: &[CornersAlong; 2], bend: f32, rest: f32) -> Option<f32> {
     let mut first = None;
-    // What is not yet closed by then closes later: the way is concave.
+    // Two corners that are still apart by then meet later: their gap is a concave function of time.
     let mut limit = rest;
     for (behind_a, speed_a) in a.iter() {
         for (behind_b, speed_b) in b.iter() {
@@ -179,11 +179,10 @@ struct Gap {
     distance: f32,
     /// Unit vector across, from a to b.
     normal: Vec2,
-    /// What it is along.
     edge: Edge,
 }
 
-/// What a strip is along.
+/// Which shape's edge a strip is along, if it is not across from corner to corner.
 #[derive(Clone, Copy)]
 enum Edge {
     None,

@@ -322,9 +322,9 @@ impl Continuous {
         let gained = manifold.normal.dot(scene.acceleration(rows)) * (time - 0.5 * scene.h());
         let (_, offset, _) = Self::swept(scene, slots, &there);
         // Where a body is at a time is rounded as its way in the substep is.
-        let rounding = there.map(|state| noise_of(Vec2::from(state.velocity) * scene.h()));
         let near = MEETS_WITHIN * motions[0].thickness.min(motions[1].thickness)
-            + (noise_of(offset) + rounding[0] + rounding[1]);
+            + noise_of(offset)
+            + scene.rounding(slots, &there) * scene.h();
         let gaps = [0, 1].map(|index| {
             manifold.points().get(index).map(|point| point.separation).filter(|&gap| gap <= near)
         });
@@ -348,7 +348,7 @@ impl Continuous {
             return self.halt(slots, time, scene);
         }
         if self.is_ghost(slots, time, scene) {
-            // What covers it is met for itself; but they may meet where nothing does.
+            // What covers it there is met for itself; elsewhere they may still meet.
             return self.expect(slots, Some(time), scene);
         }
         let Some(Met { meeting, is_fast }) = self.meeting(slots, time, scene) else {

@@ -76,7 +76,7 @@ impl JointSolver {
         &self.contacts
     }
 
-    /// Where the bodies are, before anything strikes them in this substep.
+    /// Reads where the bodies are, before anything strikes them in this substep: what strikes moves them too.
     pub(super) fn begin_substep(&mut self, states: &[BodyState]) {
         for body in &mut self.bodies {
             let state = &states[body.row as usize];
@@ -134,7 +134,7 @@ impl JointSolver {
     ) -> bool {
         let mut is_pushed = false;
         self.for_each_island(|solver, island| {
-            island.pushed += solver.read_changes(island, phase, states);
+            island.pushed += solver.read_changes(island, states);
             if island.pushed <= more_than {
                 return;
             }
@@ -179,7 +179,7 @@ impl JointSolver {
     }
 
     /// Reads the bodies of an island that others have pushed; returns by how much, m/s.
-    fn read_changes(&mut self, island: &Island, phase: Phase, states: &[BodyState]) -> f64 {
+    fn read_changes(&mut self, island: &Island, states: &[BodyState]) -> f64 {
         let mut most = 0.0_f64;
         for &place in &island.bodies {
             let body = &mut self.bodies[place as usize];
@@ -188,9 +188,7 @@ impl JointSolver {
                 continue;
             }
             let (before, lag) = (body.velocity, body.lag);
-            if phase == Phase::Push {
-                body.read_lag(state, self.h);
-            }
+            body.read_lag(state, self.h);
             // As it was written.
             if is_at(state, before) && body.lag == lag {
                 continue;

@@ -72,7 +72,7 @@ impl JointSolver {
 struct Problem<'a> {
     rows: &'a mut [Row],
     bodies: &'a mut [JointBody],
-    /// As the substep began.
+    /// As the substep began, and with what others have pushed them since.
     starts: &'a [JointBody],
     bases: &'a [Base],
     /// Places of the bodies of the island.
@@ -121,7 +121,7 @@ impl Problem<'_> {
         }
     }
 
-    /// Whether what was found since has no more energy than that, but for `GAIN`, or than the bodies had as the substep began.
+    /// Whether what was found since has no more energy than that, but for `GAIN`, or than the bodies had before their joints held them.
     fn is_near(&self) -> bool {
         let bodies = || self.members.iter().map(|&place| &self.bodies[place as usize]);
         let starts = self.members.iter().map(|&place| &self.starts[place as usize]);
