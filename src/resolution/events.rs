@@ -37,7 +37,8 @@ use crate::resolution::scheme::Scheme;
 /// would be solved by pairs; half of the width, and one may leave the other on the far side.
 const MUCH_NEARER: f32 = 0.25;
 
-/// The same of what has met a line: its middle is to stay before it, and bodies may go so much deeper more than once.
+/// The same of what has met a line: its middle is to stay before it, and bodies may go so much deeper more than once. With as much as of
+/// others, one needle in a hundred comes to the far side; with a tenth as few do as with this.
 const MUCH_NEARER_LINE: f32 = 0.05;
 
 /// What events happen to.
