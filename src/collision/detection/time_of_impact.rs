@@ -53,8 +53,8 @@ impl Swept<'_> {
         if self.shape.can_rotate() { self.spin } else { 0.0 }
     }
 
-    /// Bound of the acceleration of its corners, m/s², as seen from what turns with `spin`, rad/s.
-    fn bend(&self, spin: f32) -> f32 {
+    /// Bound of the acceleration of its corners about what it turns about, m/s², as seen from what turns with `spin`, rad/s.
+    fn most_acceleration(&self, spin: f32) -> f32 {
         let (around, turn) = (self.spin - spin, self.turn() - spin);
         around * around * self.arm.length() + turn * turn * self.shape.core_extent()
     }
@@ -120,25 +120,31 @@ pub(crate) fn time_of_impact(
         }
         // How fast the strip shrinks: the gradient of the distance is the normal.
         let approach = -gap.normal.dot(velocity);
-        time += if turns {
+        let step = if turns {
             let spin = match gap.edge {
                 Edge::None => 0.0,
                 Edge::OfA => a.turn(),
                 Edge::OfB => b.turn(),
             };
+            // From what a turns about to what b does, m.
             let between = place + (a.arm + a.swung_after(time)) - (b.arm + b.swung_after(time));
             let approach = approach + spin * gap.normal.dot(between.perp());
             let corners = [a.corners_along(gap.normal, time, spin), b.corners_along(-gap.normal, time, spin)];
             let rest = until - time;
             let farthest = between.length() + velocity.length() * rest;
-            let bend =
-                a.bend(spin) + b.bend(spin) + spin.abs() * (spin.abs() * farthest + 2.0 * velocity.length());
-            first_closing(left, approach, &corners, bend, rest)?
+            // Seen from what turns, what goes straight is bent: the centrifugal and the Coriolis acceleration.
+            let of_centers = spin.abs() * (spin.abs() * farthest + 2.0 * velocity.length());
+            let acceleration = a.most_acceleration(spin) + b.most_acceleration(spin) + of_centers;
+            first_closing(left, approach, &corners, acceleration, rest)?
         } else if approach > 0.0 {
             left / approach
         } else {
             return None;
         };
+        if time + step == time {
+            return Some(time);
+        }
+        time += step;
         if !within(time, until) {
             return None;
         }
@@ -147,20 +153,26 @@ pub(crate) fn time_of_impact(
 }
 
 /// When a strip may first have shrunk by what is `left`, m, if within the time `rest`, s. Its sides approach each other at the speed
-/// `approach`, m/s, beside the corners' own; `bend` bounds the acceleration of two corners against each other, m/s².
-fn first_closing(left: f32, approach: f32, [a, b]: &[CornersAlong; 2], bend: f32, rest: f32) -> Option<f32> {
+/// `approach`, m/s, beside the corners' own; `acceleration` bounds that of two corners against each other, m/s².
+fn first_closing(
+    left: f32,
+    approach: f32,
+    [a, b]: &[CornersAlong; 2],
+    acceleration: f32,
+    rest: f32,
+) -> Option<f32> {
     let mut first = None;
-    // Two corners that are still apart by then meet later: their gap is a concave function of time.
+    // Two corners that are still apart at the limit meet later: their gap is a concave function of time.
     let mut limit = rest;
     for (behind_a, speed_a) in a.iter() {
         for (behind_b, speed_b) in b.iter() {
             let (gap, speed) = (left + behind_a + behind_b, approach + speed_a + speed_b);
-            if gap - limit * (speed + 0.5 * bend * limit) > 0.0 {
+            if gap - limit * (speed + 0.5 * acceleration * limit) > 0.0 {
                 continue;
             }
-            // gap - speed t - bend t²/2 = 0, in the form that does not cancel.
-            let root = (speed * speed + 2.0 * bend * gap).sqrt();
-            limit = if speed >= 0.0 { 2.0 * gap / (speed + root) } else { (root - speed) / bend };
+            // gap - speed t - acceleration t²/2 = 0, in the form that does not cancel.
+            let root = (speed * speed + 2.0 * acceleration * gap).sqrt();
+            limit = if speed >= 0.0 { 2.0 * gap / (speed + root) } else { (root - speed) / acceleration };
             first = Some(limit);
         }
     }
@@ -182,7 +194,8 @@ struct Gap {
     edge: Edge,
 }
 
-/// Which shape's edge a strip is along, if it is not across from corner to corner.
+/// Which shape a strip turns with: that whose edge it is along, or none if it is across from corner to corner. Any will do; with the right one
+/// it takes fewer steps.
 #[derive(Clone, Copy)]
 enum Edge {
     None,
@@ -200,7 +213,12 @@ fn gap_of(shape_a: &Shape, rotation_a: Rot, shape_b: &Shape, rotation_b: Rot, of
     // With a circle the manifold has the exact distance. Without a margin, it is always there.
     let manifold = detect_within(shape_a, rotation_a, shape_b, rotation_b, offset, f32::INFINITY)?;
     let distance = manifold.points().first()?.separation;
-    Some(Gap { distance, normal: manifold.normal, edge: Edge::None })
+    let edge = match (shape_a.core(), shape_b.core()) {
+        (Some(_), None) => Edge::OfA,
+        (None, Some(_)) => Edge::OfB,
+        _ => Edge::None,
+    };
+    Some(Gap { distance, normal: manifold.normal, edge })
 }
 
 /// The widest strip between two hulls: along an edge, or across from corner to corner.
@@ -231,7 +249,8 @@ fn gap_of_hulls(a: &Hull, rotation_a: Rot, b: &Hull, rotation_b: Rot, offset: Ve
         let reach_a = reach(a, normal);
         let reach_b = reach(b, rotation.unrotate(-normal));
         let across = Gap { distance: normal.dot(center) - reach_a - reach_b, normal, edge: Edge::None };
-        if across.distance > widest.distance {
+        // A corner before an edge is as far from it either way.
+        if across.distance > widest.distance + noise {
             widest = across;
         }
     }

@@ -68,8 +68,9 @@ pub(super) struct JointBody {
     /// How stiffly what its joints bear pulls it back, N/m, and turns it back, N m/rad.
     pub(super) stiffness: [f64; 2],
     pub(super) velocity: V3,
-    /// What it goes on in this substep beside its velocity, as it was struck within it and moved otherwise before: m/s and rad/s.
-    pub(super) lag: V3,
+    /// What strikes within this substep have moved it by, over the length of the substep, m/s and rad/s: what its velocity, which it has
+    /// only since then, misses of the mean velocity of the whole.
+    pub(super) missed: V3,
     /// Scratch: a velocity to go back to.
     pub(super) kept: V3,
     pub(super) shift: V2,
@@ -129,14 +130,14 @@ impl JointBody {
         self.inverse_mass * (j[0] * k[0] + j[1] * k[1]) + self.inverse_inertia * j[2] * k[2]
     }
 
-    /// How fast it goes on in this substep, m/s and rad/s.
-    pub(super) fn pace(&self) -> V3 {
-        [0, 1, 2].map(|index| self.velocity[index] + self.lag[index])
+    /// How fast it goes on average in this substep, m/s and rad/s.
+    pub(super) fn mean_velocity(&self) -> V3 {
+        [0, 1, 2].map(|index| self.velocity[index] + self.missed[index])
     }
 
     /// Where it will be after a drift of `h`, s.
     pub(super) fn after(&self, h: f64) -> Self {
-        let [x, y, w] = self.pace();
+        let [x, y, w] = self.mean_velocity();
         Self {
             shift: add(self.shift, [h * x, h * y]),
             turn: rotate(rotation(h * w), self.turn),
@@ -163,14 +164,14 @@ impl JointBody {
         [moved.x, moved.y].map(f64::from) == self.shift && [turned.c, turned.s].map(f64::from) == self.turn
     }
 
-    /// Reads by how much it was moved since its place was read, in a substep of length `h`, s.
-    pub(super) fn read_lag(&mut self, state: &BodyState, h: f64) {
-        self.lag = [0.0; 3];
+    /// Reads by how much strikes have moved it since its place was read, in a substep of length `h`, s.
+    pub(super) fn read_missed(&mut self, state: &BodyState, h: f64) {
+        self.missed = [0.0; 3];
         if !self.is_where(state) {
             let mut there = *self;
             there.read_place(state, self.angle);
             let [x, y] = [0, 1].map(|axis| there.shift[axis] - self.shift[axis]);
-            self.lag = [x, y, there.angle - self.angle].map(|moved| moved / h);
+            self.missed = [x, y, there.angle - self.angle].map(|moved| moved / h);
         }
     }
 

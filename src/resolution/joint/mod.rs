@@ -81,7 +81,7 @@ impl JointSolver {
         for body in &mut self.bodies {
             let state = &states[body.row as usize];
             if !body.is_where(state) {
-                body.read_place(state, body.angle + self.h * body.pace()[2]);
+                body.read_place(state, body.angle + self.h * body.mean_velocity()[2]);
             }
         }
     }
@@ -93,7 +93,7 @@ impl JointSolver {
         for body in &mut self.bodies {
             let state = &states[body.row as usize];
             body.read_velocity(state);
-            body.read_lag(state, h);
+            body.read_missed(state, h);
             let Vec2 { x, y } = kicks.acceleration(body.row);
             let all = [x, y, kicks.angular_acceleration(body.row)].map(f64::from);
             body.acceleration = if scheme.split_kick && body.inverse_mass > 0.0 { all } else { [0.0; 3] };
@@ -171,14 +171,15 @@ impl JointSolver {
     fn read(&mut self, states: &[BodyState], phase: Phase) {
         for body in &mut self.bodies {
             let state = &states[body.row as usize];
-            let expected = body.angle + if phase == Phase::Relax { self.h * body.pace()[2] } else { 0.0 };
+            let expected =
+                body.angle + if phase == Phase::Relax { self.h * body.mean_velocity()[2] } else { 0.0 };
             body.read_velocity(state);
             body.read_place(state, expected);
-            body.lag = [0.0; 3];
+            body.missed = [0.0; 3];
         }
     }
 
-    /// Reads the bodies of an island that others have pushed; returns by how much, m/s.
+    /// Reads the bodies of an island that others have pushed or struck; returns by how much, m/s.
     fn read_changes(&mut self, island: &Island, states: &[BodyState]) -> f64 {
         let mut most = 0.0_f64;
         for &place in &island.bodies {
@@ -187,18 +188,18 @@ impl JointSolver {
             if body.inverse_mass <= 0.0 {
                 continue;
             }
-            let (before, lag) = (body.velocity, body.lag);
-            body.read_lag(state, self.h);
+            let (before, missed) = (body.velocity, body.missed);
+            body.read_missed(state, self.h);
             // As it was written.
-            if is_at(state, before) && body.lag == lag {
+            if is_at(state, before) && body.missed == missed {
                 continue;
             }
             body.read_velocity(state);
-            let change = [0, 1, 2].map(|index| body.velocity[index] - before[index]);
+            let change = difference(body.velocity, before);
             let start = &mut self.starts[place as usize];
             start.velocity = [0, 1, 2].map(|index| start.velocity[index] + change[index]);
-            start.lag = body.lag;
-            most = most.max(body.pace_of(change));
+            start.missed = body.missed;
+            most = most.max(body.pace_of(change)).max(body.pace_of(difference(body.missed, missed)));
         }
         most
     }
@@ -214,6 +215,10 @@ impl JointSolver {
             }
         }
     }
+}
+
+fn difference(a: V3, b: V3) -> V3 {
+    [0, 1, 2].map(|index| a[index] - b[index])
 }
 
 /// Whether the velocity of a body is this one, m/s and rad/s, but for rounding.

@@ -208,7 +208,7 @@ impl Row {
 
     /// What it comes to in a drift of `h`, s, if the bodies go on without turning.
     pub(super) fn ahead(&self, a: &JointBody, b: &JointBody, h: f64) -> f64 {
-        self.x + h * (along(self.j[0], a.pace()) + along(self.j[1], b.pace()))
+        self.x + h * (along(self.j[0], a.mean_velocity()) + along(self.j[1], b.mean_velocity()))
     }
 
     /// The coordinate, from what a rigid row asks for.

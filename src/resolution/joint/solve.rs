@@ -101,7 +101,7 @@ impl Problem<'_> {
             return true;
         }
         self.keep(cluster);
-        if self.descend(cluster, Aim::Place) && (!self.touches || self.is_near()) {
+        if self.descend(cluster, Aim::Place) && (!self.touches || self.gains_little()) {
             return false;
         }
         self.give_back(cluster);
@@ -122,7 +122,7 @@ impl Problem<'_> {
     }
 
     /// Whether what was found since has no more energy than that, but for `GAIN`, or than the bodies had before their joints held them.
-    fn is_near(&self) -> bool {
+    fn gains_little(&self) -> bool {
         let bodies = || self.members.iter().map(|&place| &self.bodies[place as usize]);
         let starts = self.members.iter().map(|&place| &self.starts[place as usize]);
         let start: f64 = starts.map(|body| body.energy_of(body.velocity)).sum();

@@ -179,7 +179,7 @@ fn of_the_whole(body: &JointBody, start: &JointBody, step: f64, h: f64) -> Joint
     let end = body.after(step);
     let way = [end.shift[0] - start.shift[0], end.shift[1] - start.shift[1], end.angle - start.angle];
     let average =
-        if step == h { body.velocity } else { [0, 1, 2].map(|index| way[index] / h - body.lag[index]) };
+        if step == h { body.velocity } else { [0, 1, 2].map(|index| way[index] / h - body.missed[index]) };
     // The second kick of the substep is longer than that of the last step.
     let less = 0.5 * (step - h);
     let ahead = [0, 1, 2].map(|index| {

@@ -143,7 +143,7 @@ fn body_of(row: u32, inverse: Option<[f32; 2]>) -> JointBody {
         inverse_inertia,
         stiffness: [0.0; 2],
         velocity: [0.0; 3],
-        lag: [0.0; 3],
+        missed: [0.0; 3],
         kept: [0.0; 3],
         shift: [0.0; 2],
         turn: [1.0, 0.0],
