@@ -19,7 +19,7 @@ impl Ground {
     /// [surface speed](Body::surface_speed), holds for all links. There may be as many points as memory holds, and each step looks
     /// only at what is near bodies that move. Places within the body are `f32`: links of 1 m meet to 0.1 mm as far as 1 km from there.
     /// To all queries both sides of a link are the same. Where an end is flush with other ground, it goes on there for what is on the
-    /// left. A shape that is put into a link by less than a quarter of its width, with its centre on the left, is pushed out there.
+    /// left. A shape that is put into a link by less than a quarter of its width, its own centre on the left, is pushed out there.
     ///
     /// # Errors
     /// Refuses fewer than two points, coordinates that are not finite, and points that are the same as the one before or farther

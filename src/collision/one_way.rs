@@ -60,7 +60,7 @@ pub(super) fn decide(contact: &mut Contact, before: OneWay, bodies: &Bodies) {
                     .all(|Lean { up, .. }| !rises(up, b - a))
         }
         OneWay::Bears => leans(bodies, contact.colliders, &contact.manifold)
-            .all(|Lean { lean, is_over_corner, .. }| lean > 0.0 || is_over_corner),
+            .all(|Lean { cosine, is_over_corner, .. }| cosine > 0.0 || is_over_corner),
         _ => {
             is_on_free_side(bodies, contact.colliders, &contact.manifold, b - a) || {
                 let poses = contact.colliders.map(|slot| bodies.previous_pose(slot));
@@ -90,7 +90,7 @@ pub(crate) fn is_on_free_side(
     let is_outside = gap >= -ON_SURFACE * a.min(b);
     is_outside
         && leans(bodies, colliders, manifold)
-            .all(|lean| lean.lean >= FACE || lean.comes_from_before(velocity))
+            .all(|lean| lean.cosine >= FACE || lean.comes_from_before(velocity))
 }
 
 /// Whether a shape that is found to overlap a link of a chain, as fast corners do that swing into it, or what was put there, was
@@ -110,10 +110,13 @@ pub(crate) fn was_before_links(
     };
     let offset = poses[1].center - poses[0].center;
     let [a, b] = colliders.map(|slot| bodies.motions[slot as usize].thickness);
-    let was_before =
-        |lean: Lean| lean.is_link && lean.comes_from_before(velocity) && lean.up.dot(offset) > 0.0;
-    leans(bodies, colliders, manifold).all(was_before)
-        && gap_between(still(0), still(1), offset).is_some_and(|gap| gap >= -BEFORE_LINK * a.min(b))
+    let Some(gap) = gap_between(still(0), still(1), offset) else { return false };
+    // What was apart there has not come through it, whichever way it bounces now.
+    let comes_from_before =
+        |lean: &Lean| if gap > 0.0 { lean.is_before() } else { lean.comes_from_before(velocity) };
+    leans(bodies, colliders, manifold)
+        .all(|lean| lean.is_link && comes_from_before(&lean) && lean.up.dot(offset) > 0.0)
+        && gap >= -BEFORE_LINK * a.min(b)
 }
 
 /// Least cosine between the direction of a one-way floor of this shape and the normal towards what is on its free side.
@@ -130,21 +133,26 @@ fn rises(up: Vec2, velocity: Vec2) -> bool {
 #[derive(Clone, Copy)]
 struct Lean {
     /// The cosine between its direction and the normal towards the other body.
-    lean: f32,
+    cosine: f32,
     /// Whether it is a link of a chain.
     is_link: bool,
     /// Up to this cosine the other body is at its end.
     least: f32,
     /// The direction in which b moves against a when the other body moves along that of the floor.
     up: Vec2,
-    /// Whether the other body is over an outward corner between two links: before the chain, whichever of them it comes to.
+    /// Whether the other body is over an outward corner between two links: in front of the chain, whichever of them it comes to.
     is_over_corner: bool,
 }
 
 impl Lean {
-    /// Whether the other body, with this velocity of b against a, m/s, comes from the free side.
+    /// Whether the other body is on the free side.
+    fn is_before(&self) -> bool {
+        self.is_over_corner || self.cosine >= self.least
+    }
+
+    /// Whether it comes from there, with this velocity of b against a, m/s.
     fn comes_from_before(&self, velocity: Vec2) -> bool {
-        self.is_over_corner || self.lean >= self.least && !rises(self.up, velocity)
+        self.is_before() && (self.is_over_corner || !rises(self.up, velocity))
     }
 }
 
@@ -161,6 +169,6 @@ fn leans<'a>(
         let towards = rotation.unrotate(manifold.normal * sign);
         let is_over_corner = matches!(shape, Shape::Segment(segment) if segment.is_over_corner(towards));
         let (is_link, least) = (shape.link().is_some(), free_side_of(shape));
-        Some(Lean { lean: up.dot(manifold.normal), is_link, least, up, is_over_corner })
+        Some(Lean { cosine: up.dot(manifold.normal), is_link, least, up, is_over_corner })
     })
 }

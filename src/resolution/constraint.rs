@@ -325,13 +325,14 @@ impl<L: Lane> ContactConstraint<L> {
         (b.angular_velocity * self.turns.b - a.angular_velocity * self.turns.a).abs()
     }
 
-    /// Lets the substep begin without impulses where the mask holds.
+    /// Lets the contacts go on as if they had borne nothing where the mask holds.
     #[inline(always)]
     pub(crate) fn forget_impulses_where(&mut self, mask: L::Mask) {
         let zero = L::splat(0.0);
         for (point, friction) in self.points.iter_mut().zip(&mut self.frictions) {
             point.normal_impulse = L::select(mask, zero, point.normal_impulse);
             friction.impulse = L::select(mask, zero, friction.impulse);
+            friction.warm_start = L::select(mask, zero, friction.warm_start);
         }
     }
 

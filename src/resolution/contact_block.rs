@@ -275,6 +275,19 @@ impl ContactBlock {
         self.store_friction_impulses::<L, POINTS>(place, constraint);
     }
 
+    /// Lets the contacts from `place` on go on after the move as if they had borne nothing before it, where the mask holds.
+    #[inline(always)]
+    pub(crate) fn forget_load_where<L: Lane, const POINTS: usize>(
+        &mut self,
+        place: usize,
+        forgotten: L::Mask,
+    ) {
+        let mut constraint = self.load::<L>(place);
+        self.forget_where::<L, POINTS>(place, &mut constraint, forgotten);
+        self.store_normal_impulses::<L, POINTS>(place, &constraint);
+        self.store_warm_starts::<L, POINTS>(place, &constraint);
+    }
+
     /// Those of the contacts from `place` on whose bodies are [tangled](crate::resolution::tangles), if there are some in the block.
     #[inline(always)]
     pub(crate) fn tangled<L: Lane>(&self, place: usize) -> Option<L::Mask> {

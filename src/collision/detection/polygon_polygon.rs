@@ -43,8 +43,8 @@ pub(super) fn detect(
     }
 }
 
-/// The manifold of b on a face of a, if its centre is in front of the face and an edge of it has a part
-/// over the face, not farther than `margin`, m: the edge that faces it, or, if that lies over a neighbour, the nearest.
+/// The manifold of b on a face of a, if an edge of it has a part over the face, not farther than `margin`, m: the edge that faces it,
+/// or, if that lies over a neighbour, the nearest. There is none where b is behind the face: its centre, and all of that part.
 pub(in crate::collision) fn on_face(
     a: &Hull,
     rotation_a: Rot,
@@ -67,10 +67,10 @@ pub(in crate::collision) fn on_face(
     };
     let noise = Tolerance::new(a.inradius, b.inradius, offset).noise;
     let center_gap = a.normals[face].dot(rotation_a.unrotate(offset)) - a.planes[face];
-    if center_gap <= 0.0 {
-        return None;
-    }
-    stretch.manifold(rotation_a * turn, offset, noise, margin)
+    let found = stretch.manifold(rotation_a * turn, offset, noise, margin)?;
+    // Of what is long, as a line, a part may be in front of the face and the centre beside it, behind its plane.
+    let is_in_front = center_gap > 0.0 || found.points().iter().any(|point| point.separation > 0.0);
+    is_in_front.then_some(found)
 }
 
 /// An edge of a hull and how far the other hull is outside of its line.

@@ -4,7 +4,7 @@ use rand::rngs::Xoshiro256PlusPlus;
 use rand::{RngExt, SeedableRng};
 use rustycs::prelude::*;
 
-use crate::support::{add, space};
+use crate::support::{add, earth, place, space};
 
 /// A dumbbell, a hook or a cross, about 1 m large.
 fn thing(number: u32) -> Body {
@@ -52,4 +52,41 @@ fn no_thrown_compound_passes_a_thin_wall() {
         }
     }
     assert!(passed.is_empty(), "{} of 600 passed: {passed:?}", passed.len());
+}
+
+/// An L of two bars that falls on a chain, or on a line: of bars that cross, whose corner is stopped within a tick, and whose middle rises as it
+/// turns about it; it has been before the chain when the tick began. And of bars that lie side by side, whose outer side is one of two
+/// faces: the second comes down on a line whose middle is far away, behind the plane of that face.
+#[test]
+fn an_l_that_falls_on_a_line_lies_on_it() {
+    for seed in 0..800 {
+        let mut random = Xoshiro256PlusPlus::seed_from_u64(seed);
+        let mut world = earth();
+        let (is_chain, do_cross) = (seed % 2 == 0, seed % 4 < 2);
+        let points = (0..=60_u8).map(|number| [f32::from(number) - 30.0, 0.0]);
+        let ground = if is_chain {
+            Ground::chain(points).unwrap()
+        } else {
+            Body::fixed(Shape::segment([-30.0, 0.0], [30.0, 0.0]))
+        };
+        add(&mut world, ground.restitution(0.0));
+        let size = [0.05, 0.1, 0.2, 0.5, 1.0][random.random_range(0..5)];
+        let speed = [1.0, 3.0, 10.0, 30.0, 100.0, 300.0][random.random_range(0..6)];
+        let [length, x, y] =
+            if do_cross { [1.0, 0.5, 0.4] } else { [0.8, 0.4, 0.5] }.map(|share| share * size);
+        let bar = Collider::new(Shape::obb(0.2 * size, length)).at([x, y]);
+        let body = Body::dynamic(Shape::obb(size, 0.2 * size)).with(bar).restitution(0.0);
+        let body =
+            body.angle(random.random_range(-3.1..3.1)).angular_velocity(random.random_range(-30.0..30.0));
+        let body = body.velocity([speed * random.random_range(-0.7..0.7), -speed]);
+        let id = add(&mut world, body.at([0.0, f64::from(size) * random.random_range(1.0..1.6) + 0.3]));
+        for tick in 0..120 {
+            world.step();
+            let [x, y] = place(&world, id);
+            assert!(
+                y > f64::from(-size) || x.abs() > 29.0,
+                "seed {seed}, tick {tick}: {size} m at {speed} m/s"
+            );
+        }
+    }
 }
