@@ -176,6 +176,9 @@ impl Solver {
     fn push(&mut self, scheme: &Scheme, tables: &mut SolveTables<'_>, has_moved: bool) {
         let h = scheme.substep_time();
         self.seams.hold_back(tables.graph, &tables.bodies.states, h);
+        if !self.joints.is_empty() {
+            self.joints.begin_push(&tables.bodies.states);
+        }
         self.warm_start(WarmStartTime::BeforeMove, scheme, tables);
         if !self.joints.is_empty() {
             self.joints.push(scheme, &self.kicks, &mut tables.bodies.states);
@@ -216,14 +219,14 @@ impl Solver {
         let states = &mut tables.bodies.states;
         let sweep = SweepOver { have_moved: false, ..sweep.clone() };
         for _ in 0..JOINT_ROUNDS {
-            if !self.joints.solve_again(phase, scheme, states, SETTLED) {
+            if !self.joints.pass_on(phase, states, SETTLED) {
                 break;
             }
             for &contact in self.joints.contacts() {
                 tables.graph.run_at(contact, states, &sweep);
             }
         }
-        self.joints.solve_again(phase, scheme, states, 0.0);
+        self.joints.solve_again(phase, scheme, states);
     }
 
     /// Circles that roll from one piece of ground onto the next during the move.
@@ -237,7 +240,7 @@ impl Solver {
         let Self { impacts, continuous, courses, kicks, strikes, blows, .. } = self;
         continuous.run(&mut event_scene(tables, scheme, kicks, courses, strikes, blows), impacts);
         if !self.joints.is_empty() {
-            self.joints.solve_again(Phase::Push, scheme, &mut tables.bodies.states, 0.0);
+            self.joints.solve_again(Phase::Push, scheme, &mut tables.bodies.states);
         }
     }
 

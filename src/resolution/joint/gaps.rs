@@ -7,6 +7,7 @@
 use crate::resolution::joint::JointSolver;
 use crate::resolution::joint::plan::Island;
 use crate::resolution::joint::row::{CLOSING_SPEED, Phase};
+use crate::resolution::joint::solve::rows_of;
 
 /// Bodies are at most so many times as fast as the gaps that they close, no unit. With ten times, a straight bridge with a light crate gains
 /// energy, by rounding; with once, what closes the rounding of a pendulum is not an impulse of its hinge, and it loses energy.
@@ -22,7 +23,7 @@ impl JointSolver {
         if most == 0.0 {
             return;
         }
-        for row in rows_of(island) {
+        for row in rows_of(&island.clusters) {
             self.rows[row].unclosed = self.rows[row].impulse;
         }
         for &place in &island.bodies {
@@ -51,7 +52,7 @@ impl JointSolver {
             }
             body.velocity = [0, 1, 2].map(|index| body.unclosed[index] + body.closing[index]);
         }
-        for row in rows_of(island) {
+        for row in rows_of(&island.clusters) {
             self.rows[row].impulse = self.rows[row].unclosed;
         }
     }
@@ -64,10 +65,6 @@ impl JointSolver {
             let turning = |&body: &u32| self.bodies[body as usize].pace_of([0.0, 0.0, speed]);
             if row.coordinate.is_angle() { row.bodies.iter().map(turning).fold(0.0, f64::max) } else { speed }
         };
-        rows_of(island).map(pace).fold(0.0, f64::max)
+        rows_of(&island.clusters).map(pace).fold(0.0, f64::max)
     }
-}
-
-fn rows_of(island: &Island) -> impl Iterator<Item = usize> {
-    island.clusters.iter().flat_map(|cluster| &cluster.rows).map(|&row| row as usize)
 }

@@ -84,7 +84,7 @@ pub(super) struct JointBody {
     pub(super) closing: V3,
     /// By how much it is faster at the end of a substep than on average over it: where that is made of several steps, or gaps close.
     pub(super) ahead: V3,
-    /// By forces, m/s² and rad/s².
+    /// By forces, and by what its contacts bear, m/s² and rad/s².
     pub(super) acceleration: V3,
     /// Whether it is in a contact.
     pub(super) touches: bool,
@@ -128,6 +128,11 @@ impl JointBody {
     #[inline(always)]
     pub(super) fn coupling(&self, j: V3, k: V3) -> f64 {
         self.inverse_mass * (j[0] * k[0] + j[1] * k[1]) + self.inverse_inertia * j[2] * k[2]
+    }
+
+    /// By how much its velocity has changed from that which was kept, m/s and rad/s.
+    pub(super) fn change(&self) -> V3 {
+        [0, 1, 2].map(|index| self.velocity[index] - self.kept[index])
     }
 
     /// How fast it goes on average in this substep, m/s and rad/s.

@@ -86,16 +86,27 @@ impl JointSolver {
         }
     }
 
-    /// Before the bodies move: what is rigid is exact when they have.
+    /// Reads how fast the bodies are, before contacts begin with what they bore.
+    pub(super) fn begin_push(&mut self, states: &[BodyState]) {
+        for body in &mut self.bodies {
+            body.read_velocity(&states[body.row as usize]);
+        }
+    }
+
+    /// Before the bodies move: what is rigid is exact when they have. What contacts have begun with is a load: it acts all the time, as
+    /// forces do, half of it before the move.
     pub(super) fn push(&mut self, scheme: &Scheme, kicks: &Kicks, states: &mut [BodyState]) {
         let (h, kick) = (f64::from(scheme.substep_time()), f64::from(scheme.kick_time()));
         self.h = h;
         for body in &mut self.bodies {
             let state = &states[body.row as usize];
+            let before = body.velocity;
             body.read_velocity(state);
             body.read_missed(state, h);
             let Vec2 { x, y } = kicks.acceleration(body.row);
-            let all = [x, y, kicks.angular_acceleration(body.row)].map(f64::from);
+            let by_forces = [x, y, kicks.angular_acceleration(body.row)].map(f64::from);
+            let gain = difference(body.velocity, before);
+            let all = [0, 1, 2].map(|index| by_forces[index] + gain[index] / kick);
             body.acceleration = if scheme.split_kick && body.inverse_mass > 0.0 { all } else { [0.0; 3] };
             // Forces act step by step.
             body.accelerate(-kick);
@@ -123,23 +134,40 @@ impl JointSolver {
         }
     }
 
-    /// Solves those islands anew whose bodies others have pushed since the last solve by more than this, m/s; returns whether there
-    /// are any.
-    pub(super) fn solve_again(
-        &mut self,
-        phase: Phase,
-        scheme: &Scheme,
-        states: &mut [BodyState],
-        more_than: f64,
-    ) -> bool {
+    /// Passes on over the joints what others have pushed their bodies by since they were solved, where that is more than so much, m/s; returns
+    /// whether there was anything. Where an island goes through the substep in steps, that is by a linear solve, as these are dear.
+    pub(super) fn pass_on(&mut self, phase: Phase, states: &mut [BodyState], more_than: f64) -> bool {
+        let mut is_pushed = false;
+        self.for_each_island(|solver, island| {
+            let by = solver.read_changes(island, states);
+            island.pushed += by;
+            if by <= more_than {
+                return;
+            }
+            is_pushed = true;
+            if solver.is_divided(island, phase) {
+                solver.spread(island);
+            } else {
+                island.pushed = 0.0;
+                solver.solve_rows(island, phase, false);
+            }
+        });
+        if is_pushed {
+            self.write(states);
+        }
+        is_pushed
+    }
+
+    /// Solves those islands anew whose bodies others have pushed since.
+    pub(super) fn solve_again(&mut self, phase: Phase, scheme: &Scheme, states: &mut [BodyState]) {
         let mut is_pushed = false;
         self.for_each_island(|solver, island| {
             island.pushed += solver.read_changes(island, states);
-            if island.pushed <= more_than {
+            if island.pushed <= 0.0 {
                 return;
             }
             (island.pushed, is_pushed) = (0.0, true);
-            if phase == Phase::Push && island.times.h < solver.h {
+            if solver.is_divided(island, phase) {
                 solver.push_island(island, scheme);
             } else {
                 solver.solve_rows(island, phase, false);
@@ -148,7 +176,11 @@ impl JointSolver {
         if is_pushed {
             self.write(states);
         }
-        is_pushed
+    }
+
+    /// Whether an island goes through the move in several steps.
+    fn is_divided(&self, island: &Island, phase: Phase) -> bool {
+        phase == Phase::Push && island.times.h < self.h
     }
 
     /// The end of a substep: takes note of what the rows have borne.
@@ -185,6 +217,7 @@ impl JointSolver {
         for &place in &island.bodies {
             let body = &mut self.bodies[place as usize];
             let state = &states[body.row as usize];
+            body.kept = body.velocity;
             if body.inverse_mass <= 0.0 {
                 continue;
             }

@@ -203,12 +203,17 @@ impl Row {
 
     /// How fast the coordinate changes, m/s or rad/s.
     pub(super) fn speed(&self, a: &JointBody, b: &JointBody) -> f64 {
-        along(self.j[0], a.velocity) + along(self.j[1], b.velocity)
+        self.speed_of([a.velocity, b.velocity])
+    }
+
+    /// The same with these velocities of its bodies.
+    pub(super) fn speed_of(&self, [a, b]: [V3; 2]) -> f64 {
+        along(self.j[0], a) + along(self.j[1], b)
     }
 
     /// What it comes to in a drift of `h`, s, if the bodies go on without turning.
     pub(super) fn ahead(&self, a: &JointBody, b: &JointBody, h: f64) -> f64 {
-        self.x + h * (along(self.j[0], a.mean_velocity()) + along(self.j[1], b.mean_velocity()))
+        self.x + h * self.speed_of([a.mean_velocity(), b.mean_velocity()])
     }
 
     /// The coordinate, from what a rigid row asks for.

@@ -42,10 +42,8 @@ impl JointSolver {
 
     /// Solves the rows of a phase, or, where it `is_new` no more, what was pushed since they were solved.
     pub(super) fn solve_rows(&mut self, island: &mut Island, phase: Phase, is_new: bool) {
-        let Self { bodies, starts, bases, rows, .. } = self;
         let Island { clusters, bodies: members, times, touches, is_linear, diverges, .. } = island;
-        let (times, touches) = (*times, *touches);
-        let mut problem = Problem { rows, bodies, starts, bases, members, times, touches, diverges: false };
+        let mut problem = self.problem(members, *times, *touches);
         if is_new {
             (*is_linear, *diverges) = (false, false);
             for cluster in clusters.iter_mut() {
@@ -66,6 +64,32 @@ impl JointSolver {
             }
         }
     }
+
+    /// Spreads over an island the changes of velocity that others have made since it was solved.
+    pub(super) fn spread(&mut self, island: &mut Island) {
+        let Island { clusters, bodies: members, times, touches, .. } = island;
+        for row in rows_of(clusters) {
+            self.rows[row].kept = self.rows[row].impulse;
+        }
+        let mut problem = self.problem(members, *times, *touches);
+        let is_swept = clusters.iter().any(|cluster| cluster.is_swept);
+        for _ in 0..if is_swept { SWEEPS } else { 1 } {
+            for cluster in clusters.iter_mut() {
+                problem.look_at_changes(cluster);
+                problem.step(cluster);
+            }
+        }
+    }
+
+    fn problem<'a>(&'a mut self, members: &'a [u32], times: Times, touches: bool) -> Problem<'a> {
+        let Self { bodies, starts, bases, rows, .. } = self;
+        Problem { rows, bodies, starts, bases, members, times, touches, diverges: false }
+    }
+}
+
+/// The rows of some clusters.
+pub(super) fn rows_of(clusters: &[Cluster]) -> impl Iterator<Item = usize> {
+    clusters.iter().flat_map(|cluster| &cluster.rows).map(|&row| row as usize)
 }
 
 /// Rows and bodies, and how long a step is.
@@ -218,6 +242,15 @@ impl Problem<'_> {
                 _ => (aim == Aim::Way).then(|| row.ahead(a, b, h)),
             };
             row.look(a, b, ahead, self.times);
+        }
+    }
+
+    /// Finds by how much the rows of a cluster that are free are off what they were when they were solved, by what has changed since.
+    fn look_at_changes(&mut self, cluster: &Cluster) {
+        for &row in &cluster.rows {
+            let row = &mut self.rows[row as usize];
+            let [a, b] = row.bodies.map(|body| self.bodies[body as usize].change());
+            row.residual = row.speed_of([a, b]) + row.softness * (row.impulse - row.kept);
         }
     }
 
