@@ -12,16 +12,15 @@ use crate::math::{Rot, Vec2};
 use crate::resolution::constraint::ContactConstraint;
 use crate::resolution::constraint_graph::{BlockIndex, ConstraintGraph, GraphIndex};
 use crate::resolution::contact_block::{BlockMarks, ContactBlock};
-use crate::resolution::kernel::Kernel;
+use crate::resolution::kernel::{Kernel, MOST_TURNED};
 use crate::resolution::moving_geometry::MovingGeometry;
 
 /// Far enough that the nearest points of two bodies are found wherever they are, m.
 const ANY_DISTANCE: f32 = 1e9;
 
-/// A contact whose normal turns by more than a quarter of a radian in the move, by its cosine, forgets what it bore before it, as contacts do
-/// whose outlines turn so: discs that roll over each other at 60 m/s took back, along another normal, what had pushed them apart, and
-/// left with 1.3 times their energy.
-const LEAST_ALIKE: f32 = 0.969;
+/// By its cosine, to the second order, the angle beyond which a normal that turns in the move lets its contact forget what it bore: discs that
+/// roll over each other at 60 m/s took back, along another normal, what had pushed them apart, and left with 1.3 times their energy.
+const LEAST_ALIKE: f32 = 1.0 - 0.5 * MOST_TURNED * MOST_TURNED;
 
 /// The manifold of two shapes, with their bodies in the given states and anchors from their centres of mass; empty where they cannot be told apart from bodies that do
 /// not touch.

@@ -18,7 +18,7 @@ use crate::resolution::events::{Continuous, Courses, EventScene, Impacts, Seams,
 use crate::resolution::integrate::{Advance, Kick, Kicks, integrate};
 use crate::resolution::islands::Islands;
 use crate::resolution::joint::{JointSolver, Phase};
-use crate::resolution::kernel::{SweepOver, WarmStart, WarmStartTime};
+use crate::resolution::kernel::{MOST_TURNED, SweepOver, WarmStart, WarmStartTime};
 use crate::resolution::load::{LoadMeasure, Loads};
 use crate::resolution::moving::MovingContacts;
 use crate::resolution::projection::Project;
@@ -46,12 +46,6 @@ const JOINT_ROUNDS: u32 = 8;
 
 /// Joined bodies are settled when contacts push them by less than this, m/s: a thousandth of what a substep falls.
 const SETTLED: f64 = 4e-5;
-
-/// Where outlines turn against each other by more than this in a substep, rad, the impulses of the last are no guess for it: what
-/// friction began with before the move is taken back after it along a surface that lies another way, and small boxes that hit a wall
-/// left it with 45 times their energy. With half a radian, a row of boxes that a heavy one drives into a wall still gains; with a
-/// tenth, what is thrown on a heap begins without impulses for long.
-const MOST_TURNED: f32 = 0.25;
 
 /// Buffers of the solver, kept from step to step.
 #[derive(Clone, Debug, Default)]

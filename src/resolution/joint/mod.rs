@@ -134,48 +134,55 @@ impl JointSolver {
         }
     }
 
-    /// Passes on over the joints what others have pushed their bodies by since they were solved, where that is more than so much, m/s; returns
-    /// whether there was anything. Where an island goes through the substep in steps, that is by a linear solve, as these are dear.
+    /// Passes on over the joints what others have pushed their bodies by, where that is more than so much, m/s, since they were last asked;
+    /// returns whether there was anything. The steps of a divided island are dear: there it is spread as the last of them would.
     pub(super) fn pass_on(&mut self, phase: Phase, states: &mut [BodyState], more_than: f64) -> bool {
-        let mut is_pushed = false;
-        self.for_each_island(|solver, island| {
-            let by = solver.read_changes(island, states);
-            island.pushed += by;
+        self.answer_pushes(states, |solver, island, by| {
             if by <= more_than {
-                return;
+                return false;
             }
-            is_pushed = true;
             if solver.is_divided(island, phase) {
                 solver.spread(island);
             } else {
                 island.pushed = 0.0;
                 solver.solve_rows(island, phase, false);
             }
-        });
-        if is_pushed {
-            self.write(states);
-        }
-        is_pushed
+            true
+        })
     }
 
-    /// Solves those islands anew whose bodies others have pushed since.
+    /// Solves those islands anew whose bodies others have pushed since they were solved.
     pub(super) fn solve_again(&mut self, phase: Phase, scheme: &Scheme, states: &mut [BodyState]) {
-        let mut is_pushed = false;
-        self.for_each_island(|solver, island| {
-            island.pushed += solver.read_changes(island, states);
+        self.answer_pushes(states, |solver, island, _| {
             if island.pushed <= 0.0 {
-                return;
+                return false;
             }
-            (island.pushed, is_pushed) = (0.0, true);
+            island.pushed = 0.0;
             if solver.is_divided(island, phase) {
                 solver.push_island(island, scheme);
             } else {
                 solver.solve_rows(island, phase, false);
             }
+            true
         });
-        if is_pushed {
+    }
+
+    /// Lets islands answer to what their bodies were pushed by since this was last asked, m/s; returns whether one did.
+    fn answer_pushes(
+        &mut self,
+        states: &mut [BodyState],
+        mut answer: impl FnMut(&mut Self, &mut Island, f64) -> bool,
+    ) -> bool {
+        let mut has_answered = false;
+        self.for_each_island(|solver, island| {
+            let by = solver.read_changes(island, states);
+            island.pushed += by;
+            has_answered |= answer(solver, island, by);
+        });
+        if has_answered {
             self.write(states);
         }
+        has_answered
     }
 
     /// Whether an island goes through the move in several steps.

@@ -117,9 +117,9 @@ fn a_chain_that_is_hit_does_not_part() {
     }
 }
 
-/// A ball on a chain of ten links, which it whips into a wall of crates: each link swings by more than a radian in a substep, and touches. What
-/// contacts bear is a load for the steps of the chain, not a blow, and their pins hold to a millimetre; in one of four worlds they
-/// parted by centimetres.
+/// A ball on a chain of ten links, which it whips into a wall of crates: links swing by more than a radian in a substep, and touch. What
+/// contacts bear is a load for the steps of the chain, not a blow, and its pins hold to a hundredth of a link's width; in one world of five
+/// they parted by centimetres.
 #[test]
 fn a_wrecking_ball_stays_on_its_chain() {
     for seed in 0..16 {
