@@ -191,7 +191,8 @@ impl Blows {
         self.add_up(AddUp { graph, signs: [1.0, part], when: When::InMove }, width);
     }
 
-    /// Subtracts the same impulses along the normals of after the move, as the end of the substep adds them along these.
+    /// Subtracts the same impulses along the normals of after the move, as the end of the substep adds them along these; of contacts that have
+    /// forgotten theirs in the move, nothing.
     pub(crate) fn end_move(&mut self, graph: &ConstraintGraph, part: f32, width: Width) {
         self.add_up(AddUp { graph, signs: [-1.0, -part], when: When::InMove }, width);
     }

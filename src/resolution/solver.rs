@@ -85,15 +85,15 @@ pub(crate) struct SolveTables<'a> {
 /// repeat substeps:
 ///     kick h/2     v += h/2 a(x), and damping
 ///     impacts      what approaches fast enough bounces, each at its time
-///     joints       what they hold is exact after the move
-///     push         half of the last impulses, and a sweep that pushes overlaps apart; stiff islands are solved directly
+///     push         half of the last impulses, then joints, so that what they hold is exact after the move, and a sweep that pushes
+///                  overlaps apart; joined bodies and their contacts in turn; stiff islands are solved directly
 ///     seams        circles that roll onto another piece of ground meet it, each at its time
 ///     continuous   what is off course is swept and meets what is on its way
 ///     drift h      x += h v
 ///     kick h/2     v += h/2 a(x), and damping
 ///     refresh      contacts of circles and loaded corners follow the surface
-///     joints       and does not part there
-///     relax        the other half of the last impulses, rolling resistance, and a sweep without bias, with friction; or directly
+///     relax        the other half of the last impulses, rolling resistance, joints, so that what they hold does not part, and a sweep
+///                  without bias, with friction; or directly
 /// untangle         bodies of several shapes that are deep in each other are moved apart, which makes no speed
 /// project          in the classic scheme: overlaps are parted by moving bodies
 /// ```

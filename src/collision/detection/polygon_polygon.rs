@@ -44,7 +44,7 @@ pub(super) fn detect(
 }
 
 /// The manifold of b on a face of a, if an edge of it has a part over the face, not farther than `margin`, m: the edge that faces it,
-/// or, if that lies over a neighbour, the nearest. There is none where b is behind the face: its centre, and all of that part.
+/// or, if that lies over a neighbour, the nearest. There is none where b is behind the face: its centre, and all points.
 pub(in crate::collision) fn on_face(
     a: &Hull,
     rotation_a: Rot,
@@ -68,7 +68,7 @@ pub(in crate::collision) fn on_face(
     let noise = Tolerance::new(a.inradius, b.inradius, offset).noise;
     let center_gap = a.normals[face].dot(rotation_a.unrotate(offset)) - a.planes[face];
     let found = stretch.manifold(rotation_a * turn, offset, noise, margin)?;
-    // Of what is long, as a line, a part may be in front of the face and the centre beside it, behind its plane.
+    // A part of a long line may be in front of the face, and its centre far off to the side, behind the plane.
     let is_in_front = center_gap > 0.0 || found.points().iter().any(|point| point.separation > 0.0);
     is_in_front.then_some(found)
 }

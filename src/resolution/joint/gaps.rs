@@ -30,7 +30,7 @@ impl JointSolver {
             let body = &mut self.bodies[place as usize];
             body.unclosed = body.velocity;
         }
-        let diverged = island.diverges;
+        let before = (island.is_linear, island.diverges);
         island.times.closing = 1.0;
         self.solve_rows(island, Phase::Push, false);
         let faster = island.bodies.iter().map(|&place| {
@@ -42,7 +42,7 @@ impl JointSolver {
         if fastest <= most {
             return;
         }
-        island.diverges = diverged;
+        (island.is_linear, island.diverges) = before;
         island.times.closing = if fastest.is_finite() { most / fastest } else { 0.0 };
         for &place in &island.bodies {
             let body = &mut self.bodies[place as usize];

@@ -71,7 +71,7 @@ pub(super) struct JointBody {
     /// What strikes within this substep have moved it by, over the length of the substep, m/s and rad/s: what its velocity, which it has
     /// only since then, misses of the mean velocity of the whole.
     pub(super) missed: V3,
-    /// Scratch: a velocity to go back to.
+    /// Scratch: a velocity to go back to, or to compare with.
     pub(super) kept: V3,
     pub(super) shift: V2,
     /// (cos, sin).

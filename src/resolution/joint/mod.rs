@@ -86,15 +86,17 @@ impl JointSolver {
         }
     }
 
-    /// Reads how fast the bodies are, before contacts begin with what they bore.
+    /// Reads how fast the bodies are, before contacts begin with half of what they bore: [`Self::push`], which follows, takes what they gain by
+    /// that for a load.
     pub(super) fn begin_push(&mut self, states: &[BodyState]) {
         for body in &mut self.bodies {
             body.read_velocity(&states[body.row as usize]);
         }
     }
 
-    /// Before the bodies move: what is rigid is exact when they have. What contacts have begun with is a load: it acts all the time, as
-    /// forces do, half of it before the move.
+    /// Before the bodies move: what is rigid is exact when they have. The load of their contacts acts over the whole substep, as forces do:
+    /// half of it has been applied, and the other half follows after the move. Given at once, in the first of several steps, it would make
+    /// links swing that stand.
     pub(super) fn push(&mut self, scheme: &Scheme, kicks: &Kicks, states: &mut [BodyState]) {
         let (h, kick) = (f64::from(scheme.substep_time()), f64::from(scheme.kick_time()));
         self.h = h;
@@ -105,8 +107,8 @@ impl JointSolver {
             body.read_missed(state, h);
             let Vec2 { x, y } = kicks.acceleration(body.row);
             let by_forces = [x, y, kicks.angular_acceleration(body.row)].map(f64::from);
-            let gain = difference(body.velocity, before);
-            let all = [0, 1, 2].map(|index| by_forces[index] + gain[index] / kick);
+            let by_loads = difference(body.velocity, before).map(|gain| gain / kick);
+            let all = [0, 1, 2].map(|index| by_forces[index] + by_loads[index]);
             body.acceleration = if scheme.split_kick && body.inverse_mass > 0.0 { all } else { [0.0; 3] };
             // Forces act step by step.
             body.accelerate(-kick);
@@ -115,10 +117,7 @@ impl JointSolver {
         for row in &mut self.rows {
             row.load_before = row.load;
         }
-        self.for_each_island(|solver, island| {
-            let fastest = solver.push_island(island, scheme);
-            island.pace.after(h, fastest);
-        });
+        self.for_each_island(|solver, island| solver.push_island(island, scheme));
         self.write(states);
     }
 
@@ -134,8 +133,9 @@ impl JointSolver {
         }
     }
 
-    /// Passes on over the joints what others have pushed their bodies by, where that is more than so much, m/s, since they were last asked;
-    /// returns whether there was anything. The steps of a divided island are dear: there it is spread as the last of them would.
+    /// Passes on over the joints what others have pushed their bodies by since this was last done, in islands where it is more than so much,
+    /// m/s; returns whether there was one. Where an island goes through the move in steps, which are dear, it is only spread, and
+    /// [`Self::solve_again`] has to follow.
     pub(super) fn pass_on(&mut self, phase: Phase, states: &mut [BodyState], more_than: f64) -> bool {
         self.answer_pushes(states, |solver, island, by| {
             if by <= more_than {
@@ -151,7 +151,7 @@ impl JointSolver {
         })
     }
 
-    /// Solves those islands anew whose bodies others have pushed since they were solved.
+    /// Solves those islands in full whose bodies others have pushed since they last were: the end of a phase.
     pub(super) fn solve_again(&mut self, phase: Phase, scheme: &Scheme, states: &mut [BodyState]) {
         self.answer_pushes(states, |solver, island, _| {
             if island.pushed <= 0.0 {
@@ -192,7 +192,11 @@ impl JointSolver {
 
     /// The end of a substep: takes note of what the rows have borne.
     pub(super) fn end_substep(&mut self, scheme: &Scheme) {
-        self.for_each_island(|solver, island| solver.note_loads(island, scheme));
+        let h = self.h;
+        self.for_each_island(|solver, island| {
+            solver.note_loads(island, scheme);
+            island.pace.after(h, island.swing);
+        });
         for row in &mut self.rows {
             row.in_step = [0, 1, 2].map(|index| row.in_step[index] + row.in_substep[index]);
         }
@@ -218,7 +222,7 @@ impl JointSolver {
         }
     }
 
-    /// Reads the bodies of an island that others have pushed or struck; returns by how much, m/s.
+    /// Reads the bodies of an island that others have pushed or struck, and keeps what their velocities were before; returns by how much, m/s.
     fn read_changes(&mut self, island: &Island, states: &[BodyState]) -> f64 {
         let mut most = 0.0_f64;
         for &place in &island.bodies {

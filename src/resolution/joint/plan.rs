@@ -35,9 +35,11 @@ pub(super) struct Island {
     /// How finely it is moved within a substep, and times of the last step in it.
     pub(super) pace: Pace,
     pub(super) times: Times,
+    /// How fast the fastest of its bodies has swung in the last substep, rad/s.
+    pub(super) swing: f64,
     /// Whether a body of it is in a contact.
     pub(super) touches: bool,
-    /// By how much others have pushed its bodies since it was solved, m/s.
+    /// By how much others have pushed its bodies since it was solved in full, m/s.
     pub(super) pushed: f64,
     /// Whether what it is to be after the move was found only as if bodies did not turn in it.
     pub(super) is_linear: bool,

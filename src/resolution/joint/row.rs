@@ -95,7 +95,7 @@ pub(super) struct Row {
     /// Impulse of this phase, and of the push.
     pub(super) impulse: f64,
     pub(super) pushed: f64,
-    /// Scratch: an impulse to go back to.
+    /// Scratch: an impulse to go back to, or to compare with.
     pub(super) kept: f64,
     /// Scratch: the impulse before gaps were closed.
     pub(super) unclosed: f64,

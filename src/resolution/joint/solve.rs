@@ -65,7 +65,8 @@ impl JointSolver {
         }
     }
 
-    /// Spreads over an island the changes of velocity that others have made since it was solved.
+    /// Spreads over an island the changes of velocity that others have made, from those that bodies have kept, by what is linear of the last
+    /// step: rows that were free bear what it takes so that their coordinates change as fast as before.
     pub(super) fn spread(&mut self, island: &mut Island) {
         let Island { clusters, bodies: members, times, touches, .. } = island;
         for row in rows_of(clusters) {
@@ -245,7 +246,7 @@ impl Problem<'_> {
         }
     }
 
-    /// Finds by how much the rows of a cluster that are free are off what they were when they were solved, by what has changed since.
+    /// Finds how much faster the coordinates of a cluster change than with the velocities and impulses that were kept.
     fn look_at_changes(&mut self, cluster: &Cluster) {
         for &row in &cluster.rows {
             let row = &mut self.rows[row as usize];

@@ -19,19 +19,23 @@ const CALM: f64 = 4.0;
 /// ball of 5,000 links it would take more, and such a chain still explodes.
 const MOST_STEPS: f64 = 256.0;
 
-/// The same of joints whose bodies are in contacts, as there each takes its steps more than once. With four, 3 of 120 chains that whip a ball into
-/// crates part by millimetres, with this none; with 256, ragdolls that are shot at take a third longer, for nothing.
+/// The same of islands whose bodies are in contacts, which go through their steps again when these have pushed them. With four, 3 of 120
+/// chains that whip a ball into crates part by millimetres, with this none; with 256, ragdolls that are shot at take a third longer, for
+/// nothing.
 const MOST_STEPS_IN_CONTACT: f64 = 16.0;
+
+/// What is left of a substep is so many steps, no unit, but for this: it is what the steps before have left, and rounded.
+const ROUNDING: f64 = 1e-6;
 
 /// By how much a load may grow from step to step that is to be followed.
 const GROWTH: f64 = 4.0;
 
 impl JointSolver {
-    /// Takes an island through the substep from its start; returns how fast the fastest of its bodies swung, rad/s.
+    /// Takes an island through the substep from its start.
     ///
     /// The last step ends as a single one would: the velocity that it leaves is the way of all steps over the length of the substep,
     /// and its relax comes when the bodies have moved.
-    pub(super) fn push_island(&mut self, island: &mut Island, scheme: &Scheme) -> f64 {
+    pub(super) fn push_island(&mut self, island: &mut Island, scheme: &Scheme) {
         let (h, kick) = (self.h, f64::from(scheme.kick_time()));
         for &place in &island.bodies {
             self.bodies[place as usize] = self.starts[place as usize];
@@ -47,11 +51,13 @@ impl JointSolver {
             (true, false) => MOST_STEPS,
             (true, true) => MOST_STEPS_IN_CONTACT,
         };
-        let (mut rest, mut fastest) = (h, 0.0_f64);
+        let shortest = h / most;
+        island.swing = 0.0;
+        let mut rest = h;
         loop {
-            let steps = (rest / island.pace.step).ceil().clamp(1.0, most);
+            let steps = (rest / island.pace.step.max(shortest) - ROUNDING).ceil().max(1.0);
             island.times = Times { h: rest / steps, kick: kick / h * (rest / steps), closing: 0.0 };
-            fastest = fastest.max(self.push_for_a_step(island, h / most));
+            self.push_for_a_step(island, shortest);
             let Times { h: step, .. } = island.times;
             if step >= rest {
                 break;
@@ -70,12 +76,11 @@ impl JointSolver {
             let (body, start) = (&mut self.bodies[place as usize], &self.starts[place as usize]);
             *body = of_the_whole(body, start, island.times.h, h);
         }
-        fastest
     }
 
-    /// Pushes for a step, or for a half of it, and so on as far as the `shortest`, s, if what that takes makes a body swing too fast.
-    /// Returns how fast the fastest swings, rad/s.
-    fn push_for_a_step(&mut self, island: &mut Island, shortest: f64) -> f64 {
+    /// Pushes for a step. If what that takes makes a body swing too fast, it is taken back, and made for a half of it, and so on, down to the
+    /// `shortest`, s: the times of the island are those of the step that was made.
+    fn push_for_a_step(&mut self, island: &mut Island, shortest: f64) {
         self.velocities.clear();
         self.velocities.extend(island.bodies.iter().map(|&place| self.bodies[place as usize].velocity));
         loop {
@@ -89,7 +94,8 @@ impl JointSolver {
             let swing = self.fastest_swing(island, |row| lasting(row.load, row.impulse / kick));
             let is_followed = swing * step <= MOST_PHASE && !island.diverges;
             if is_followed || step < 2.0 * shortest {
-                return swing;
+                island.swing = island.swing.max(swing);
+                return;
             }
             island.times = Times { h: 0.5 * step, kick: 0.5 * kick, closing: 0.0 };
             island.pace = Pace { step: 0.5 * step, calm: 0.0 };
@@ -196,7 +202,7 @@ fn of_the_whole(body: &JointBody, start: &JointBody, step: f64, h: f64) -> Joint
 }
 
 impl Pace {
-    /// After a substep of length `h`, s, in which the fastest body swung at `swing`, rad/s.
+    /// For the next substep, after one of length `h`, s, in which the fastest body swung at `swing`, rad/s.
     pub(super) fn after(&mut self, h: f64, swing: f64) {
         self.calm = if 2.0 * self.step * swing < SLOW_PHASE { self.calm + h } else { 0.0 };
         if self.calm > CALM && self.step < f64::INFINITY {
