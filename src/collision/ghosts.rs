@@ -44,7 +44,28 @@ pub(crate) fn without_ghosts(
         let exposure = exposures[side].filter(|_| are_ghosts[side])?;
         in_place_of(&found, side, exposure, placed).filter(|manifold| !is_ghost(manifold, 1 - side))
     };
-    replacement(0).or_else(|| replacement(1))
+    replacement(0).or_else(|| replacement(1)).or_else(|| match are_ghosts {
+        [true, false] => of_bare_corners(&found, 0, exposures[0]?, placed),
+        [false, true] => of_bare_corners(&found, 1, exposures[1]?, placed),
+        _ => None,
+    })
+}
+
+/// What is left of a ghost of one shape that is none of the other: its normal is one of the other, and holds for the corners of the one that
+/// its neighbours leave alone. The far end of a leg that comes down with its side nearly flat, the near end of which is covered.
+fn of_bare_corners(
+    found: &Manifold,
+    side: usize,
+    exposure: &Exposure,
+    placed: Placed<'_>,
+) -> Option<Manifold> {
+    let (hull, rotation) = (placed.shapes[side].hull()?, placed.rotations[side]);
+    let rotation = placed.shapes[side].rotation_at(rotation);
+    found.filtered(|point| {
+        let half = found.normal * (0.5 * point.separation);
+        let place = if side == 0 { point.anchor_a - half } else { point.anchor_b + half };
+        exposure.is_bare(hull, rotation.unrotate(place))
+    })
 }
 
 /// What there is in the place of a ghost of one of the two shapes.

@@ -82,7 +82,8 @@ pub struct ManifoldPoint {
     pub anchor_a: Vec2,
     /// The same point from b's centre, m.
     pub anchor_b: Vec2,
-    /// Gap between the surfaces along the normal, m; negative where they overlap.
+    /// Gap between the surfaces along the normal, m; negative where they overlap. After a step it is that of the manifold with which it began,
+    /// and how the bodies have moved along its normal since; [`detect`](crate::collision::detect) tells of where they are.
     pub separation: f32,
     /// Which corners of the shapes bound it.
     pub feature: FeatureId,

@@ -144,6 +144,14 @@ impl Exposure {
         hull.is_segment() || hull.nearest_face(place).0 <= self.gap
     }
 
+    /// Whether a place, m, is at a corner that neighbours leave alone.
+    pub(crate) fn is_bare(&self, hull: &Hull, place: Vec2) -> bool {
+        let is_there =
+            |&corner: &usize| (hull.vertices[corner] - place).length_squared() <= self.overlap * self.overlap;
+        let mut corners = (0..hull.vertices().len()).filter(is_there);
+        corners.any(|corner| self.beyond[corner] == [Beyond::OtherFace; 2])
+    }
+
     /// Whether a part of a face is exposed.
     pub(crate) fn is_exposed(&self, face: usize) -> bool {
         self.faces[face].is_some()

@@ -161,7 +161,8 @@ impl Default for World {
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[non_exhaustive]
 pub struct StepError {
-    /// Deepest overlap of two bodies, m, along the normals of their manifolds.
+    /// Deepest overlap of two bodies, m, along the normals of their manifolds. These are found as a step begins: of bodies that turn or pass
+    /// each other fast it may be of places, and along a normal, that they have left.
     pub penetration: f32,
     /// Largest speed with which two touching points still approach each other, m/s.
     pub velocity_residual: f32,
