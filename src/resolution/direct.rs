@@ -25,18 +25,23 @@
 //! Cost: bodies × band², so for chains, towers and small heaps only.
 
 mod contact;
+mod joint;
 mod newton;
 mod row;
 mod skyline;
 
+use core::ops::Range;
+
 use crate::body::Bodies;
-use crate::collision::Contacts;
 use crate::compute::BodyState;
 use crate::math::Vec2;
 use crate::resolution::constraint_graph::ConstraintGraph;
-pub(crate) use crate::resolution::direct::contact::Aim;
 use crate::resolution::direct::contact::DirectContact;
+use crate::resolution::direct::joint::DirectJoint;
 use crate::resolution::direct::newton::{Newton, Part};
+use crate::resolution::direct::row::Triple;
+use crate::resolution::islands::Connections;
+use crate::resolution::joint::{JointSolver, Phase};
 
 /// Where Newton's method does not solve an island of no more bodies than this, that is tried again in the next step: to
 /// leave it to the sweeps of [`Tier::Swept`](crate::Tier), 42 of 10,000 random worlds show an overlap of 1 cm, and 1 so. More
@@ -45,8 +50,9 @@ const LARGEST_SMALL_ISLAND: usize = 32;
 
 /// The islands that are solved directly.
 ///
-/// In a step: `clear`, and `add_island` for each, once the constraints are there; in a substep `solve` to push, the drift,
-/// `restore_free`, a kick, and `solve` to relax, which alone gives the contacts their impulses.
+/// In a step: `clear`, and `add_island` for each, once the constraints are there; in each phase of a substep `begin`, `solve`, and where
+/// joints have answered `solve_joined`; after the drift `take_back_push`; and in the end `write_back`: only the second phase gives the
+/// contacts their impulses.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct DirectSolver {
     /// The row of each mover among the states.
@@ -54,14 +60,37 @@ pub(crate) struct DirectSolver {
     /// By row of the states, which mover it is.
     mover_of_row: Vec<Option<u32>>,
     contacts: Vec<DirectContact>,
-    islands: Vec<Part>,
+    joints: Vec<DirectJoint>,
+    islands: Vec<Island>,
     newton: Newton,
+    /// Scratch: of the ground and of each mover of an island, the group that joints hold together.
+    groups: Vec<u32>,
+    /// Which phase has begun; and of each row what it has handed over to a joint since.
+    phase: Phase,
+    handed: Vec<f64>,
+    /// Of each mover its velocities without what it was given in this phase, and those that it was given last.
+    without: Vec<[f32; 3]>,
+    given: Vec<[f32; 3]>,
+}
+
+#[derive(Clone, Debug)]
+struct Island {
+    part: Part,
+    /// Its joints. What they hold has to be known when these are solved, so its contacts begin with what they bore before.
+    joints: Range<usize>,
+}
+
+impl Island {
+    fn is_joined(&self) -> bool {
+        self.joints.start < self.joints.end
+    }
 }
 
 impl DirectSolver {
     pub(crate) fn clear(&mut self) {
         self.states_of_movers.clear();
         self.contacts.clear();
+        self.joints.clear();
         self.islands.clear();
         self.newton.clear();
     }
@@ -71,10 +100,13 @@ impl DirectSolver {
         &mut self,
         island: &[u32],
         bodies: &Bodies,
-        contacts: &Contacts,
+        connections: Connections<'_>,
         graph: &ConstraintGraph,
+        joint_solver: &JointSolver,
     ) {
-        let (first_mover, begin) = (self.states_of_movers.len(), self.newton.end());
+        let Connections { contacts, joints } = connections;
+        let (first_mover, first_joint) = (self.states_of_movers.len(), self.joints.len());
+        let begin = self.newton.end();
         self.mover_of_row.resize(bodies.row_count(), None);
         for &slot in island {
             let motion = &bodies.motions[slot as usize];
@@ -87,6 +119,17 @@ impl DirectSolver {
             self.newton.masses.push([mass, mass, inertia]);
         }
         for &slot in island {
+            for index in joints.of_body(slot) {
+                let Some((rows, of_bodies)) = joint_solver.rows_of_joint(index) else { continue };
+                let movers = of_bodies.map(|row| self.mover_of_row[row as usize]);
+                if movers.contains(&None) || slot == joints.all[index].slot_a {
+                    self.joints.push(DirectJoint::new(rows, movers, &mut self.newton));
+                }
+            }
+        }
+        let of_island = first_joint..self.joints.len();
+        self.find_groups(first_mover as u32, of_island.clone());
+        for &slot in island {
             for index in contacts.of_body(bodies, slot) {
                 let contact = &contacts[index];
                 let Some(home) = graph.home(index) else { continue };
@@ -96,14 +139,36 @@ impl DirectSolver {
                 if movers.contains(&None) || slot == contact.slots[0] {
                     let points = contact.manifold.points().len();
                     let speed = bodies.roles.surface_speed(contact.colliders).unwrap_or(0.0);
+                    let [a, b] = movers.map(|mover| self.group_of(mover, first_mover as u32));
+                    let is_between_joined = a == b;
                     self.contacts.push(DirectContact::new(home, points, movers, speed, &mut self.newton));
+                    self.newton.yield_in_full(2 * points, is_between_joined);
                 }
             }
         }
         for &row in &self.states_of_movers[first_mover..] {
             self.mover_of_row[row as usize] = None;
         }
-        self.islands.push(self.newton.part_from(begin));
+        let part = self.newton.part_from(begin);
+        self.islands.push(Island { part, joints: of_island });
+        self.without.resize(self.states_of_movers.len(), [0.0; 3]);
+        self.given.resize(self.states_of_movers.len(), [0.0; 3]);
+    }
+
+    /// Finds which movers of an island, from the first on, its joints hold together, and which they hold to the ground.
+    fn find_groups(&mut self, first: u32, joints: Range<usize>) {
+        self.groups.clear();
+        self.groups.extend(0..=self.states_of_movers.len() as u32 - first);
+        for joint in &self.joints[joints] {
+            let [a, b] = joint.movers().map(|mover| self.group_of(mover, first));
+            let (to, from) = (a.min(b), a.max(b));
+            self.groups.iter_mut().filter(|group| **group == from).for_each(|group| *group = to);
+        }
+    }
+
+    /// The group of a mover, 0 for that of the ground.
+    fn group_of(&self, mover: Option<u32>, first: u32) -> u32 {
+        self.groups[mover.map_or(0, |mover| 1 + mover - first) as usize]
     }
 
     pub(crate) fn is_empty(&self) -> bool {
@@ -113,50 +178,120 @@ impl DirectSolver {
     /// Rows of the bodies of islands that Newton's method did not solve in this step, but for small ones, which are tried
     /// again in the next.
     pub(crate) fn unsolved_rows(&self) -> impl Iterator<Item = u32> {
-        let is_left = |part: &&Part| part.is_unsolved && part.movers.len() > LARGEST_SMALL_ISLAND;
-        self.islands
-            .iter()
-            .filter(is_left)
+        let parts = self.islands.iter().map(|island| &island.part);
+        parts
+            .filter(|part| part.is_unsolved && part.movers.len() > LARGEST_SMALL_ISLAND)
             .flat_map(|part| self.states_of_movers[part.movers.clone()].iter().copied())
     }
 
-    /// Takes what the contacts gave the bodies in the last solve out of the velocities again; what has struck them since stays.
-    pub(crate) fn restore_free(&self, states: &mut [BodyState]) {
-        let Newton { free, sought, .. } = &self.newton;
-        for (&row, (free, sought)) in self.states_of_movers.iter().zip(free.iter().zip(sought)) {
-            let state = &mut states[row as usize];
-            let [[free_x, free_y, free_w], [x, y, w]] = [free, sought].map(|all| all.map(|v| v as f32));
-            state.velocity.x = free_x + (state.velocity.x - x);
-            state.velocity.y = free_y + (state.velocity.y - y);
-            state.angular_velocity = free_w + (state.angular_velocity - w);
+    /// Begins a phase, from the constraints of the contacts and the states of the bodies. Where bodies are joined, contacts begin with
+    /// what they bore before.
+    pub(crate) fn begin(&mut self, graph: &ConstraintGraph, states: &mut [BodyState], phase: Phase, h: f32) {
+        self.phase = phase;
+        self.handed.clear();
+        self.handed.resize(self.newton.rows.len(), 0.0);
+        let Self { states_of_movers, contacts, islands, newton, without, given, .. } = self;
+        for row in &mut newton.rows {
+            row.impulse = 0.0;
         }
-    }
-
-    /// Finds the velocities with contacts, from those of now, which are without; and the impulses.
-    pub(crate) fn solve(&mut self, graph: &mut ConstraintGraph, states: &mut [BodyState], aim: Aim, h: f32) {
-        if self.is_empty() {
-            return;
+        for contact in contacts {
+            contact.fill_rows(&mut newton.rows, graph, states, phase, 1.0 / h);
         }
-        self.newton.free.clear();
-        for &row in &self.states_of_movers {
-            let state = &states[row as usize];
-            let velocity = [state.velocity.x, state.velocity.y, state.angular_velocity];
-            self.newton.free.push(velocity.map(f64::from));
+        for (given, &row) in given.iter_mut().zip(&*states_of_movers) {
+            *given = velocity_of(&states[row as usize]);
         }
-        for contact in &self.contacts {
-            contact.fill_rows(&mut self.newton.rows, graph, states, aim, 1.0 / h);
-        }
-        for island in &mut self.islands {
-            self.newton.solve(island);
-        }
-        for (&row, &[x, y, w]) in self.states_of_movers.iter().zip(&self.newton.sought) {
-            let state = &mut states[row as usize];
-            (state.velocity, state.angular_velocity) = (Vec2::new(x as f32, y as f32).into(), w as f32);
-        }
-        if aim == Aim::Relax {
-            for contact in &self.contacts {
-                contact.write_back(&self.newton.rows, graph);
+        without.copy_from_slice(given);
+        // Before the move the rows have half already.
+        let part = 1.0;
+        for island in islands.iter().filter(|island| island.is_joined()) {
+            newton.find_gains(&island.part);
+            for mover in island.part.movers.clone() {
+                let with_gains =
+                    [0, 1, 2].map(|axis| f64::from(given[mover][axis]) + part * newton.gains[mover][axis]);
+                given[mover] = give(with_gains, &mut states[states_of_movers[mover] as usize]);
             }
         }
     }
+
+    /// Finds the impulses of contacts, and the velocities with them. Joints are still to answer to how their bodies turn by that.
+    pub(crate) fn solve(&mut self, states: &mut [BodyState], joints: &mut JointSolver) {
+        for number in 0..self.islands.len() {
+            self.solve_island(number, states, joints);
+        }
+    }
+
+    /// The same of islands whose joints have answered.
+    pub(crate) fn solve_joined(&mut self, states: &mut [BodyState], joints: &mut JointSolver) {
+        for number in 0..self.islands.len() {
+            if self.islands[number].is_joined() {
+                self.solve_island(number, states, joints);
+            }
+        }
+    }
+
+    fn solve_island(&mut self, number: usize, states: &mut [BodyState], joints: &mut JointSolver) {
+        self.note_changes(number, states);
+        let Self { states_of_movers, islands, newton, given, handed, phase, .. } = self;
+        let is_joined = islands[number].is_joined();
+        let Island { part, joints: of_island } = &mut islands[number];
+        for mover in part.movers.clone() {
+            newton.free[mover] = given[mover].map(f64::from);
+        }
+        for joint in &self.joints[of_island.clone()] {
+            joint.fill_rows(&mut newton.rows, joints, *phase, &newton.free);
+        }
+        if is_joined {
+            newton.take_out_gains(part);
+        }
+        newton.solve(part);
+        for joint in &self.joints[of_island.clone()] {
+            joint.hand_over(&newton.rows, joints, handed);
+        }
+        for mover in part.movers.clone() {
+            given[mover] = give(newton.sought[mover], &mut states[states_of_movers[mover] as usize]);
+        }
+    }
+
+    /// Takes note of how others have changed the velocities of an island since they were given.
+    fn note_changes(&mut self, number: usize, states: &[BodyState]) {
+        for mover in self.islands[number].part.movers.clone() {
+            let now = velocity_of(&states[self.states_of_movers[mover] as usize]);
+            let given = std::mem::replace(&mut self.given[mover], now);
+            let without = &mut self.without[mover];
+            *without = [0, 1, 2].map(|axis| without[axis] + (now[axis] - given[axis]));
+        }
+    }
+
+    /// Takes back, when the bodies have moved, what they were given before: what presses in the end is found anew. What has struck bodies
+    /// since stays, and what their joints have answered.
+    pub(crate) fn take_back_push(&mut self, states: &mut [BodyState], joints: &mut JointSolver) {
+        for joint in &self.joints {
+            joint.take_back(joints, &self.handed);
+        }
+        for number in 0..self.islands.len() {
+            self.note_changes(number, states);
+        }
+        for (&row, without) in self.states_of_movers.iter().zip(&self.without) {
+            give(without.map(f64::from), &mut states[row as usize]);
+        }
+    }
+
+    /// Gives the contacts the impulses that were found last.
+    pub(crate) fn write_back(&self, graph: &mut ConstraintGraph) {
+        for contact in &self.contacts {
+            contact.write_back(&self.newton.rows, graph);
+        }
+    }
+}
+
+/// Along x and y, and of the turn, m/s and rad/s.
+fn velocity_of(state: &BodyState) -> [f32; 3] {
+    [state.velocity.x, state.velocity.y, state.angular_velocity]
+}
+
+/// Gives a body a velocity; returns it as the body has it.
+fn give(velocity: Triple, state: &mut BodyState) -> [f32; 3] {
+    let [x, y, w] = velocity.map(|v| v as f32);
+    (state.velocity, state.angular_velocity) = (Vec2::new(x, y).into(), w);
+    [x, y, w]
 }

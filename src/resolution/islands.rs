@@ -51,33 +51,19 @@ impl Islands {
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Connections<'a> {
     pub(crate) contacts: &'a Contacts,
-    /// None where only contacts are to count.
-    pub(crate) joints: Option<&'a Joints>,
+    pub(crate) joints: &'a Joints,
 }
 
-/// Appends the body in `slot` to `island`, and all that contacts connect with it, nearest first; none that was `seen`
+/// Appends the body in `slot` to `island`, and all that contacts and joints connect with it, nearest first; none that was `seen`
 /// before. Calls `look_at` with index and contact of all of theirs, with those between two of them twice.
 pub(crate) fn find_island(
     slot: u32,
     bodies: &Bodies,
-    contacts: &Contacts,
-    seen: &mut BitSet,
-    island: &mut Vec<u32>,
-    look_at: impl FnMut(u32, &Contact),
-) {
-    find_connected(slot, bodies, Connections { contacts, joints: None }, seen, island, look_at);
-}
-
-/// The same with all that joints connect with it, too.
-pub(crate) fn find_connected(
-    slot: u32,
-    bodies: &Bodies,
-    connections: Connections<'_>,
+    Connections { contacts, joints }: Connections<'_>,
     seen: &mut BitSet,
     island: &mut Vec<u32>,
     mut look_at: impl FnMut(u32, &Contact),
 ) {
-    let Connections { contacts, joints } = connections;
     let mut next = island.len();
     if seen.insert(slot) {
         island.push(slot);
@@ -95,8 +81,8 @@ pub(crate) fn find_connected(
                 island.push(other);
             }
         }
-        for index in joints.into_iter().flat_map(|joints| joints.of_body(slot)) {
-            let other = joints.map_or(NONE, |joints| joints.all[index].other(slot));
+        for index in joints.of_body(slot) {
+            let other = joints.all[index].other(slot);
             if other != NONE && bodies.is_dynamic(other) && seen.insert(other) {
                 island.push(other);
             }

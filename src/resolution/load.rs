@@ -31,8 +31,10 @@ pub(super) const CALM_STEPS: u8 = 30;
 /// The load of a contact.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct ContactLoad {
-    /// For how many steps it has been great.
+    /// For how many steps it has been great; 1 where the bodies move against each other, between which none lasts.
     steps: u8,
+    /// Whether they do.
+    pub(super) is_passing: bool,
     /// The overlap that sweeps would leave under it, as a share of the width of the thinner body.
     pub(super) sag: f32,
 }
@@ -119,11 +121,13 @@ impl LoadMeasure {
     #[inline(always)]
     pub(crate) fn note_load(self, contact: &Contact, load: &mut ContactLoad, speed: f32) -> bool {
         let sag = sag(self.factor * speed, self.usual_rate);
-        if !contact.holds_still || sag <= CALM_SHARE * DIRECT_SHARE * contact.thickness {
+        if sag <= CALM_SHARE * DIRECT_SHARE * contact.thickness {
             load.steps = 0;
             return false;
         }
-        *load = ContactLoad { steps: load.steps.saturating_add(1), sag: sag / contact.thickness };
+        let steps_before = if load.is_passing { 0 } else { load.steps };
+        let steps = if contact.holds_still { steps_before.saturating_add(1) } else { 1 };
+        *load = ContactLoad { steps, is_passing: !contact.holds_still, sag: sag / contact.thickness };
         load.counts(contact)
     }
 }
@@ -134,13 +138,15 @@ pub(super) struct Load {
     /// Largest sag under what lasts, and of all that is great, as a share of the thickness.
     pub(super) lasting: f32,
     pub(super) greatest: f32,
+    /// Whether loads between bodies that move against each other count.
+    pub(super) takes_passing: bool,
     /// Whether one of those that sag too far has not done so for long.
     pub(super) is_recent: bool,
 }
 
 impl Load {
     pub(super) fn add(&mut self, load: ContactLoad, contact: &Contact) {
-        if load.counts(contact) {
+        if load.counts(contact) && (self.takes_passing || !load.is_passing) {
             self.greatest = self.greatest.max(load.sag);
         }
         if load.lasts() {

@@ -38,7 +38,7 @@ pub(crate) use constraint::StepResidual;
 pub(crate) use constraint_graph::ConstraintGraph;
 pub(crate) use events::Encounter;
 pub(crate) use integrate::SpeedLimits;
-pub(crate) use islands::{Connections, Islands, find_connected};
+pub(crate) use islands::{Connections, Islands, find_island};
 #[cfg(feature = "report")]
 pub(crate) use kernel::work_of_a_substep;
 pub(crate) use load::{Loads, begins_at_rest};

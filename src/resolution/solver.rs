@@ -13,10 +13,10 @@ use crate::resolution::constraint::StepResidual;
 use crate::resolution::constraint_graph::ConstraintGraph;
 use crate::resolution::contact_block::Beginning;
 use crate::resolution::damping::{Damped, is_damped};
-use crate::resolution::direct::{Aim, DirectSolver};
+use crate::resolution::direct::DirectSolver;
 use crate::resolution::events::{Continuous, Courses, EventScene, Impacts, Seams, Strikes};
 use crate::resolution::integrate::{Advance, Kick, Kicks, integrate};
-use crate::resolution::islands::Islands;
+use crate::resolution::islands::{Connections, Islands};
 use crate::resolution::joint::{JointSolver, Phase};
 use crate::resolution::kernel::{MOST_TURNED, SweepOver, WarmStart, WarmStartTime};
 use crate::resolution::load::{LoadMeasure, Loads};
@@ -151,7 +151,7 @@ impl Solver {
         if acceleration.varies() {
             self.accelerate(scheme, tables, acceleration);
         }
-        self.direct.restore_free(&mut tables.bodies.states);
+        self.direct.take_back_push(&mut tables.bodies.states, &mut self.joints);
         self.integrate(scheme, tables, None, kick);
     }
 
@@ -174,6 +174,7 @@ impl Solver {
             self.joints.begin_push(&tables.bodies.states);
         }
         self.warm_start(WarmStartTime::BeforeMove, scheme, tables);
+        self.direct.begin(tables.graph, &mut tables.bodies.states, Phase::Push, h);
         if !self.joints.is_empty() {
             self.joints.push(scheme, &self.kicks, &mut tables.bodies.states);
         }
@@ -182,8 +183,8 @@ impl Solver {
         for _ in 0..scheme.iterations {
             graph.for_each_swept(tables.executor, states, &sweep);
         }
+        self.direct.solve(states, &mut self.joints);
         self.hold_joints(Phase::Push, scheme, &sweep, tables);
-        self.direct.solve(tables.graph, &mut tables.bodies.states, Aim::Push, h);
     }
 
     /// One of the warm starts of a substep.
@@ -219,6 +220,7 @@ impl Solver {
             for &contact in self.joints.contacts() {
                 tables.graph.run_at(contact, states, &sweep);
             }
+            self.direct.solve_joined(states, &mut self.joints);
         }
         self.joints.solve_again(phase, scheme, states);
     }
@@ -243,6 +245,8 @@ impl Solver {
         if scheme.split_kick && scheme.warm_starting {
             self.warm_start(WarmStartTime::AfterMove, scheme, tables);
         }
+        let h = scheme.substep_time();
+        self.direct.begin(tables.graph, &mut tables.bodies.states, Phase::Relax, h);
         self.rolling.solve(tables.graph, &mut tables.bodies.states);
         if !self.joints.is_empty() {
             self.joints.relax(scheme, &mut tables.bodies.states);
@@ -252,6 +256,7 @@ impl Solver {
             let sweep = scheme.sweep_over(scheme.relax_sweep(), iteration == 0);
             graph.for_each_swept(tables.executor, states, &sweep);
         }
+        self.direct.solve(states, &mut self.joints);
         if scheme.split_kick {
             let sweep = scheme.sweep_over(scheme.relax_sweep(), false);
             self.hold_joints(Phase::Relax, scheme, &sweep, tables);
@@ -259,7 +264,7 @@ impl Solver {
         if !self.joints.is_empty() {
             self.joints.end_substep(scheme);
         }
-        self.direct.solve(tables.graph, &mut tables.bodies.states, Aim::Relax, scheme.substep_time());
+        self.direct.write_back(tables.graph);
         self.rolling.solve(tables.graph, &mut tables.bodies.states);
     }
 
@@ -291,7 +296,8 @@ impl Solver {
         self.joints.find_contacts(bodies, contacts, graph);
         self.direct.clear();
         for island in islands.iter() {
-            self.direct.add_island(island, tables.bodies, tables.contacts, tables.graph);
+            let connections = Connections { contacts: &*tables.contacts, joints: &*tables.joints };
+            self.direct.add_island(island, tables.bodies, connections, tables.graph, &self.joints);
         }
     }
 

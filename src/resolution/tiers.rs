@@ -3,7 +3,7 @@
 //! What sweeps leave wrong at rest is known beforehand: until the load has lasted, a contact sags under the impulse λ of a substep to where
 //! the bias makes up for half of the compliance, which is 14 % of k λ (see [`sag`]). Where that is more than an eightieth
 //! of the thinner body, in a contact whose bodies hardly move against each other, for a few steps, the island is solved
-//! directly, if that is little work and nothing of it is joined. In a small island one step is enough: that is a blow. It ends
+//! directly, if that is little work. In a small island one step is enough: that is a blow. It ends
 //! when the load does, or when the direct solve does not solve the island: that is tried again later, if much would sag. Only
 //! the state decides, never a clock: a clone is solved as its original.
 //!
@@ -18,7 +18,7 @@ use crate::body::{Bodies, NONE};
 use crate::collision::{Contact, Contacts};
 use crate::joint::Joints;
 use crate::resolution::constraint_graph::ConstraintGraph;
-use crate::resolution::islands::{Islands, find_island};
+use crate::resolution::islands::{Connections, Islands, find_island};
 use crate::resolution::load::{
     CALM_SHARE, CALM_STEPS, DIRECT_SHARE, LASTING_STEPS, Load, Loads, USUAL_RATE, begins_at_rest,
 };
@@ -39,6 +39,11 @@ const LARGEST_DIRECT_ISLAND: usize = 256;
 /// what strikes it: at an eighth of its speed where masses are equal, at half where they are 10 : 1. Larger islands are struck all
 /// the time.
 const SMALL_ISLAND: usize = 4;
+
+/// Nor is it small with more bodies than this, joined ones counted; larger islands with joints are swept. With two dozen heaps of
+/// ragdolls, which go to and fro between both, come to rest later: one of six moves after ten seconds. With fewer than six, a car
+/// with a stone under each wheel is swept.
+const MOST_IN_SMALL_ISLAND: usize = 8;
 
 /// For how many steps an island counts as calm already, as it comes to be solved directly before its loads have lasted: it stays so
 /// until they would, and no longer if they are little.
@@ -104,11 +109,25 @@ impl TierTables<'_> {
         contact.slots.iter().map(|&slot| self.bodies.motions[slot as usize].inverse_mass).sum()
     }
 
-    /// The bodies that the one in `slot` touches and that contacts move.
-    fn neighbours(&self, slot: u32) -> impl Iterator<Item = u32> {
+    fn connections(&self) -> Connections<'_> {
+        Connections { contacts: self.contacts, joints: self.joints }
+    }
+
+    /// The bodies that the one in `slot` touches, and that contacts move.
+    fn touching(&self, slot: u32) -> impl Iterator<Item = u32> {
         let has_points = |index: &u32| !self.contacts[*index].manifold.points().is_empty();
         let touching = self.contacts.of_body(self.bodies, slot).filter(has_points);
         touching.map(move |index| self.contacts[index].other(slot)).filter(|&other| self.moves(other))
+    }
+
+    /// Those that joints join it to.
+    fn joined(&self, slot: u32) -> impl Iterator<Item = u32> {
+        let joined = self.joints.of_body(slot).map(move |index| self.joints.all[index].other(slot));
+        joined.filter(|&other| other != NONE && self.moves(other))
+    }
+
+    fn neighbours(&self, slot: u32) -> impl Iterator<Item = u32> {
+        self.touching(slot).chain(self.joined(slot))
     }
 }
 
@@ -183,9 +202,12 @@ impl Tiers {
             }
         }
         for &index in &loads.great {
-            let lasts = loads.of_contact[index as usize].lasts();
+            let load = loads.of_contact[index as usize];
             for slot in tables.slots(index) {
-                if lasts || !self.seen.contains(slot) && is_in_small_island(slot, &tables) {
+                let counts_in = |island: SmallIsland| !load.is_passing || island.is_joined(&tables);
+                let is_blow =
+                    || !self.seen.contains(slot) && small_island(slot, &tables).is_some_and(counts_in);
+                if load.lasts() || is_blow() {
                     self.decide_island(slot, tick, rule, loads, &mut tables);
                 }
             }
@@ -213,7 +235,10 @@ impl Tiers {
         if self.seen.contains(slot) || (!was_direct && self.histories[slot as usize].quiet_until > tick) {
             return;
         }
-        let (mut load, mut is_driven, bodies) = (Load::default(), false, tables.bodies);
+        let small = small_island(slot, tables);
+        let takes_passing = small.as_ref().is_some_and(|island| island.is_joined(tables));
+        let (mut load, mut is_driven, bodies) =
+            (Load { takes_passing, ..Load::default() }, false, tables.bodies);
         let drives = |slot| !bodies.is_dynamic(slot) && bodies.state(slot).is_moving();
         self.find_island(slot, tables, |index, contact| {
             load.add(loads.of_contact[index as usize], contact);
@@ -221,7 +246,7 @@ impl Tiers {
         });
         let was_direct = self.island.iter().any(|&slot| tables.graph.is_direct(slot));
         // Between walls and what a kinematic body presses on, a blow may have no solution: bodies left a box with a paddle.
-        let blows_count = self.island.len() <= SMALL_ISLAND && !is_driven;
+        let blows_count = !is_driven && small.is_some();
         let largest = if blows_count { load.greatest } else { load.lasting };
         let history = History::of_island(self.island.iter().map(|&slot| self.histories[slot as usize]));
         let is_hopeless = !was_direct
@@ -269,10 +294,17 @@ impl Tiers {
         }
         let (mut begins, mut softest) = (true, 0.0_f32);
         self.island.clear();
-        find_island(slot, tables.bodies, tables.contacts, &mut self.begun, &mut self.island, |_, contact| {
-            begins &= begins_at_rest(contact, tables.bodies);
-            softest = softest.max(tables.inverse_mass(contact) / contact.thickness);
-        });
+        find_island(
+            slot,
+            tables.bodies,
+            tables.connections(),
+            &mut self.begun,
+            &mut self.island,
+            |_, contact| {
+                begins &= begins_at_rest(contact, tables.bodies);
+                softest = softest.max(tables.inverse_mass(contact) / contact.thickness);
+            },
+        );
         let mass =
             self.island.iter().map(|&slot| tables.bodies.motions[slot as usize].inverse_mass.recip()).sum();
         let may_sag = rule.sag_under(mass, softest) > DIRECT_SHARE;
@@ -287,7 +319,7 @@ impl Tiers {
     /// Finds the island of the body in `slot`, and looks at its contacts.
     fn find_island(&mut self, slot: u32, tables: &TierTables<'_>, look_at: impl FnMut(u32, &Contact)) {
         self.island.clear();
-        find_island(slot, tables.bodies, tables.contacts, &mut self.seen, &mut self.island, look_at);
+        find_island(slot, tables.bodies, tables.connections(), &mut self.seen, &mut self.island, look_at);
     }
 
     /// Gives the island a tier.
@@ -321,20 +353,17 @@ impl Tiers {
         for &slot in self.found.iter().rev() {
             if !self.ordered.contains(slot) {
                 let (seen, island) = (&mut self.ordered, &mut self.island);
-                find_island(slot, tables.bodies, tables.contacts, seen, island, |_, _| ());
+                find_island(slot, tables.bodies, tables.connections(), seen, island, |_, _| ());
             }
         }
         self.island.reverse();
         self.island.extend(&self.hubs);
     }
 
-    /// Whether the island can be solved directly; then it is in the order of the matrix. It has to be small enough, and without
-    /// joints: those are solved in turn with the sweeps. Solved without them, loads sink into a bridge by 5 cm in the place of 2 mm,
-    /// and ragdolls in a heap do not come to rest.
+    /// Whether the island can be solved directly; then it is in the order of the matrix. It has to be small enough.
     fn can_be_direct(&mut self, tables: &TierTables<'_>) -> bool {
-        if self.island.len() > LARGEST_DIRECT_ISLAND
-            || self.island.iter().any(|&slot| tables.joints.hold(slot))
-        {
+        let is_joined = self.island.iter().any(|&slot| tables.joints.hold(slot));
+        if self.island.len() > if is_joined { MOST_IN_SMALL_ISLAND } else { LARGEST_DIRECT_ISLAND } {
             return false;
         }
         self.order(tables);
@@ -356,22 +385,63 @@ impl Tiers {
     }
 }
 
-/// Whether the body in a slot is in an island of no more than [`SMALL_ISLAND`] bodies.
-fn is_in_small_island(slot: u32, tables: &TierTables<'_>) -> bool {
-    let mut island = [slot; SMALL_ISLAND];
-    let (mut len, mut next) = (1, 0);
-    while next < len {
-        for other in tables.neighbours(island[next]) {
-            if island[..len].contains(&other) {
+/// The island of the body in a slot, if that is no more than [`SMALL_ISLAND`] bodies, of those that are joined one counted.
+fn small_island(slot: u32, tables: &TierTables<'_>) -> Option<SmallIsland> {
+    let mut island = SmallIsland { bodies: [slot; MOST_IN_SMALL_ISLAND], len: 1 };
+    let (mut place, mut count) = (0, 1);
+    island.add_joined(0, tables)?;
+    while place < island.len {
+        for other in tables.touching(island.bodies[place]) {
+            let first = island.len;
+            if island.has(other) {
                 continue;
             }
-            if len == SMALL_ISLAND {
-                return false;
+            count += 1;
+            if count > SMALL_ISLAND {
+                return None;
             }
-            island[len] = other;
-            len += 1;
+            island.add(other)?;
+            island.add_joined(first, tables)?;
         }
-        next += 1;
+        place += 1;
     }
-    true
+    Some(island)
+}
+
+/// Bodies of an island, on the stack.
+struct SmallIsland {
+    bodies: [u32; MOST_IN_SMALL_ISLAND],
+    len: usize,
+}
+
+impl SmallIsland {
+    fn has(&self, body: u32) -> bool {
+        self.bodies[..self.len].contains(&body)
+    }
+
+    /// Whether a joint holds any of the bodies.
+    fn is_joined(&self, tables: &TierTables<'_>) -> bool {
+        self.bodies[..self.len].iter().any(|&body| tables.joints.hold(body))
+    }
+
+    /// Adds a body, if there is room.
+    fn add(&mut self, body: u32) -> Option<()> {
+        *self.bodies.get_mut(self.len)? = body;
+        self.len += 1;
+        Some(())
+    }
+
+    /// Adds what is joined to the bodies from the `first` on, if there is room.
+    fn add_joined(&mut self, first: usize, tables: &TierTables<'_>) -> Option<()> {
+        let mut next = first;
+        while next < self.len {
+            for other in tables.joined(self.bodies[next]) {
+                if !self.has(other) {
+                    self.add(other)?;
+                }
+            }
+            next += 1;
+        }
+        Some(())
+    }
 }

@@ -3,7 +3,7 @@
 //! Each is made by way of the body's description, which is checked as a whole, and so refused as a whole.
 
 use crate::body::{Body, BodyError, BodyId, BodyType, Material};
-use crate::resolution::{Connections, find_connected};
+use crate::resolution::{Connections, find_island};
 use crate::shape::Shape;
 use crate::store::BitSet;
 use crate::world::{BodyMut, Tier, World};
@@ -154,8 +154,8 @@ impl World {
         }
         let (mut island, bodies) = (Vec::new(), &self.bodies);
         let mut is_moved = false;
-        let all = Connections { contacts: &self.contacts, joints: Some(&self.joints) };
-        find_connected(slot, bodies, all, &mut BitSet::default(), &mut island, |_, contact| {
+        let all = Connections { contacts: &self.contacts, joints: &self.joints };
+        find_island(slot, bodies, all, &mut BitSet::default(), &mut island, |_, contact| {
             let moves = |slot: u32| !bodies.is_dynamic(slot) && bodies.state(slot).is_moving();
             is_moved |= contact.slots.into_iter().any(moves);
         });

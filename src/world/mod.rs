@@ -58,7 +58,7 @@ use crate::compute::ThreadPool;
 use crate::joint::Joints;
 use crate::math::{Aabb, Vec2};
 use crate::resolution::{
-    Connections, ConstraintGraph, Loads, Refinement, Rescaling, Solver, StepResidual, Tiers, find_connected,
+    Connections, ConstraintGraph, Loads, Refinement, Rescaling, Solver, StepResidual, Tiers, find_island,
 };
 use crate::store::{BitSet, Slots};
 use crate::world::attractor::Field;
@@ -342,12 +342,12 @@ impl World {
     pub fn islands(&self) -> Vec<Vec<BodyId>> {
         let mut seen = BitSet::default();
         let mut islands = Vec::new();
-        let all = Connections { contacts: &self.contacts, joints: Some(&self.joints) };
+        let all = Connections { contacts: &self.contacts, joints: &self.joints };
         for id in self.bodies.ids() {
             let slot = id.0.index();
             if self.bodies.is_dynamic(slot) && !seen.contains(slot) {
                 let mut slots = Vec::new();
-                find_connected(slot, &self.bodies, all, &mut seen, &mut slots, |_, _| ());
+                find_island(slot, &self.bodies, all, &mut seen, &mut slots, |_, _| ());
                 slots.sort_unstable();
                 islands
                     .push(slots.into_iter().map(|slot| BodyId(self.bodies.records.key_at(slot))).collect());

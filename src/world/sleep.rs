@@ -12,7 +12,7 @@ use crate::body::{Bodies, NONE, RestRule};
 use crate::collision::Contacts;
 use crate::joint::Joints;
 use crate::math::Vec2;
-use crate::resolution::{Connections, ConstraintGraph, Islands, Tiers, find_connected};
+use crate::resolution::{Connections, ConstraintGraph, Islands, Tiers, find_island};
 use crate::store::{BitSet, Slots};
 
 /// Islands at rest are looked for so many times a second: to look for them in each step takes a tenth of the time of a
@@ -166,8 +166,8 @@ impl Sleepers {
         let bodies = &*tables.bodies;
         let (mut rests, mut stands) = (true, false);
         self.island.clear();
-        let all = Connections { contacts: &*tables.contacts, joints: Some(tables.joints) };
-        find_connected(slot, bodies, all, &mut self.seen, &mut self.island, |_, contact| {
+        let all = Connections { contacts: &*tables.contacts, joints: tables.joints };
+        find_island(slot, bodies, all, &mut self.seen, &mut self.island, |_, contact| {
             // What a moving kinematic body touches stays awake.
             let moves = |&slot: &u32| bodies.is_awake(slot) && !is_at_rest(tables.bodies, slot, rule.rest);
             rests &= !contact.slots.iter().any(moves);

@@ -7,21 +7,13 @@ use crate::resolution::constraint::ContactConstraint;
 use crate::resolution::constraint_graph::{ConstraintGraph, GraphIndex};
 use crate::resolution::direct::newton::Newton;
 use crate::resolution::direct::row::{Bound, Row};
+use crate::resolution::joint::Phase;
 use crate::resolution::softness::{bias, gap_bias};
 use crate::resolution::solve_contact::LARGEST_SPEED_CHANGE;
 
 /// A gap below this share of the way from the centre of what moves to the point is rounding, no unit: the point would
 /// be sent to and fro to close it.
 const SMALLEST_GAP: f32 = 1e-6;
-
-/// What the solve aims at.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Aim {
-    /// Before the move: overlaps are pushed apart.
-    Push,
-    /// After it: nothing approaches.
-    Relax,
-}
 
 /// A contact that is solved directly.
 #[derive(Clone, Copy, Debug)]
@@ -61,7 +53,7 @@ impl DirectContact {
         rows: &mut [Row],
         graph: &ConstraintGraph,
         states: &[BodyState],
-        aim: Aim,
+        phase: Phase,
         substep_rate: f32,
     ) {
         let constraint = graph.constraint(self.home);
@@ -74,13 +66,13 @@ impl DirectContact {
             let anchors = [Vec2::from(point.anchor_a), Vec2::from(point.anchor_b)];
             let moved = (0..2).filter(|&side| self.moves[side]);
             let reach = moved.map(|side| anchors[side].length()).fold(0.0, f32::max);
-            let bias = match aim {
+            let bias = match phase {
                 _ if (0.0..SMALLEST_GAP * reach).contains(&separation) => 0.0,
                 _ if separation < 0.0 && is_tangled => 0.0,
-                Aim::Push => bias(separation, substep_rate),
-                Aim::Relax => gap_bias(separation, substep_rate),
+                Phase::Push => bias(separation, substep_rate),
+                Phase::Relax => gap_bias(separation, substep_rate),
             };
-            self.fill_point(rows, &constraint, index, sides, aim);
+            self.fill_point(rows, &constraint, index, sides, phase);
             rows[0].carried = rows[0].bias;
             rows[1].carried = rows[1].bias;
             rows[0].bias += f64::from(bias);
@@ -98,7 +90,7 @@ impl DirectContact {
         constraint: &ContactConstraint<f32>,
         index: usize,
         sides: [&BodyState; 2],
-        aim: Aim,
+        phase: Phase,
     ) {
         let (point, friction) = (&constraint.points[index], &constraint.frictions[index]);
         let anchors = [Vec2::from(point.anchor_a), Vec2::from(point.anchor_b)];
@@ -106,7 +98,7 @@ impl DirectContact {
         let normal = Vec2::from(constraint.normal);
         let impulses = [point.normal_impulse, friction.impulse];
         // Half the forces have acted before the move, all of them after it.
-        let share = if aim == Aim::Push { 0.5 } else { 1.0 };
+        let share = if phase == Phase::Push { 0.5 } else { 1.0 };
         rows[0].bound = Bound::Range([0.0, f64::from(LARGEST_SPEED_CHANGE / point.normal_k)]);
         if let Bound::FrictionOf { friction, .. } = &mut rows[1].bound {
             *friction = f64::from(constraint.friction);

@@ -80,6 +80,8 @@ pub(super) struct Newton {
     /// Velocities without impulses, and those sought.
     pub(super) free: Vec<Triple>,
     pub(super) sought: Vec<Triple>,
+    /// What the impulses add to the velocities.
+    pub(super) gains: Vec<Triple>,
     /// The rows of a pair follow each other, and a row of friction the one that bounds it.
     pub(super) rows: Vec<Row>,
     pairs: Vec<Pair>,
@@ -111,6 +113,12 @@ impl Newton {
         }
     }
 
+    /// Has the last so many rows yield to all that they bear, if so.
+    pub(super) fn yield_in_full(&mut self, count: usize, is_so: bool) {
+        let first = self.rows.len() - count;
+        self.rows[first..].iter_mut().for_each(|row| row.yields_in_full = is_so);
+    }
+
     /// Where the next part begins.
     pub(super) fn end(&self) -> [usize; 3] {
         [self.masses.len(), self.pairs.len(), self.rows.len()]
@@ -120,6 +128,9 @@ impl Newton {
     pub(super) fn part_from(&mut self, [mover, pair, row]: [usize; 3]) -> Part {
         let end = self.end();
         let (movers, pairs, rows) = (mover..end[0], pair..end[1], row..end[2]);
+        for all in [&mut self.free, &mut self.sought, &mut self.gains, &mut self.step] {
+            all.resize(movers.end, [0.0; 3]);
+        }
         self.leftmost.extend(0..movers.len() as u32);
         for &Pair { movers: [a, b], .. } in &self.pairs[pairs.clone()] {
             let leftmost = &mut self.leftmost[a.max(b)];
@@ -132,9 +143,18 @@ impl Newton {
         Part { movers, pairs, rows, compliance, is_unsolved: false }
     }
 
+    /// Finds what the impulses of a part have added to the velocities, if they have acted, and takes it out of the free ones.
+    pub(super) fn take_out_gains(&mut self, part: &Part) {
+        self.find_gains(part);
+        for mover in part.movers.clone() {
+            for axis in 0..3 {
+                self.free[mover][axis] -= self.gains[mover][axis];
+            }
+        }
+    }
+
     /// Finds velocities and impulses of a part, and says in it whether Newton's method came to an end.
     pub(super) fn solve(&mut self, part: &mut Part) {
-        self.sought.resize(self.free.len(), [0.0; 3]);
         self.follow_impulses(part);
         self.follow_limits(part);
         if self.is_complementary(part) {
@@ -157,18 +177,27 @@ impl Newton {
 
     /// Finds the velocities that the impulses bring about, so that momentum is kept whatever the tolerance.
     fn follow_impulses(&mut self, part: &Part) {
-        self.sought[part.movers.clone()].fill([0.0; 3]);
+        self.find_gains(part);
+        for mover in part.movers.clone() {
+            for axis in 0..3 {
+                self.sought[mover][axis] = self.free[mover][axis] + self.gains[mover][axis];
+            }
+        }
+    }
+
+    /// Finds what the impulses add to the velocities.
+    pub(super) fn find_gains(&mut self, part: &Part) {
+        self.gains[part.movers.clone()].fill([0.0; 3]);
         for pair in &self.pairs[part.pairs.clone()] {
             let mut momenta = [[0.0; 3]; 2];
             for row in &self.rows[pair.rows.clone()] {
                 row.push(row.impulse, &mut momenta);
             }
-            pair.add(&mut self.sought, &momenta);
+            pair.add(&mut self.gains, &momenta);
         }
         for mover in part.movers.clone() {
             for axis in 0..3 {
-                let momentum = self.sought[mover][axis];
-                self.sought[mover][axis] = self.free[mover][axis] + momentum / self.masses[mover][axis];
+                self.gains[mover][axis] /= self.masses[mover][axis];
             }
         }
     }
@@ -252,25 +281,27 @@ impl Newton {
     /// are those of the last stage that did.
     fn descend_in_stages(&mut self, part: &Part) -> bool {
         let begins = self.rows[part.rows.clone()].iter().all(|row| row.impulse == 0.0);
-        let stages = [
-            (begins && part.compliance < COMPLIANCE).then_some(COMPLIANCE),
-            Some(part.compliance),
-            begins.then_some(LEAST_COMPLIANCE),
-        ];
-        let mut is_solved = true;
-        for (number, compliance) in stages.into_iter().flatten().enumerate() {
-            for row in &mut self.rows[part.rows.clone()] {
-                row.yield_by(compliance);
-            }
-            is_solved = self.descend(part, number == 0 || begins);
-            if !is_solved {
-                self.rows[part.rows.clone()].iter_mut().for_each(Row::go_back);
-            }
-            self.follow_impulses(part);
-            if !is_solved {
-                break;
-            }
+        if begins && part.compliance < COMPLIANCE && !self.descend_with(COMPLIANCE, part, true) {
+            return false;
         }
+        self.descend_with(part.compliance, part, true)
+            && (!begins || self.descend_with(LEAST_COMPLIANCE, part, true))
+    }
+
+    /// Goes down φ with this compliance. Returns whether it came to an end; if not, impulses are those of before.
+    fn descend_with(&mut self, compliance: f64, part: &Part, holds_first: bool) -> bool {
+        for row in &mut self.rows[part.rows.clone()] {
+            row.yield_by(match (row.is_of_joint, row.yields_in_full) {
+                (true, _) => LEAST_COMPLIANCE,
+                (_, true) => COMPLIANCE,
+                _ => compliance,
+            });
+        }
+        let is_solved = self.descend(part, holds_first);
+        if !is_solved {
+            self.rows[part.rows.clone()].iter_mut().for_each(Row::go_back);
+        }
+        self.follow_impulses(part);
         is_solved
     }
 
@@ -298,7 +329,6 @@ impl Newton {
 
     /// Finds the impulses that the velocities are answered with, and the gradient M (v - v₀) - Jᵀ λ, with the sign turned.
     fn respond(&mut self, part: &Part) {
-        self.step.resize(self.sought.len(), [0.0; 3]);
         for mover in part.movers.clone() {
             for axis in 0..3 {
                 let missing = self.free[mover][axis] - self.sought[mover][axis];

@@ -22,6 +22,8 @@ pub(super) enum Bound {
 impl Bound {
     /// What presses and does not pull: contacts, ropes, limits.
     pub(super) const AT_LEAST_ZERO: Self = Self::Range([0.0, f64::INFINITY]);
+    /// What presses and pulls.
+    pub(super) const NONE: Self = Self::Range([f64::NEG_INFINITY, f64::INFINITY]);
 }
 
 /// What belongs to each of the three velocities of a mover: of its centre along x and y, and of its turn.
@@ -34,16 +36,23 @@ pub(super) struct Row {
     pub(super) jacobian: [Triple; 2],
     /// What of u does not depend on these velocities, m/s.
     pub(super) bias: f64,
+    /// By how much it yields to a unit of impulse, as springs and motors do, 1/kg.
+    pub(super) softness: f64,
     /// What of the bias is how what impulses do not move goes past, m/s.
     pub(super) carried: f64,
     /// Speed that a unit of impulse gives the row by itself, 1/kg.
     pub(super) k: f64,
     pub(super) bound: Bound,
+    /// Whether it yields to all that it bears, and not to a change of it: it is between bodies that joints hold together. They may be as one, so that
+    /// nothing that it bears would move them, and it would bear more and more.
+    pub(super) yields_in_full: bool,
+    /// Whether a joint answers by it, which has the last word.
+    pub(super) is_of_joint: bool,
     /// λ, N s.
     pub(super) impulse: f64,
     /// The range of λ now, N s: of friction it follows the other row.
     pub(super) range: [f64; 2],
-    /// Impulse per velocity that the row yields by, 1/(c k), kg.
+    /// Impulse per velocity that the row yields by, 1/(c k + its softness), kg.
     stiffness: f64,
     /// It yields to the change from this impulse, N s.
     previous: f64,
@@ -76,9 +85,12 @@ impl Row {
         Self {
             jacobian: [[0.0; 3]; 2],
             bias: 0.0,
+            softness: 0.0,
             carried: 0.0,
             k: 1.0,
             bound,
+            yields_in_full: false,
+            is_of_joint: false,
             impulse: 0.0,
             range: [0.0; 2],
             stiffness: 1.0,
@@ -99,8 +111,8 @@ impl Row {
 
     /// Lets the row give back this share of a change of its impulse from that of now.
     pub(super) fn yield_by(&mut self, compliance: f64) {
-        self.stiffness = 1.0 / (compliance * self.k);
-        self.previous = self.impulse;
+        self.stiffness = 1.0 / (compliance * self.k + self.softness);
+        self.previous = if self.yields_in_full { 0.0 } else { self.impulse };
     }
 
     /// The nearest impulse that is within the bounds.
@@ -132,7 +144,7 @@ impl Row {
 
     /// The impulse with which the row, by itself, gets what it asks for at this speed.
     fn wanted(&self, speed: f64) -> f64 {
-        self.bounded(self.impulse - speed / self.k)
+        self.bounded(self.impulse - (speed + self.softness * self.impulse) / (self.k + self.softness))
     }
 
     /// Whether the row has what it asks for, to the tolerance, or all that the bounds allow: the complementarity
@@ -154,7 +166,7 @@ impl Row {
 
     /// The impulse that the row answers a speed with.
     fn answer(&self, speed: f64) -> f64 {
-        self.bounded(self.previous - speed * self.stiffness)
+        self.bounded(self.previous - (speed + self.softness * self.previous) * self.stiffness)
     }
 
     /// Takes up the impulse that the row answers these velocities with.

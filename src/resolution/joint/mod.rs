@@ -55,6 +55,18 @@ pub(crate) struct JointSolver {
     broken: Vec<u32>,
 }
 
+/// How a row answers to what pushes its bodies.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Acting {
+    /// Its speed per velocity of each of the two bodies.
+    pub(super) j: [V3; 2],
+    /// J M⁻¹ Jᵀ, and what it yields by beside, 1/kg.
+    pub(super) k: f64,
+    pub(super) softness: f64,
+    /// By how much its impulse may change, N s.
+    pub(super) range: [f64; 2],
+}
+
 impl JointSolver {
     /// Whether no joint acts in this step.
     pub(super) fn is_empty(&self) -> bool {
@@ -74,6 +86,26 @@ impl JointSolver {
     /// The contacts of joined bodies.
     pub(super) fn contacts(&self) -> &[GraphIndex] {
         &self.contacts
+    }
+
+    /// The rows of the joint with this index, from the first to the end, and the rows of its bodies among the states; `None` where it does not act.
+    pub(super) fn rows_of_joint(&self, index: u32) -> Option<([u32; 2], [u32; 2])> {
+        let place = self.places.binary_search_by_key(&index, |place| place.joint).ok()?;
+        let Place { rows, ends, .. } = &self.places[place];
+        Some((*rows, ends.map(|end| self.bodies[end as usize].row)))
+    }
+
+    /// How a row acts, as it was solved last; `None` where it bears nothing that could change, or goes through the move in several steps.
+    pub(super) fn acting(&self, row: u32, phase: Phase) -> Option<Acting> {
+        let row = &self.rows[row as usize];
+        let is_divided = phase == Phase::Push && row.times.h < self.h;
+        let acting = || Acting { j: row.j, k: row.k, softness: row.softness, range: row.range_of_change() };
+        (row.is_free && !is_divided).then(acting)
+    }
+
+    /// Adds to what a row bears, N s. Its bodies have been given it.
+    pub(super) fn bear(&mut self, row: u32, impulse: f64) {
+        self.rows[row as usize].impulse += impulse;
     }
 
     /// Reads where the bodies are, before anything strikes them in this substep: what strikes moves them too.

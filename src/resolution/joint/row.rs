@@ -29,9 +29,10 @@ pub(super) enum Role {
 }
 
 /// Half of a substep.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(in crate::resolution) enum Phase {
     /// Before the drift.
+    #[default]
     Push,
     /// After it.
     Relax,
@@ -85,6 +86,8 @@ pub(super) struct Row {
     pub(super) j: [V3; 2],
     /// J M⁻¹ Jᵀ.
     pub(super) k: f64,
+    /// Those of the phase that it has begun.
+    pub(super) times: Times,
     /// The coordinate at the beginning of the phase.
     pub(super) x: f64,
     /// Size of the joint, m; 1 for angles.
@@ -125,6 +128,7 @@ impl Row {
             bodies: [0; 2],
             j: [[0.0; 3]; 2],
             k: 0.0,
+            times: Times::default(),
             x: 0.0,
             scale: 1.0,
             softness: 0.0,
@@ -151,6 +155,7 @@ impl Row {
     /// Begins a phase where the bodies are, with half of the last impulse.
     pub(super) fn begin(&mut self, at: &Geometry, a: &JointBody, b: &JointBody, phase: Phase, times: Times) {
         self.j = self.coordinate.jacobian(at);
+        self.times = times;
         self.x = self.value(at);
         self.k = a.coupling(self.j[0], self.j[0]) + b.coupling(self.j[1], self.j[1]);
         if let Role::Speed { .. } = self.role {
@@ -280,6 +285,11 @@ impl Row {
     /// How far it is off, as a share of what matters.
     pub(super) fn excess(&self, times: Times) -> f64 {
         if self.is_free { self.residual.abs() * times.h / (EXACT * self.scale) } else { 0.0 }
+    }
+
+    /// By how much its impulse may change, as it acts now.
+    pub(super) fn range_of_change(&self) -> [f64; 2] {
+        [f64::NEG_INFINITY, f64::INFINITY].map(|wanted| self.cut(wanted, self.times) - self.impulse)
     }
 
     /// The impulse cut to what the row may bear.

@@ -79,9 +79,9 @@ impl JointSolver {
                 // A contact of two such bodies is in the lists of both.
                 let first = contacts[index].slots[0];
                 let is_first = slot == first || !is_joined(first);
-                let home = graph.home(index).filter(|home| !home.is_solved_directly());
+                let home = graph.home(index);
                 body.touches |= home.is_some();
-                self.contacts.extend(home.filter(|_| is_first));
+                self.contacts.extend(home.filter(|home| is_first && !home.is_solved_directly()));
             }
         }
         self.contacts.sort_unstable();

@@ -6,4 +6,5 @@ mod impacts;
 mod kinds;
 mod loads;
 mod pendulums;
+mod stones;
 mod use_of_joints;
