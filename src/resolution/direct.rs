@@ -63,10 +63,7 @@ pub(crate) struct DirectSolver {
     joints: Vec<DirectJoint>,
     islands: Vec<Island>,
     newton: Newton,
-    /// Scratch: of the ground and of each mover of an island, the group that joints hold together.
-    groups: Vec<u32>,
-    /// Which phase has begun; and of each row what it has handed over to a joint since.
-    phase: Phase,
+    /// Of each row what it has handed over to a joint in this phase.
     handed: Vec<f64>,
     /// Of each mover its velocities without what it was given in this phase, and those that it was given last.
     without: Vec<[f32; 3]>,
@@ -127,8 +124,6 @@ impl DirectSolver {
                 }
             }
         }
-        let of_island = first_joint..self.joints.len();
-        self.find_groups(first_mover as u32, of_island.clone());
         for &slot in island {
             for index in contacts.of_body(bodies, slot) {
                 let contact = &contacts[index];
@@ -139,10 +134,15 @@ impl DirectSolver {
                 if movers.contains(&None) || slot == contact.slots[0] {
                     let points = contact.manifold.points().len();
                     let speed = bodies.roles.surface_speed(contact.colliders).unwrap_or(0.0);
-                    let [a, b] = movers.map(|mover| self.group_of(mover, first_mover as u32));
-                    let is_between_joined = a == b;
-                    self.contacts.push(DirectContact::new(home, points, movers, speed, &mut self.newton));
-                    self.newton.yield_in_full(2 * points, is_between_joined);
+                    let are_joined = joint_solver.connects(contact.slots);
+                    self.contacts.push(DirectContact::new(
+                        home,
+                        points,
+                        movers,
+                        speed,
+                        are_joined,
+                        &mut self.newton,
+                    ));
                 }
             }
         }
@@ -150,25 +150,9 @@ impl DirectSolver {
             self.mover_of_row[row as usize] = None;
         }
         let part = self.newton.part_from(begin);
-        self.islands.push(Island { part, joints: of_island });
+        self.islands.push(Island { part, joints: first_joint..self.joints.len() });
         self.without.resize(self.states_of_movers.len(), [0.0; 3]);
         self.given.resize(self.states_of_movers.len(), [0.0; 3]);
-    }
-
-    /// Finds which movers of an island, from the first on, its joints hold together, and which they hold to the ground.
-    fn find_groups(&mut self, first: u32, joints: Range<usize>) {
-        self.groups.clear();
-        self.groups.extend(0..=self.states_of_movers.len() as u32 - first);
-        for joint in &self.joints[joints] {
-            let [a, b] = joint.movers().map(|mover| self.group_of(mover, first));
-            let (to, from) = (a.min(b), a.max(b));
-            self.groups.iter_mut().filter(|group| **group == from).for_each(|group| *group = to);
-        }
-    }
-
-    /// The group of a mover, 0 for that of the ground.
-    fn group_of(&self, mover: Option<u32>, first: u32) -> u32 {
-        self.groups[mover.map_or(0, |mover| 1 + mover - first) as usize]
     }
 
     pub(crate) fn is_empty(&self) -> bool {
@@ -187,7 +171,6 @@ impl DirectSolver {
     /// Begins a phase, from the constraints of the contacts and the states of the bodies. Where bodies are joined, contacts begin with
     /// what they bore before.
     pub(crate) fn begin(&mut self, graph: &ConstraintGraph, states: &mut [BodyState], phase: Phase, h: f32) {
-        self.phase = phase;
         self.handed.clear();
         self.handed.resize(self.newton.rows.len(), 0.0);
         let Self { states_of_movers, contacts, islands, newton, without, given, .. } = self;
@@ -201,44 +184,48 @@ impl DirectSolver {
             *given = velocity_of(&states[row as usize]);
         }
         without.copy_from_slice(given);
-        // Before the move the rows have half already.
-        let part = 1.0;
         for island in islands.iter().filter(|island| island.is_joined()) {
             newton.find_gains(&island.part);
             for mover in island.part.movers.clone() {
                 let with_gains =
-                    [0, 1, 2].map(|axis| f64::from(given[mover][axis]) + part * newton.gains[mover][axis]);
+                    [0, 1, 2].map(|axis| f64::from(given[mover][axis]) + newton.gains[mover][axis]);
                 given[mover] = give(with_gains, &mut states[states_of_movers[mover] as usize]);
             }
         }
     }
 
     /// Finds the impulses of contacts, and the velocities with them. Joints are still to answer to how their bodies turn by that.
-    pub(crate) fn solve(&mut self, states: &mut [BodyState], joints: &mut JointSolver) {
+    pub(crate) fn solve(&mut self, states: &mut [BodyState], joints: &mut JointSolver, phase: Phase) {
         for number in 0..self.islands.len() {
-            self.solve_island(number, states, joints);
+            self.solve_island(number, states, joints, phase);
         }
     }
 
     /// The same of islands whose joints have answered.
-    pub(crate) fn solve_joined(&mut self, states: &mut [BodyState], joints: &mut JointSolver) {
+    pub(crate) fn solve_joined(&mut self, states: &mut [BodyState], joints: &mut JointSolver, phase: Phase) {
         for number in 0..self.islands.len() {
             if self.islands[number].is_joined() {
-                self.solve_island(number, states, joints);
+                self.solve_island(number, states, joints, phase);
             }
         }
     }
 
-    fn solve_island(&mut self, number: usize, states: &mut [BodyState], joints: &mut JointSolver) {
+    fn solve_island(
+        &mut self,
+        number: usize,
+        states: &mut [BodyState],
+        joints: &mut JointSolver,
+        phase: Phase,
+    ) {
         self.note_changes(number, states);
-        let Self { states_of_movers, islands, newton, given, handed, phase, .. } = self;
+        let Self { states_of_movers, islands, newton, given, handed, .. } = self;
         let is_joined = islands[number].is_joined();
         let Island { part, joints: of_island } = &mut islands[number];
         for mover in part.movers.clone() {
             newton.free[mover] = given[mover].map(f64::from);
         }
         for joint in &self.joints[of_island.clone()] {
-            joint.fill_rows(&mut newton.rows, joints, *phase, &newton.free);
+            joint.fill_rows(&mut newton.rows, joints, phase, &newton.free);
         }
         if is_joined {
             newton.take_out_gains(part);

@@ -138,16 +138,17 @@ pub(super) struct Load {
     /// Largest sag under what lasts, and of all that is great, as a share of the thickness.
     pub(super) lasting: f32,
     pub(super) greatest: f32,
-    /// Whether loads between bodies that move against each other count.
-    pub(super) takes_passing: bool,
+    /// The same between bodies that pass each other.
+    pub(super) passing: f32,
     /// Whether one of those that sag too far has not done so for long.
     pub(super) is_recent: bool,
 }
 
 impl Load {
     pub(super) fn add(&mut self, load: ContactLoad, contact: &Contact) {
-        if load.counts(contact) && (self.takes_passing || !load.is_passing) {
-            self.greatest = self.greatest.max(load.sag);
+        if load.counts(contact) {
+            let greatest = if load.is_passing { &mut self.passing } else { &mut self.greatest };
+            *greatest = greatest.max(load.sag);
         }
         if load.lasts() {
             self.lasting = self.lasting.max(load.sag);

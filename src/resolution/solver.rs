@@ -183,7 +183,7 @@ impl Solver {
         for _ in 0..scheme.iterations {
             graph.for_each_swept(tables.executor, states, &sweep);
         }
-        self.direct.solve(states, &mut self.joints);
+        self.direct.solve(states, &mut self.joints, Phase::Push);
         self.hold_joints(Phase::Push, scheme, &sweep, tables);
     }
 
@@ -220,7 +220,7 @@ impl Solver {
             for &contact in self.joints.contacts() {
                 tables.graph.run_at(contact, states, &sweep);
             }
-            self.direct.solve_joined(states, &mut self.joints);
+            self.direct.solve_joined(states, &mut self.joints, phase);
         }
         self.joints.solve_again(phase, scheme, states);
     }
@@ -256,7 +256,7 @@ impl Solver {
             let sweep = scheme.sweep_over(scheme.relax_sweep(), iteration == 0);
             graph.for_each_swept(tables.executor, states, &sweep);
         }
-        self.direct.solve(states, &mut self.joints);
+        self.direct.solve(states, &mut self.joints, Phase::Relax);
         if scheme.split_kick {
             let sweep = scheme.sweep_over(scheme.relax_sweep(), false);
             self.hold_joints(Phase::Relax, scheme, &sweep, tables);

@@ -40,10 +40,10 @@ const LARGEST_DIRECT_ISLAND: usize = 256;
 /// the time.
 const SMALL_ISLAND: usize = 4;
 
-/// Nor is it small with more bodies than this, joined ones counted; larger islands with joints are swept. With two dozen heaps of
-/// ragdolls, which go to and fro between both, come to rest later: one of six moves after ten seconds. With fewer than six, a car
-/// with a stone under each wheel is swept.
-const MOST_IN_SMALL_ISLAND: usize = 8;
+/// The same where any of them are joined: then loads between bodies that pass each other count too, and larger islands are swept. With
+/// two dozen, heaps of ragdolls, which go to and fro between both, come to rest later: one of six moves after ten seconds. With four, a
+/// car with a stone under each wheel is swept.
+const SMALL_JOINED_ISLAND: usize = 8;
 
 /// For how many steps an island counts as calm already, as it comes to be solved directly before its loads have lasted: it stays so
 /// until they would, and no longer if they are little.
@@ -204,9 +204,8 @@ impl Tiers {
         for &index in &loads.great {
             let load = loads.of_contact[index as usize];
             for slot in tables.slots(index) {
-                let counts_in = |island: SmallIsland| !load.is_passing || island.is_joined(&tables);
-                let is_blow =
-                    || !self.seen.contains(slot) && small_island(slot, &tables).is_some_and(counts_in);
+                let counts = |is_joined: bool| is_joined || !load.is_passing;
+                let is_blow = || !self.seen.contains(slot) && small_island(slot, &tables).is_some_and(counts);
                 if load.lasts() || is_blow() {
                     self.decide_island(slot, tick, rule, loads, &mut tables);
                 }
@@ -235,10 +234,7 @@ impl Tiers {
         if self.seen.contains(slot) || (!was_direct && self.histories[slot as usize].quiet_until > tick) {
             return;
         }
-        let small = small_island(slot, tables);
-        let takes_passing = small.as_ref().is_some_and(|island| island.is_joined(tables));
-        let (mut load, mut is_driven, bodies) =
-            (Load { takes_passing, ..Load::default() }, false, tables.bodies);
+        let (mut load, mut is_driven, bodies) = (Load::default(), false, tables.bodies);
         let drives = |slot| !bodies.is_dynamic(slot) && bodies.state(slot).is_moving();
         self.find_island(slot, tables, |index, contact| {
             load.add(loads.of_contact[index as usize], contact);
@@ -246,8 +242,13 @@ impl Tiers {
         });
         let was_direct = self.island.iter().any(|&slot| tables.graph.is_direct(slot));
         // Between walls and what a kinematic body presses on, a blow may have no solution: bodies left a box with a paddle.
-        let blows_count = !is_driven && small.is_some();
-        let largest = if blows_count { load.greatest } else { load.lasting };
+        let is_joined = self.is_joined(tables);
+        let blows_count = !is_driven && self.island.len() <= most_in_small_island(is_joined);
+        let largest = match (blows_count, is_joined) {
+            (true, true) => load.greatest.max(load.passing),
+            (true, false) => load.greatest,
+            (false, _) => load.lasting,
+        };
         let history = History::of_island(self.island.iter().map(|&slot| self.histories[slot as usize]));
         let is_hopeless = !was_direct
             && (history.is_given_up() && !load.is_recent
@@ -360,10 +361,15 @@ impl Tiers {
         self.island.extend(&self.hubs);
     }
 
+    /// Whether a joint holds any body of the island.
+    fn is_joined(&self, tables: &TierTables<'_>) -> bool {
+        self.island.iter().any(|&slot| tables.joints.hold(slot))
+    }
+
     /// Whether the island can be solved directly; then it is in the order of the matrix. It has to be small enough.
     fn can_be_direct(&mut self, tables: &TierTables<'_>) -> bool {
-        let is_joined = self.island.iter().any(|&slot| tables.joints.hold(slot));
-        if self.island.len() > if is_joined { MOST_IN_SMALL_ISLAND } else { LARGEST_DIRECT_ISLAND } {
+        let most = if self.is_joined(tables) { SMALL_JOINED_ISLAND } else { LARGEST_DIRECT_ISLAND };
+        if self.island.len() > most {
             return false;
         }
         self.order(tables);
@@ -385,63 +391,24 @@ impl Tiers {
     }
 }
 
-/// The island of the body in a slot, if that is no more than [`SMALL_ISLAND`] bodies, of those that are joined one counted.
-fn small_island(slot: u32, tables: &TierTables<'_>) -> Option<SmallIsland> {
-    let mut island = SmallIsland { bodies: [slot; MOST_IN_SMALL_ISLAND], len: 1 };
-    let (mut place, mut count) = (0, 1);
-    island.add_joined(0, tables)?;
-    while place < island.len {
-        for other in tables.touching(island.bodies[place]) {
-            let first = island.len;
-            if island.has(other) {
-                continue;
-            }
-            count += 1;
-            if count > SMALL_ISLAND {
-                return None;
-            }
-            island.add(other)?;
-            island.add_joined(first, tables)?;
-        }
-        place += 1;
-    }
-    Some(island)
+/// The most bodies of a small island.
+fn most_in_small_island(is_joined: bool) -> usize {
+    if is_joined { SMALL_JOINED_ISLAND } else { SMALL_ISLAND }
 }
 
-/// Bodies of an island, on the stack.
-struct SmallIsland {
-    bodies: [u32; MOST_IN_SMALL_ISLAND],
-    len: usize,
-}
-
-impl SmallIsland {
-    fn has(&self, body: u32) -> bool {
-        self.bodies[..self.len].contains(&body)
-    }
-
-    /// Whether a joint holds any of the bodies.
-    fn is_joined(&self, tables: &TierTables<'_>) -> bool {
-        self.bodies[..self.len].iter().any(|&body| tables.joints.hold(body))
-    }
-
-    /// Adds a body, if there is room.
-    fn add(&mut self, body: u32) -> Option<()> {
-        *self.bodies.get_mut(self.len)? = body;
-        self.len += 1;
-        Some(())
-    }
-
-    /// Adds what is joined to the bodies from the `first` on, if there is room.
-    fn add_joined(&mut self, first: usize, tables: &TierTables<'_>) -> Option<()> {
-        let mut next = first;
-        while next < self.len {
-            for other in tables.joined(self.bodies[next]) {
-                if !self.has(other) {
-                    self.add(other)?;
-                }
+/// Whether the body in a slot is in a small island, and if so, whether any of it is joined.
+fn small_island(slot: u32, tables: &TierTables<'_>) -> Option<bool> {
+    let mut island = [slot; SMALL_JOINED_ISLAND];
+    let (mut len, mut next) = (1, 0);
+    while next < len {
+        for other in tables.neighbours(island[next]) {
+            if !island[..len].contains(&other) {
+                *island.get_mut(len)? = other;
+                len += 1;
             }
-            next += 1;
         }
-        Some(())
+        next += 1;
     }
+    let is_joined = island[..len].iter().any(|&slot| tables.joints.hold(slot));
+    (len <= most_in_small_island(is_joined)).then_some(is_joined)
 }

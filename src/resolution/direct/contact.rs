@@ -15,6 +15,10 @@ use crate::resolution::solve_contact::LARGEST_SPEED_CHANGE;
 /// be sent to and fro to close it.
 const SMALLEST_GAP: f32 = 1e-6;
 
+/// Share of its own impulse that a contact between bodies gives back that joints connect. They may be as one, so that nothing that it bears
+/// moves them: while such a ring of welded crates turns, contacts of its crates would bear more and more, ten times what a blow gives.
+const SOFTNESS: f64 = 0.01;
+
 /// A contact that is solved directly.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct DirectContact {
@@ -23,6 +27,8 @@ pub(super) struct DirectContact {
     moves: [bool; 2],
     /// Speed of the surfaces past each other, beside how the bodies move, m/s.
     surface_speed: f32,
+    /// Whether joints connect its bodies.
+    are_joined: bool,
     /// The first of its rows, of which each point has two.
     first_row: usize,
     points: usize,
@@ -35,6 +41,7 @@ impl DirectContact {
         points: usize,
         movers: [Option<u32>; 2],
         surface_speed: f32,
+        are_joined: bool,
         newton: &mut Newton,
     ) -> Self {
         let first_row = newton.rows.len();
@@ -43,7 +50,14 @@ impl DirectContact {
             [Bound::AT_LEAST_ZERO, friction]
         };
         newton.add_pair(movers, (0..points).flat_map(of_point));
-        Self { home, moves: movers.map(|mover| mover.is_some()), surface_speed, first_row, points }
+        Self {
+            home,
+            moves: movers.map(|mover| mover.is_some()),
+            surface_speed,
+            are_joined,
+            first_row,
+            points,
+        }
     }
 
     /// Fills its rows, from the constraint of the contact and the states of the bodies. `substep_rate` is one over the
@@ -104,6 +118,9 @@ impl DirectContact {
             *friction = f64::from(constraint.friction);
         }
         [rows[0].k, rows[1].k] = [f64::from(point.normal_k), f64::from(friction.mass).recip()];
+        for row in &mut *rows {
+            row.softness = if self.are_joined { SOFTNESS * row.k } else { 0.0 };
+        }
         [rows[0].bias, rows[1].bias] = [0.0, f64::from(self.surface_speed)];
         for ((row, axis), impulse) in rows.iter_mut().zip([normal, normal.perp()]).zip(impulses) {
             row.impulse = share * f64::from(impulse);

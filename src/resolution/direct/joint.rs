@@ -23,13 +23,7 @@ impl DirectJoint {
     pub(super) fn new(of_joint: [u32; 2], movers: [Option<u32>; 2], newton: &mut Newton) -> Self {
         let first_row = newton.rows.len();
         newton.add_pair(movers, (of_joint[0]..of_joint[1]).map(|_| Bound::NONE));
-        newton.rows[first_row..].iter_mut().for_each(|row| row.is_of_joint = true);
         Self { of_joint, movers, first_row }
-    }
-
-    /// Of its bodies those that are solved directly.
-    pub(super) fn movers(&self) -> [Option<u32>; 2] {
-        self.movers
     }
 
     /// Fills its rows: their coordinates are to change as fast as with the velocities that the movers have `before`.

@@ -113,12 +113,6 @@ impl Newton {
         }
     }
 
-    /// Has the last so many rows yield to all that they bear, if so.
-    pub(super) fn yield_in_full(&mut self, count: usize, is_so: bool) {
-        let first = self.rows.len() - count;
-        self.rows[first..].iter_mut().for_each(|row| row.yields_in_full = is_so);
-    }
-
     /// Where the next part begins.
     pub(super) fn end(&self) -> [usize; 3] {
         [self.masses.len(), self.pairs.len(), self.rows.len()]
@@ -281,23 +275,18 @@ impl Newton {
     /// are those of the last stage that did.
     fn descend_in_stages(&mut self, part: &Part) -> bool {
         let begins = self.rows[part.rows.clone()].iter().all(|row| row.impulse == 0.0);
-        if begins && part.compliance < COMPLIANCE && !self.descend_with(COMPLIANCE, part, true) {
+        if begins && part.compliance < COMPLIANCE && !self.descend_with(COMPLIANCE, part) {
             return false;
         }
-        self.descend_with(part.compliance, part, true)
-            && (!begins || self.descend_with(LEAST_COMPLIANCE, part, true))
+        self.descend_with(part.compliance, part) && (!begins || self.descend_with(LEAST_COMPLIANCE, part))
     }
 
     /// Goes down φ with this compliance. Returns whether it came to an end; if not, impulses are those of before.
-    fn descend_with(&mut self, compliance: f64, part: &Part, holds_first: bool) -> bool {
+    fn descend_with(&mut self, compliance: f64, part: &Part) -> bool {
         for row in &mut self.rows[part.rows.clone()] {
-            row.yield_by(match (row.is_of_joint, row.yields_in_full) {
-                (true, _) => LEAST_COMPLIANCE,
-                (_, true) => COMPLIANCE,
-                _ => compliance,
-            });
+            row.yield_by(compliance);
         }
-        let is_solved = self.descend(part, holds_first);
+        let is_solved = self.descend(part);
         if !is_solved {
             self.rows[part.rows.clone()].iter_mut().for_each(Row::go_back);
         }
@@ -306,7 +295,7 @@ impl Newton {
     }
 
     /// Goes down φ, step by step, until its gradient is 0. Returns whether it came there.
-    fn descend(&mut self, part: &Part, holds_first: bool) -> bool {
+    fn descend(&mut self, part: &Part) -> bool {
         for number in 0..MOST_STEPS {
             self.respond(part);
             // They count from the step to come on: whether this one is balanced goes by those that its impulses had.
@@ -318,7 +307,7 @@ impl Newton {
             }
             // Rows that touch are first held, whichever way they would go: a load reaches the ground at once, and
             // not one body further in each step.
-            let holds = holds_first && number == 0;
+            let holds = number == 0;
             self.factorize(part, holds);
             self.matrix.solve(&mut self.step[part.movers.clone()]);
             self.look_ahead(part, holds);

@@ -43,11 +43,6 @@ pub(super) struct Row {
     /// Speed that a unit of impulse gives the row by itself, 1/kg.
     pub(super) k: f64,
     pub(super) bound: Bound,
-    /// Whether it yields to all that it bears, and not to a change of it: it is between bodies that joints hold together. They may be as one, so that
-    /// nothing that it bears would move them, and it would bear more and more.
-    pub(super) yields_in_full: bool,
-    /// Whether a joint answers by it, which has the last word.
-    pub(super) is_of_joint: bool,
     /// λ, N s.
     pub(super) impulse: f64,
     /// The range of λ now, N s: of friction it follows the other row.
@@ -89,8 +84,6 @@ impl Row {
             carried: 0.0,
             k: 1.0,
             bound,
-            yields_in_full: false,
-            is_of_joint: false,
             impulse: 0.0,
             range: [0.0; 2],
             stiffness: 1.0,
@@ -112,7 +105,7 @@ impl Row {
     /// Lets the row give back this share of a change of its impulse from that of now.
     pub(super) fn yield_by(&mut self, compliance: f64) {
         self.stiffness = 1.0 / (compliance * self.k + self.softness);
-        self.previous = if self.yields_in_full { 0.0 } else { self.impulse };
+        self.previous = self.impulse;
     }
 
     /// The nearest impulse that is within the bounds.

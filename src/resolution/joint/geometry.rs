@@ -63,6 +63,8 @@ pub(super) fn rotation(angle: f64) -> V2 {
 pub(super) struct JointBody {
     /// Its row among the states.
     pub(super) row: u32,
+    /// Which island it is of, if its joints move it.
+    pub(super) island: u32,
     pub(super) inverse_mass: f64,
     pub(super) inverse_inertia: f64,
     /// How stiffly what its joints bear pulls it back, N/m, and turns it back, N m/rad.

@@ -21,6 +21,7 @@ mod solve;
 mod steps;
 mod take_up;
 
+use crate::body::NONE;
 use crate::compute::BodyState;
 use crate::math::Vec2;
 use crate::resolution::constraint_graph::GraphIndex;
@@ -93,6 +94,19 @@ impl JointSolver {
         let place = self.places.binary_search_by_key(&index, |place| place.joint).ok()?;
         let Place { rows, ends, .. } = &self.places[place];
         Some((*rows, ends.map(|end| self.bodies[end as usize].row)))
+    }
+
+    /// Whether joints connect the bodies in two slots, with each other or by way of others that they move.
+    pub(super) fn connects(&self, slots: [u32; 2]) -> bool {
+        if self.is_empty() {
+            return false;
+        }
+        let island_of = |slot: u32| {
+            let place = self.place_of_slot.get(slot as usize).copied().unwrap_or_default();
+            self.bodies[place as usize].island
+        };
+        let [a, b] = slots.map(island_of);
+        a != NONE && a == b
     }
 
     /// How a row acts, as it was solved last; `None` where it bears nothing that could change, or goes through the move in several steps.

@@ -52,7 +52,11 @@ impl JointSolver {
             self.planned.clone_from(&self.places);
             self.islands = plan(&self.places, self.bodies.len());
         }
-        for island in &mut self.islands {
+        for (number, island) in (0..).zip(&mut self.islands) {
+            for &place in &island.bodies {
+                let body = &mut self.bodies[place as usize];
+                body.island = if body.inverse_mass > 0.0 { number } else { NONE };
+            }
             let paces =
                 island.joints.iter().map(|&joint| joints.all[self.places[joint as usize].joint].state.pace);
             island.pace = paces.fold(Pace::default(), Pace::finer);
@@ -139,6 +143,7 @@ fn body_of(row: u32, inverse: Option<[f32; 2]>) -> JointBody {
     let [inverse_mass, inverse_inertia] = inverse.unwrap_or_default().map(f64::from);
     JointBody {
         row,
+        island: NONE,
         inverse_mass,
         inverse_inertia,
         stiffness: [0.0; 2],

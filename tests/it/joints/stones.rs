@@ -39,20 +39,20 @@ fn drive(seed: u64) -> (bool, f32) {
     (stones.iter().any(|&stone| place(&world, stone)[1] < 0.0), deepest)
 }
 
-/// A wheel weighs twelve times as much with its half of the car: contacts that felt the wheel alone pressed stones under the line in nine of ten
-/// drives, and half of all drives had a contact of 10 cm. In one of 25 a stone still is, where the car touches four and more.
+/// A wheel weighs twelve times as much with its half of the car: contacts that felt the wheel alone pressed stones under the line in 17 of these
+/// drives, and in half of them a contact was deeper than 9 cm. A quarter of a stone, of 14 cm on average, is 3.5 cm.
 #[test]
 fn a_car_does_not_press_stones_through_a_line() {
     let drives: Vec<(bool, f32)> = (0..20).map(drive).collect();
-    let through = drives.iter().filter(|(is_under, _)| *is_under).count();
-    assert!(through <= 2, "{through} of 20");
+    assert_eq!(drives.iter().filter(|(is_under, _)| *is_under).count(), 0, "stones under the line");
     let mut deepest: Vec<f32> = drives.iter().map(|&(_, deepest)| deepest).collect();
     deepest.sort_by(f32::total_cmp);
-    assert!(deepest[10] < 0.04, "{deepest:?}");
+    assert!(deepest[10] < 0.035, "{deepest:?}");
 }
 
 /// A table of 200 kg on two welded legs of 50 g: each bears 2,000 times its weight. At rest the legs bear what the table weighs, in each of the four
-/// substeps of a step, and have sunk in by no more than rounding; it was 5 mm.
+/// substeps of a step. The direct solve finds velocities to 1e-5 m/s, and overlaps close at 28/s: less than 1 µm is left of them, and some
+/// roundings of places in f32, at 1 m, 0.1 µm each; it was 5 mm.
 #[test]
 fn a_heavy_table_does_not_press_its_light_feet_into_the_floor() {
     let mut world = earth();
@@ -70,7 +70,7 @@ fn a_heavy_table_does_not_press_its_light_feet_into_the_floor() {
         .flat_map(|contact| contact.points().to_vec())
         .map(|point| f64::from(point.normal_impulse))
         .sum();
-    assert!(world.error().penetration < 1e-4, "{} m", world.error().penetration);
+    assert!(world.error().penetration < 2e-6, "{} m", world.error().penetration);
     let weight = 200.1 * 9.81 / 240.0;
     assert!((borne / weight - 1.0).abs() < 1e-3, "{borne} of {weight} N s");
 }
