@@ -22,6 +22,12 @@
 //! formulation for frictional contact problems prone to Newton like solution methods", 1991, gives the joint method;
 //! to hold the limits within a step keeps H symmetric).
 //!
+//! Where bodies are joined, the rows of their joints are rows as well, see [`joint`].
+//!
+//! A substep has two such solves. That before the move says where bodies go: it holds with half of the forces, and drives out overlap. Its
+//! impulses are then taken back, as that would be speed, and as they acted where bodies no longer are. That after the move finds what
+//! presses in the end, under all the forces.
+//!
 //! Cost: bodies × band², so for chains, towers and small heaps only.
 
 mod contact;
@@ -33,13 +39,13 @@ mod skyline;
 use core::ops::Range;
 
 use crate::body::Bodies;
+use crate::collision::Contacts;
 use crate::compute::BodyState;
 use crate::math::Vec2;
 use crate::resolution::constraint_graph::ConstraintGraph;
 use crate::resolution::direct::contact::DirectContact;
 use crate::resolution::direct::joint::DirectJoint;
 use crate::resolution::direct::newton::{Newton, Part};
-use crate::resolution::direct::row::Triple;
 use crate::resolution::islands::Connections;
 use crate::resolution::joint::{JointSolver, Phase};
 
@@ -51,8 +57,9 @@ const LARGEST_SMALL_ISLAND: usize = 32;
 /// The islands that are solved directly.
 ///
 /// In a step: `clear`, and `add_island` for each, once the constraints are there; in each phase of a substep `begin`, `solve`, and where
-/// joints have answered `solve_joined`; after the drift `take_back_push`; and in the end `write_back`: only the second phase gives the
-/// contacts their impulses.
+/// joints have answered `solve_again`; after the drift `take_back_push`; after the second phase `write_back`; and in the end `finish`.
+/// The impulses of the first phase move the bodies and are taken back, as part of them only drives out overlap; only those of the second
+/// are what contacts have borne.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct DirectSolver {
     /// The row of each mover among the states.
@@ -63,24 +70,14 @@ pub(crate) struct DirectSolver {
     joints: Vec<DirectJoint>,
     islands: Vec<Island>,
     newton: Newton,
-    /// Of each row what it has handed over to a joint in this phase.
-    handed: Vec<f64>,
-    /// Of each mover its velocities without what it was given in this phase, and those that it was given last.
-    without: Vec<[f32; 3]>,
-    given: Vec<[f32; 3]>,
 }
 
 #[derive(Clone, Debug)]
 struct Island {
     part: Part,
-    /// Its joints. What they hold has to be known when these are solved, so its contacts begin with what they bore before.
     joints: Range<usize>,
-}
-
-impl Island {
-    fn is_joined(&self) -> bool {
-        self.joints.start < self.joints.end
-    }
+    /// Whether its impulses have acted in this phase.
+    has_acted: bool,
 }
 
 impl DirectSolver {
@@ -115,6 +112,8 @@ impl DirectSolver {
             self.states_of_movers.push(motion.row);
             self.newton.masses.push([mass, mass, inertia]);
         }
+        let masses = self.newton.masses[first_mover..].iter().map(|&[mass, ..]| mass);
+        let lightest = masses.clone().fold(f64::INFINITY, f64::min) / masses.sum::<f64>();
         for &slot in island {
             for index in joints.of_body(slot) {
                 let Some((rows, of_bodies)) = joint_solver.rows_of_joint(index) else { continue };
@@ -132,16 +131,15 @@ impl DirectSolver {
                 let movers = graph.moved_rows(home).map(|row| self.mover_of_row[row as usize]);
                 // A contact is in the lists of both its bodies.
                 if movers.contains(&None) || slot == contact.slots[0] {
-                    let points = contact.manifold.points().len();
-                    let speed = bodies.roles.surface_speed(contact.colliders).unwrap_or(0.0);
-                    let are_joined = joint_solver.connects(contact.slots);
+                    let (contact, newton) = ((index, contact), &mut self.newton);
                     self.contacts.push(DirectContact::new(
+                        contact,
                         home,
-                        points,
                         movers,
-                        speed,
-                        are_joined,
-                        &mut self.newton,
+                        bodies,
+                        joint_solver,
+                        lightest,
+                        newton,
                     ));
                 }
             }
@@ -150,9 +148,7 @@ impl DirectSolver {
             self.mover_of_row[row as usize] = None;
         }
         let part = self.newton.part_from(begin);
-        self.islands.push(Island { part, joints: first_joint..self.joints.len() });
-        self.without.resize(self.states_of_movers.len(), [0.0; 3]);
-        self.given.resize(self.states_of_movers.len(), [0.0; 3]);
+        self.islands.push(Island { part, joints: first_joint..self.joints.len(), has_acted: false });
     }
 
     pub(crate) fn is_empty(&self) -> bool {
@@ -168,105 +164,94 @@ impl DirectSolver {
             .flat_map(|part| self.states_of_movers[part.movers.clone()].iter().copied())
     }
 
-    /// Begins a phase, from the constraints of the contacts and the states of the bodies. Where bodies are joined, contacts begin with
-    /// what they bore before.
-    pub(crate) fn begin(&mut self, graph: &ConstraintGraph, states: &mut [BodyState], phase: Phase, h: f32) {
-        self.handed.clear();
-        self.handed.resize(self.newton.rows.len(), 0.0);
-        let Self { states_of_movers, contacts, islands, newton, without, given, .. } = self;
-        for row in &mut newton.rows {
-            row.impulse = 0.0;
+    /// Begins a phase: rows get the geometry of now, and impulses to begin the search with, which do not act yet: those of the last
+    /// substep, of which a blow may have been, would throw bodies apart before their joints hold them.
+    pub(crate) fn begin(&mut self, graph: &ConstraintGraph, states: &[BodyState], phase: Phase, h: f32) {
+        // Joints bear what they are given in this phase.
+        self.newton.rows.iter_mut().for_each(|row| row.impulse = 0.0);
+        for contact in &self.contacts {
+            contact.fill_rows(&mut self.newton.rows, graph, states, phase, 1.0 / h);
         }
-        for contact in contacts {
-            contact.fill_rows(&mut newton.rows, graph, states, phase, 1.0 / h);
-        }
-        for (given, &row) in given.iter_mut().zip(&*states_of_movers) {
-            *given = velocity_of(&states[row as usize]);
-        }
-        without.copy_from_slice(given);
-        for island in islands.iter().filter(|island| island.is_joined()) {
-            newton.find_gains(&island.part);
-            for mover in island.part.movers.clone() {
-                let with_gains =
-                    [0, 1, 2].map(|axis| f64::from(given[mover][axis]) + newton.gains[mover][axis]);
-                given[mover] = give(with_gains, &mut states[states_of_movers[mover] as usize]);
-            }
-        }
+        self.islands.iter_mut().for_each(|island| island.has_acted = false);
     }
 
     /// Finds the impulses of contacts, and the velocities with them. Joints are still to answer to how their bodies turn by that.
-    pub(crate) fn solve(&mut self, states: &mut [BodyState], joints: &mut JointSolver, phase: Phase) {
+    pub(crate) fn solve(&mut self, states: &mut [BodyState], joints: &mut JointSolver) {
         for number in 0..self.islands.len() {
-            self.solve_island(number, states, joints, phase);
+            self.solve_island(number, states, joints);
         }
     }
 
-    /// The same of islands whose joints have answered.
-    pub(crate) fn solve_joined(&mut self, states: &mut [BodyState], joints: &mut JointSolver, phase: Phase) {
+    /// The same of islands whose joints have answered by more than so much, m/s.
+    pub(crate) fn solve_again(&mut self, states: &mut [BodyState], joints: &mut JointSolver, more_than: f64) {
         for number in 0..self.islands.len() {
-            if self.islands[number].is_joined() {
-                self.solve_island(number, states, joints, phase);
+            if self.change(number, states) > more_than {
+                self.solve_island(number, states, joints);
             }
         }
     }
 
-    fn solve_island(
-        &mut self,
-        number: usize,
-        states: &mut [BodyState],
-        joints: &mut JointSolver,
-        phase: Phase,
-    ) {
-        self.note_changes(number, states);
-        let Self { states_of_movers, islands, newton, given, handed, .. } = self;
-        let is_joined = islands[number].is_joined();
-        let Island { part, joints: of_island } = &mut islands[number];
+    fn solve_island(&mut self, number: usize, states: &mut [BodyState], joints: &mut JointSolver) {
+        let Self { states_of_movers, islands, newton, .. } = self;
+        let Island { part, joints: of_island, has_acted } = &mut islands[number];
         for mover in part.movers.clone() {
-            newton.free[mover] = given[mover].map(f64::from);
+            newton.free[mover] = velocity_of(&states[states_of_movers[mover] as usize]).map(f64::from);
         }
         for joint in &self.joints[of_island.clone()] {
-            joint.fill_rows(&mut newton.rows, joints, phase, &newton.free);
+            joint.fill_rows(&mut newton.rows, joints, &newton.free);
         }
-        if is_joined {
+        if *has_acted {
             newton.take_out_gains(part);
         }
         newton.solve(part);
+        *has_acted = true;
         for joint in &self.joints[of_island.clone()] {
-            joint.hand_over(&newton.rows, joints, handed);
+            joint.hand_over(&newton.rows, joints);
         }
         for mover in part.movers.clone() {
-            given[mover] = give(newton.sought[mover], &mut states[states_of_movers[mover] as usize]);
+            give(newton.sought[mover].map(|v| v as f32), &mut states[states_of_movers[mover] as usize]);
         }
     }
 
-    /// Takes note of how others have changed the velocities of an island since they were given.
-    fn note_changes(&mut self, number: usize, states: &[BodyState]) {
-        for mover in self.islands[number].part.movers.clone() {
-            let now = velocity_of(&states[self.states_of_movers[mover] as usize]);
-            let given = std::mem::replace(&mut self.given[mover], now);
-            let without = &mut self.without[mover];
-            *without = [0, 1, 2].map(|axis| without[axis] + (now[axis] - given[axis]));
-        }
+    /// By how much others have changed the velocities of an island since they were given, m/s: of points at the radius of gyration, the
+    /// fastest, more or less.
+    fn change(&self, number: usize, states: &[BodyState]) -> f64 {
+        let of_mover = |mover: usize| {
+            let [x, y, w] = self.change_of(mover, states).map(f64::from);
+            let [mass, _, inertia] = self.newton.masses[mover];
+            (x * x + y * y + w * w * inertia / mass).sqrt()
+        };
+        self.islands[number].part.movers.clone().map(of_mover).fold(0.0, f64::max)
     }
 
-    /// Takes back, when the bodies have moved, what they were given before: what presses in the end is found anew. What has struck bodies
-    /// since stays, and what their joints have answered.
-    pub(crate) fn take_back_push(&mut self, states: &mut [BodyState], joints: &mut JointSolver) {
-        for joint in &self.joints {
-            joint.take_back(joints, &self.handed);
+    /// How others have changed the velocity of a mover since it was given.
+    fn change_of(&self, mover: usize, states: &[BodyState]) -> [f32; 3] {
+        let (now, given) =
+            (velocity_of(&states[self.states_of_movers[mover] as usize]), self.newton.sought[mover]);
+        [0, 1, 2].map(|axis| now[axis] - given[axis] as f32)
+    }
+
+    /// Takes the impulses of the push out of the velocities when the bodies have moved: what presses in the end is found anew. What has
+    /// struck bodies since stays, and what joints have answered.
+    pub(crate) fn take_back_push(&self, states: &mut [BodyState], joints: &mut JointSolver) {
+        for (mover, &row) in self.states_of_movers.iter().enumerate() {
+            let (free, change) = (self.newton.free[mover], self.change_of(mover, states));
+            give([0, 1, 2].map(|axis| free[axis] as f32 + change[axis]), &mut states[row as usize]);
         }
-        for number in 0..self.islands.len() {
-            self.note_changes(number, states);
-        }
-        for (&row, without) in self.states_of_movers.iter().zip(&self.without) {
-            give(without.map(f64::from), &mut states[row as usize]);
-        }
+        self.joints.iter().for_each(|joint| joint.take_back(joints));
     }
 
     /// Gives the contacts the impulses that were found last.
-    pub(crate) fn write_back(&self, graph: &mut ConstraintGraph) {
-        for contact in &self.contacts {
+    pub(crate) fn write_back(&mut self, graph: &mut ConstraintGraph) {
+        for contact in &mut self.contacts {
             contact.write_back(&self.newton.rows, graph);
+        }
+    }
+
+    /// Writes into the contacts at the end of a step what the graph has not.
+    pub(crate) fn finish(&self, contacts: &mut Contacts) {
+        for contact in &self.contacts {
+            contact.finish(contacts);
         }
     }
 }
@@ -276,9 +261,7 @@ fn velocity_of(state: &BodyState) -> [f32; 3] {
     [state.velocity.x, state.velocity.y, state.angular_velocity]
 }
 
-/// Gives a body a velocity; returns it as the body has it.
-fn give(velocity: Triple, state: &mut BodyState) -> [f32; 3] {
-    let [x, y, w] = velocity.map(|v| v as f32);
+/// Gives a body a velocity.
+fn give([x, y, w]: [f32; 3], state: &mut BodyState) {
     (state.velocity, state.angular_velocity) = (Vec2::new(x, y).into(), w);
-    [x, y, w]
 }

@@ -13,10 +13,10 @@
 //! the load that this has found.
 //!
 //! Runs four times per substep on the contacts of bodies with rolling resistance that have a circle. Nothing where there is none.
-//! What is solved directly takes it as a moment from outside.
+//! In what is solved directly it is a row like others.
 
 use crate::body::Bodies;
-use crate::collision::Contacts;
+use crate::collision::{Contact, Contacts};
 use crate::compute::BodyState;
 use crate::resolution::constraint_graph::{ConstraintGraph, GraphIndex};
 use crate::resolution::kernel::WarmStartTime;
@@ -39,6 +39,16 @@ struct RollingContact {
     acted: f32,
 }
 
+/// Greatest moment of rolling resistance per impulse along the normal of a contact, m; `None` where there is none.
+pub(super) fn rolling_arm(bodies: &Bodies, contact: &Contact) -> Option<f32> {
+    let coefficients = contact.colliders.map(|slot| bodies.roles.of(slot).rolling_resistance);
+    let motions = contact.colliders.map(|slot| &bodies.motions[slot as usize]);
+    let radii = motions.into_iter().filter(|motion| motion.is_round).map(|motion| motion.extent);
+    let arm = OF_A_DISC * coefficients[0].max(coefficients[1]) * radii.reduce(f32::min)?;
+    let can_turn = motions.iter().any(|motion| motion.inverse_inertia > 0.0);
+    (arm > 0.0 && can_turn).then_some(arm)
+}
+
 /// The stage and its buffer.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Rolling {
@@ -52,27 +62,25 @@ impl Rolling {
         for &slot in bodies.roles.rolling() {
             for index in contacts.of_body(bodies, bodies.body_of(slot)) {
                 let (contact, Some(home)) = (&contacts[index], graph.home(index)) else { continue };
-                let coefficients = contact.colliders.map(|slot| bodies.roles.of(slot).rolling_resistance);
                 // A contact of two such bodies is in the lists of both, and one of another shape is in that of this one too.
-                let is_of_both = slot == contact.colliders[1] && coefficients[0] > 0.0;
-                if is_of_both || !contact.colliders.contains(&slot) {
+                let is_of_both = slot == contact.colliders[1]
+                    && bodies.roles.of(contact.colliders[0]).rolling_resistance > 0.0;
+                if home.is_solved_directly() || is_of_both || !contact.colliders.contains(&slot) {
                     continue;
                 }
+                let Some(arm) = rolling_arm(bodies, contact) else { continue };
                 let motions = contact.colliders.map(|slot| &bodies.motions[slot as usize]);
-                let radii = motions.into_iter().filter(|motion| motion.is_round).map(|motion| motion.extent);
-                let Some(radius) = radii.reduce(f32::min) else { continue };
                 self.contacts.push(RollingContact {
                     contact: index,
                     home,
                     rows: motions.map(|motion| motion.row),
                     inverse_inertias: motions.map(|motion| motion.inverse_inertia),
-                    arm: OF_A_DISC * coefficients[0].max(coefficients[1]) * radius,
+                    arm,
                     moment: contact.rolling_moment,
                     acted: 0.0,
                 });
             }
         }
-        self.contacts.retain(|contact| contact.inverse_inertias != [0.0; 2]);
     }
 
     /// One of the warm starts of a substep: a `part` of what acted in the last one, no unit, as far as the load goes.

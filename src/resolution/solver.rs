@@ -89,11 +89,11 @@ pub(crate) struct SolveTables<'a> {
 ///                  overlaps apart; joined bodies and their contacts in turn; stiff islands are solved directly
 ///     seams        circles that roll onto another piece of ground meet it, each at its time
 ///     continuous   what is off course is swept and meets what is on its way
-///     drift h      x += h v
+///     drift h      x += h v; what pushed stiff islands is taken back
 ///     kick h/2     v += h/2 a(x), and damping
 ///     refresh      contacts of circles and loaded corners follow the surface
 ///     relax        the other half of the last impulses, rolling resistance, joints, so that what they hold does not part, and a sweep
-///                  without bias, with friction; or directly
+///                  without bias, with friction; stiff islands directly, with all that presses
 /// untangle         bodies of several shapes that are deep in each other are moved apart, which makes no speed
 /// project          in the classic scheme: overlaps are parted by moving bodies
 /// ```
@@ -135,7 +135,7 @@ impl Solver {
         self.integrate(scheme, tables, None, Some(scheme.kick_time()));
     }
 
-    /// x += h v, and the second kick: in one pass, unless something is to be found in between.
+    /// x += h v, and the second kick: in one pass, unless something is to be found, or taken back, in between.
     fn drift_and_kick(
         &mut self,
         scheme: &Scheme,
@@ -174,7 +174,7 @@ impl Solver {
             self.joints.begin_push(&tables.bodies.states);
         }
         self.warm_start(WarmStartTime::BeforeMove, scheme, tables);
-        self.direct.begin(tables.graph, &mut tables.bodies.states, Phase::Push, h);
+        self.direct.begin(tables.graph, &tables.bodies.states, Phase::Push, h);
         if !self.joints.is_empty() {
             self.joints.push(scheme, &self.kicks, &mut tables.bodies.states);
         }
@@ -183,7 +183,7 @@ impl Solver {
         for _ in 0..scheme.iterations {
             graph.for_each_swept(tables.executor, states, &sweep);
         }
-        self.direct.solve(states, &mut self.joints, Phase::Push);
+        self.direct.solve(states, &mut self.joints);
         self.hold_joints(Phase::Push, scheme, &sweep, tables);
     }
 
@@ -220,7 +220,7 @@ impl Solver {
             for &contact in self.joints.contacts() {
                 tables.graph.run_at(contact, states, &sweep);
             }
-            self.direct.solve_joined(states, &mut self.joints, phase);
+            self.direct.solve_again(states, &mut self.joints, SETTLED);
         }
         self.joints.solve_again(phase, scheme, states);
     }
@@ -246,7 +246,7 @@ impl Solver {
             self.warm_start(WarmStartTime::AfterMove, scheme, tables);
         }
         let h = scheme.substep_time();
-        self.direct.begin(tables.graph, &mut tables.bodies.states, Phase::Relax, h);
+        self.direct.begin(tables.graph, &tables.bodies.states, Phase::Relax, h);
         self.rolling.solve(tables.graph, &mut tables.bodies.states);
         if !self.joints.is_empty() {
             self.joints.relax(scheme, &mut tables.bodies.states);
@@ -256,7 +256,7 @@ impl Solver {
             let sweep = scheme.sweep_over(scheme.relax_sweep(), iteration == 0);
             graph.for_each_swept(tables.executor, states, &sweep);
         }
-        self.direct.solve(states, &mut self.joints, Phase::Relax);
+        self.direct.solve(states, &mut self.joints);
         if scheme.split_kick {
             let sweep = scheme.sweep_over(scheme.relax_sweep(), false);
             self.hold_joints(Phase::Relax, scheme, &sweep, tables);
@@ -386,6 +386,7 @@ impl Solver {
         let SolveTables { bodies, contacts, graph, loads, executor, .. } = tables;
         self.blows.end_substeps(graph);
         self.rolling.finish(contacts);
+        self.direct.finish(contacts);
         let measure = LoadMeasure::new(scheme.adapts, scheme.dt, scheme.substeps, scheme.refinement);
         loads.unsolved.extend(self.direct.unsolved_rows().map(|row| bodies.slot_of_row(row as usize)));
         let residual = graph.finish(*executor, &bodies.states, contacts, measure, loads);

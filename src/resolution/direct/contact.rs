@@ -1,13 +1,16 @@
 //! The rows of a contact: for each of its points one along the normal, which presses, and one along the tangent, whose
-//! friction follows it.
+//! friction follows it; and one for its spin, where something rolls.
 
+use crate::body::Bodies;
+use crate::collision::{Contact, Contacts};
 use crate::compute::BodyState;
 use crate::math::Vec2;
 use crate::resolution::constraint::ContactConstraint;
 use crate::resolution::constraint_graph::{ConstraintGraph, GraphIndex};
 use crate::resolution::direct::newton::Newton;
-use crate::resolution::direct::row::{Bound, Row};
-use crate::resolution::joint::Phase;
+use crate::resolution::direct::row::{Bound, Row, Triple};
+use crate::resolution::joint::{JointSolver, Phase};
+use crate::resolution::rolling::rolling_arm;
 use crate::resolution::softness::{bias, gap_bias};
 use crate::resolution::solve_contact::LARGEST_SPEED_CHANGE;
 
@@ -15,48 +18,58 @@ use crate::resolution::solve_contact::LARGEST_SPEED_CHANGE;
 /// be sent to and fro to close it.
 const SMALLEST_GAP: f32 = 1e-6;
 
-/// Share of its own impulse that a contact between bodies gives back that joints connect. They may be as one, so that nothing that it bears
-/// moves them: while such a ring of welded crates turns, contacts of its crates would bear more and more, ten times what a blow gives.
+/// A contact between bodies that joints connect yields this share of what it bears, taken by the mass of the whole island: under its weight a
+/// body sinks 0.1 mm. Nothing may move such bodies against each other, and without it contacts in a ring of welded crates bear more and more
+/// while it turns, more than any blow gives. Taken by the masses of the two, a light one under 100 kg is squeezed flat.
 const SOFTNESS: f64 = 0.01;
 
 /// A contact that is solved directly.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct DirectContact {
+    index: u32,
     home: GraphIndex,
     /// Which of its bodies impulses move.
     moves: [bool; 2],
     /// Speed of the surfaces past each other, beside how the bodies move, m/s.
     surface_speed: f32,
-    /// Whether joints connect its bodies.
-    are_joined: bool,
-    /// The first of its rows, of which each point has two.
+    /// By how much it yields to what it bears, over k, no unit.
+    softness: f64,
+    /// The first of its rows: two of each point, then that of the spin.
     first_row: usize,
     points: usize,
+    /// Where something rolls, the moment of rolling resistance in the last substep, N m s, on b.
+    rolling_moment: Option<f64>,
 }
 
 impl DirectContact {
-    /// Adds the rows of a contact of so many points between two movers, whose surfaces go past each other with a speed, m/s.
+    /// Adds the rows of the contact with an index, between two movers. The lightest of the island has so much of its mass, `lightest`.
     pub(super) fn new(
+        (index, contact): (u32, &Contact),
         home: GraphIndex,
-        points: usize,
         movers: [Option<u32>; 2],
-        surface_speed: f32,
-        are_joined: bool,
+        bodies: &Bodies,
+        joints: &JointSolver,
+        lightest: f64,
         newton: &mut Newton,
     ) -> Self {
-        let first_row = newton.rows.len();
+        let (first_row, points) = (newton.rows.len(), contact.manifold.points().len());
         let of_point = |point: usize| {
             let friction = Bound::FrictionOf { row: first_row + 2 * point, friction: 0.0 };
             [Bound::AT_LEAST_ZERO, friction]
         };
-        newton.add_pair(movers, (0..points).flat_map(of_point));
+        // What is round has one point.
+        let arm = rolling_arm(bodies, contact).filter(|_| points > 0);
+        let of_spin = arm.map(|arm| Bound::FrictionOf { row: first_row, friction: arm.into() });
+        newton.add_pair(movers, (0..points).flat_map(of_point).chain(of_spin));
         Self {
+            index,
             home,
             moves: movers.map(|mover| mover.is_some()),
-            surface_speed,
-            are_joined,
+            surface_speed: bodies.roles.surface_speed(contact.colliders).unwrap_or(0.0),
+            softness: if joints.connects(contact.slots) { SOFTNESS * lightest } else { 0.0 },
             first_row,
             points,
+            rolling_moment: arm.map(|_| contact.rolling_moment.into()),
         }
     }
 
@@ -73,8 +86,12 @@ impl DirectContact {
         let constraint = graph.constraint(self.home);
         let sides = graph.rows(self.home).map(|row| &states[row as usize]);
         let (is_tangled, is_pending) = (graph.is_tangled(self.home), graph.is_pending(self.home));
-        let (of_points, _) = rows[self.first_row..].as_chunks_mut::<2>();
-        for (index, rows) in of_points.iter_mut().enumerate().take(self.points) {
+        let (of_points, of_spin) = rows[self.first_row..][..self.row_count()].as_chunks_mut::<2>();
+        if let (Some(row), Some(moment)) = (of_spin.first_mut(), self.rolling_moment) {
+            let inverse_inertias = [constraint.inverse_inertia_a, constraint.inverse_inertia_b];
+            self.fill_spin(row, moment, inverse_inertias, sides, phase);
+        }
+        for (index, rows) in of_points.iter_mut().enumerate() {
             let point = &constraint.points[index];
             let separation = constraint.separation(point, sides[0], sides[1]);
             let anchors = [Vec2::from(point.anchor_a), Vec2::from(point.anchor_b)];
@@ -111,43 +128,86 @@ impl DirectContact {
         let inverse_inertias = [constraint.inverse_inertia_a, constraint.inverse_inertia_b];
         let normal = Vec2::from(constraint.normal);
         let impulses = [point.normal_impulse, friction.impulse];
-        // Half the forces have acted before the move, all of them after it.
-        let share = if phase == Phase::Push { 0.5 } else { 1.0 };
+        let share = share_of(phase);
         rows[0].bound = Bound::Range([0.0, f64::from(LARGEST_SPEED_CHANGE / point.normal_k)]);
         if let Bound::FrictionOf { friction, .. } = &mut rows[1].bound {
             *friction = f64::from(constraint.friction);
         }
         [rows[0].k, rows[1].k] = [f64::from(point.normal_k), f64::from(friction.mass).recip()];
         for row in &mut *rows {
-            row.softness = if self.are_joined { SOFTNESS * row.k } else { 0.0 };
+            row.softness = self.softness(row.k);
         }
         [rows[0].bias, rows[1].bias] = [0.0, f64::from(self.surface_speed)];
         for ((row, axis), impulse) in rows.iter_mut().zip([normal, normal.perp()]).zip(impulses) {
             row.impulse = share * f64::from(impulse);
-            for side in 0..2 {
-                let sign = if side == 0 { -1.0 } else { 1.0 };
-                let entries = [axis.x, axis.y, anchors[side].cross(axis)];
-                row.jacobian[side] = entries.map(|entry| sign * f64::from(entry));
-                if !self.moves[side] {
-                    // A kinematic body moves as it does.
-                    let BodyState { velocity, angular_velocity, .. } = sides[side];
-                    let moves = [velocity.x, velocity.y, *angular_velocity].map(f64::from);
-                    row.bias +=
-                        row.jacobian[side].iter().zip(&moves).map(|(entry, v)| entry * v).sum::<f64>();
-                    row.jacobian[side] = [0.0; 3];
-                } else if inverse_inertias[side] == 0.0 {
-                    // Nothing turns it.
-                    row.jacobian[side][2] = 0.0;
-                }
+            let along = [axis.x, axis.y].map(f64::from);
+            let turns = anchors.map(|anchor| f64::from(anchor.cross(axis)));
+            self.aim(row, turns.map(|turn| [along[0], along[1], turn]), inverse_inertias, sides);
+        }
+    }
+
+    /// Fills the row of the spin of b against a.
+    fn fill_spin(
+        &self,
+        row: &mut Row,
+        moment: f64,
+        inverse_inertias: [f32; 2],
+        sides: [&BodyState; 2],
+        phase: Phase,
+    ) {
+        row.impulse = share_of(phase) * moment;
+        row.k = f64::from(inverse_inertias[0] + inverse_inertias[1]);
+        row.softness = self.softness(row.k);
+        row.bias = 0.0;
+        self.aim(row, [[0.0, 0.0, 1.0]; 2], inverse_inertias, sides);
+        row.carried = row.bias;
+    }
+
+    /// Has the velocity of a row grow with how b moves against a, by these shares of the velocities of each.
+    fn aim(&self, row: &mut Row, shares: [Triple; 2], inverse_inertias: [f32; 2], sides: [&BodyState; 2]) {
+        for side in 0..2 {
+            let sign = if side == 0 { -1.0 } else { 1.0 };
+            row.jacobian[side] = shares[side].map(|share| sign * share);
+            if !self.moves[side] {
+                // A kinematic body moves as it does.
+                let BodyState { velocity, angular_velocity, .. } = sides[side];
+                let moves = [velocity.x, velocity.y, *angular_velocity].map(f64::from);
+                row.bias += row.jacobian[side].iter().zip(&moves).map(|(entry, v)| entry * v).sum::<f64>();
+                row.jacobian[side] = [0.0; 3];
+            } else if inverse_inertias[side] == 0.0 {
+                // Nothing turns it.
+                row.jacobian[side][2] = 0.0;
             }
         }
     }
 
+    /// By how much a row yields to what it bears, whose speed grows by `k` with a unit of impulse, 1/kg.
+    fn softness(&self, k: f64) -> f64 {
+        self.softness * k
+    }
+
     /// Gives the contact the impulses that were found.
-    pub(super) fn write_back(&self, rows: &[Row], graph: &mut ConstraintGraph) {
-        let (of_points, _) = rows[self.first_row..].as_chunks::<2>();
-        for (point, rows) in of_points.iter().enumerate().take(self.points) {
+    pub(super) fn write_back(&mut self, rows: &[Row], graph: &mut ConstraintGraph) {
+        let (of_points, of_spin) = rows[self.first_row..][..self.row_count()].as_chunks::<2>();
+        for (point, rows) in of_points.iter().enumerate() {
             graph.set_impulses(self.home, point, [rows[0].impulse as f32, rows[1].impulse as f32]);
         }
+        self.rolling_moment = of_spin.first().map(|row| row.impulse);
     }
+
+    /// Writes at the end of a step what the graph has not.
+    pub(super) fn finish(&self, contacts: &mut Contacts) {
+        if let Some(moment) = self.rolling_moment {
+            contacts[self.index].rolling_moment = moment as f32;
+        }
+    }
+
+    fn row_count(&self) -> usize {
+        2 * self.points + usize::from(self.rolling_moment.is_some())
+    }
+}
+
+/// Half the forces have acted before the move, all of them after it.
+fn share_of(phase: Phase) -> f64 {
+    if phase == Phase::Push { 0.5 } else { 1.0 }
 }

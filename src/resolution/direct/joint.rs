@@ -1,60 +1,63 @@
 //! The rows of a joint, by which contacts feel the mass behind it.
 //!
 //! Joints are solved by themselves, and exactly: they turn within the move, and have the last word. Here each row that acts takes part with
-//! the geometry that it has now, and what it bears more is handed over to it, so that bodies are left as their joints want them, but for
-//! how they turn. Where joints go through the move in several steps they are left out: contacts and joints are solved in turn there.
+//! the geometry that it was solved with last, and hands over to the joint what it bears. So bodies are left as their joints want them, but
+//! for how they turn, and both come to an end after a few rounds.
+
+use core::ops::Range;
 
 use crate::resolution::direct::newton::Newton;
-use crate::resolution::direct::row::{Bound, Row, Triple};
-use crate::resolution::joint::{JointSolver, Phase};
+use crate::resolution::direct::row::{Bound, Row, Triple, dot};
+use crate::resolution::joint::JointSolver;
 
-/// A joint between bodies of which one is solved directly.
-#[derive(Clone, Copy, Debug)]
+/// A joint between bodies of which one at least is solved directly.
+#[derive(Clone, Debug)]
 pub(super) struct DirectJoint {
-    /// Its rows among those of the joint solver, from the first to the end.
-    of_joint: [u32; 2],
+    /// Its rows among those of the joint solver.
+    of_joint: Range<u32>,
     /// Of its bodies those that are solved directly.
     movers: [Option<u32>; 2],
     first_row: usize,
 }
 
 impl DirectJoint {
-    /// Adds the rows of a joint between two movers.
-    pub(super) fn new(of_joint: [u32; 2], movers: [Option<u32>; 2], newton: &mut Newton) -> Self {
+    /// Adds the rows of a joint, between the movers among its bodies.
+    pub(super) fn new(of_joint: Range<u32>, movers: [Option<u32>; 2], newton: &mut Newton) -> Self {
         let first_row = newton.rows.len();
-        newton.add_pair(movers, (of_joint[0]..of_joint[1]).map(|_| Bound::NONE));
+        newton.add_pair(movers, of_joint.clone().map(|_| Bound::NONE));
+        newton.rows[first_row..].iter_mut().for_each(|row| row.is_of_joint = true);
         Self { of_joint, movers, first_row }
     }
 
-    /// Fills its rows: their coordinates are to change as fast as with the velocities that the movers have `before`.
-    pub(super) fn fill_rows(&self, rows: &mut [Row], joints: &JointSolver, phase: Phase, before: &[Triple]) {
-        for (row, of_joint) in rows[self.first_row..].iter_mut().zip(self.of_joint[0]..self.of_joint[1]) {
-            (row.jacobian, row.bias, row.impulse) = ([[0.0; 3]; 2], 0.0, 0.0);
-            let Some(acting) = joints.acting(of_joint, phase) else { continue };
-            (row.k, row.softness, row.bound) = (acting.k, acting.softness, Bound::Range(acting.range));
+    /// Fills its rows, which keep what they bear: coordinates are to go on changing as fast as with the velocities that the movers have
+    /// `now`, as the joint has seen to it. What does not act bears what it does.
+    pub(super) fn fill_rows(&self, rows: &mut [Row], joints: &JointSolver, now: &[Triple]) {
+        for (row, of_joint) in rows[self.first_row..].iter_mut().zip(self.of_joint.clone()) {
+            let Some(acting) = joints.acting(of_joint) else {
+                row.bound = Bound::Range([row.impulse; 2]);
+                continue;
+            };
+            (row.k, row.softness) = (acting.k, acting.softness);
+            row.bound = Bound::Range(acting.range.map(|change| row.impulse + change));
+            row.bias = -row.softness * row.impulse;
             for (side, mover) in self.movers.into_iter().enumerate() {
                 if let Some(mover) = mover {
                     row.jacobian[side] = acting.j[side];
-                    let before = before[mover as usize];
-                    row.bias -= (0..3).map(|axis| acting.j[side][axis] * before[axis]).sum::<f64>();
+                    row.bias -= dot(acting.j[side], now[mover as usize]);
                 }
             }
         }
     }
 
-    /// Hands over what the rows bear more to those of the joint, and adds it to what they have been `handed`, by row.
-    pub(super) fn hand_over(&self, rows: &[Row], joints: &mut JointSolver, handed: &mut [f64]) {
-        for (number, of_joint) in (self.of_joint[0]..self.of_joint[1]).enumerate() {
-            let impulse = rows[self.first_row + number].impulse;
-            joints.bear(of_joint, impulse);
-            handed[self.first_row + number] += impulse;
+    /// Hands over to the joint what its rows bear.
+    pub(super) fn hand_over(&self, rows: &[Row], joints: &mut JointSolver) {
+        for (row, of_joint) in rows[self.first_row..].iter().zip(self.of_joint.clone()) {
+            joints.hand_over(of_joint, row.impulse);
         }
     }
 
     /// Takes it back.
-    pub(super) fn take_back(&self, joints: &mut JointSolver, handed: &[f64]) {
-        for (number, of_joint) in (self.of_joint[0]..self.of_joint[1]).enumerate() {
-            joints.bear(of_joint, -handed[self.first_row + number]);
-        }
+    pub(super) fn take_back(&self, joints: &mut JointSolver) {
+        self.of_joint.clone().for_each(|of_joint| joints.hand_over(of_joint, 0.0));
     }
 }

@@ -2,7 +2,7 @@
 
 use core::ops::Range;
 
-use crate::resolution::direct::row::{Bound, Row, Slope, TOLERANCE, Triple};
+use crate::resolution::direct::row::{Bound, LEAST_COMPLIANCE, Row, Slope, TOLERANCE, Triple};
 use crate::resolution::direct::skyline::{Block, Skyline};
 
 /// Share of its own impulse that a row gives back when the impulse changes, no unit. It makes redundant contacts
@@ -13,11 +13,6 @@ const COMPLIANCE: f64 = 1e-2;
 /// The mass of an island, in units of its lightest body's, from which the compliance falls: what is pressed that hard
 /// would sink in before the impulses have grown, and swing. With much less, rounding weighs as much as loads do.
 const STIFF_MASS: f64 = 100.0;
-
-/// The compliance is never less than this, which is that of the last stage where nothing presses yet: what yields to a
-/// change would yield to the whole load there, and a stack of 200 swing by half a metre per second. `f64` has digits for
-/// little less.
-const LEAST_COMPLIANCE: f64 = 1e-6;
 
 /// Newton steps at most. From the impulses of the last substep one or two are the rule. Few islands that need more come to an end, and a step of
 /// the world would be seen to take long.

@@ -6,6 +6,10 @@ use crate::resolution::direct::skyline::Block;
 /// times more, and the sag that remains at rest, this over the bias rate, is seen.
 pub(super) const TOLERANCE: f64 = 1e-5;
 
+/// The compliance is never less than this, which is that of joints, and of the last stage where nothing presses yet: what yields to a
+/// change would yield to the whole load there, and a stack of 200 swing by half a metre per second. `f64` has digits for little less.
+pub(super) const LEAST_COMPLIANCE: f64 = 1e-6;
+
 /// Rows that ask for a speed below this are held in the first Newton step, m/s: where those of wide gaps are held too,
 /// or none, more islands are not solved.
 const HELD: f64 = 0.1;
@@ -29,6 +33,11 @@ impl Bound {
 /// What belongs to each of the three velocities of a mover: of its centre along x and y, and of its turn.
 pub(super) type Triple = [f64; 3];
 
+/// The scalar product.
+pub(super) fn dot(a: Triple, b: Triple) -> f64 {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+}
+
 /// What a row does to its two movers, and they to it: u = J v + bias, and v grows by M⁻¹ Jᵀ λ.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Row {
@@ -38,6 +47,9 @@ pub(super) struct Row {
     pub(super) bias: f64,
     /// By how much it yields to a unit of impulse, as springs and motors do, 1/kg.
     pub(super) softness: f64,
+    /// Whether it is one of a joint, which yields to nothing but by its softness: if it did, the joint would bring back each time what the contacts
+    /// of its bodies have gained by that, and they would bear more and more.
+    pub(super) is_of_joint: bool,
     /// What of the bias is how what impulses do not move goes past, m/s.
     pub(super) carried: f64,
     /// Speed that a unit of impulse gives the row by itself, 1/kg.
@@ -82,6 +94,7 @@ impl Row {
             bias: 0.0,
             softness: 0.0,
             carried: 0.0,
+            is_of_joint: false,
             k: 1.0,
             bound,
             impulse: 0.0,
@@ -104,6 +117,7 @@ impl Row {
 
     /// Lets the row give back this share of a change of its impulse from that of now.
     pub(super) fn yield_by(&mut self, compliance: f64) {
+        let compliance = if self.is_of_joint { LEAST_COMPLIANCE } else { compliance };
         self.stiffness = 1.0 / (compliance * self.k + self.softness);
         self.previous = self.impulse;
     }
@@ -116,9 +130,7 @@ impl Row {
 
     /// J times these numbers.
     fn along(&self, [of_a, of_b]: &[Triple; 2]) -> f64 {
-        let [a, b] = &self.jacobian;
-        (a[0] * of_a[0] + a[1] * of_a[1] + a[2] * of_a[2])
-            + (b[0] * of_b[0] + b[1] * of_b[1] + b[2] * of_b[2])
+        dot(self.jacobian[0], *of_a) + dot(self.jacobian[1], *of_b)
     }
 
     /// Adds Jᵀ λ to these numbers.
@@ -180,7 +192,8 @@ impl Row {
 
     /// Whether the first Newton step takes the row for one that yields, whatever its impulse.
     pub(super) fn is_held(&self) -> bool {
-        self.bias < HELD
+        // What can bear nothing else does not yield.
+        self.bias < HELD && self.range[0] < self.range[1]
     }
 
     /// Takes up what a step from where it has responded will add.

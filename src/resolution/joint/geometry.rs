@@ -88,8 +88,6 @@ pub(super) struct JointBody {
     pub(super) ahead: V3,
     /// By forces, and by what its contacts bear, m/s² and rad/s².
     pub(super) acceleration: V3,
-    /// Whether it is in a contact.
-    pub(super) touches: bool,
     /// How many joints hold it in a place, and how far from its centre the last of them, m.
     pub(super) held: u32,
     pub(super) arm: f64,

@@ -21,6 +21,8 @@ mod solve;
 mod steps;
 mod take_up;
 
+use core::ops::Range;
+
 use crate::body::NONE;
 use crate::compute::BodyState;
 use crate::math::Vec2;
@@ -89,11 +91,11 @@ impl JointSolver {
         &self.contacts
     }
 
-    /// The rows of the joint with this index, from the first to the end, and the rows of its bodies among the states; `None` where it does not act.
-    pub(super) fn rows_of_joint(&self, index: u32) -> Option<([u32; 2], [u32; 2])> {
+    /// The rows of the joint with this index, and the rows of its bodies among the states; `None` where it does not act.
+    pub(super) fn rows_of_joint(&self, index: u32) -> Option<(Range<u32>, [u32; 2])> {
         let place = self.places.binary_search_by_key(&index, |place| place.joint).ok()?;
-        let Place { rows, ends, .. } = &self.places[place];
-        Some((*rows, ends.map(|end| self.bodies[end as usize].row)))
+        let Place { rows: [first, end], ends, .. } = self.places[place];
+        Some((first..end, ends.map(|end| self.bodies[end as usize].row)))
     }
 
     /// Whether joints connect the bodies in two slots, with each other or by way of others that they move.
@@ -109,17 +111,18 @@ impl JointSolver {
         a != NONE && a == b
     }
 
-    /// How a row acts, as it was solved last; `None` where it bears nothing that could change, or goes through the move in several steps.
-    pub(super) fn acting(&self, row: u32, phase: Phase) -> Option<Acting> {
+    /// How a row acts, as it was solved last; `None` where it bears nothing that could change.
+    pub(super) fn acting(&self, row: u32) -> Option<Acting> {
         let row = &self.rows[row as usize];
-        let is_divided = phase == Phase::Push && row.times.h < self.h;
         let acting = || Acting { j: row.j, k: row.k, softness: row.softness, range: row.range_of_change() };
-        (row.is_free && !is_divided).then(acting)
+        row.is_free.then(acting)
     }
 
-    /// Adds to what a row bears, N s. Its bodies have been given it.
-    pub(super) fn bear(&mut self, row: u32, impulse: f64) {
-        self.rows[row as usize].impulse += impulse;
+    /// Has a row bear what the direct solve hands over to it in this phase, N s in all: its bodies have been given it.
+    pub(super) fn hand_over(&mut self, row: u32, impulse: f64) {
+        let row = &mut self.rows[row as usize];
+        row.impulse += impulse - row.handed;
+        row.handed = impulse;
     }
 
     /// Reads where the bodies are, before anything strikes them in this substep: what strikes moves them too.

@@ -98,6 +98,8 @@ pub(super) struct Row {
     /// Impulse of this phase, and of the push.
     pub(super) impulse: f64,
     pub(super) pushed: f64,
+    /// What of the impulse the direct solve has handed over.
+    pub(super) handed: f64,
     /// Scratch: an impulse to go back to, or to compare with.
     pub(super) kept: f64,
     /// Scratch: the impulse before gaps were closed.
@@ -135,6 +137,7 @@ impl Row {
             bias: 0.0,
             impulse: 0.0,
             pushed: 0.0,
+            handed: 0.0,
             kept: 0.0,
             unclosed: 0.0,
             load_before: 0.0,
@@ -156,6 +159,7 @@ impl Row {
     pub(super) fn begin(&mut self, at: &Geometry, a: &JointBody, b: &JointBody, phase: Phase, times: Times) {
         self.j = self.coordinate.jacobian(at);
         self.times = times;
+        self.handed = 0.0;
         self.x = self.value(at);
         self.k = a.coupling(self.j[0], self.j[0]) + b.coupling(self.j[1], self.j[1]);
         if let Role::Speed { .. } = self.role {

@@ -74,24 +74,26 @@ impl JointSolver {
         if self.is_empty() {
             return;
         }
+        for island in &mut self.islands {
+            (island.touches, island.is_direct) = (false, false);
+        }
         let is_joined = |slot: u32| {
             bodies.is_dynamic(slot) && self.place_of_slot.get(slot as usize).is_some_and(|&place| place != 0)
         };
-        for body in self.bodies[1..].iter_mut().filter(|body| body.inverse_mass > 0.0) {
-            let slot = bodies.slot_of_row(body.row as usize);
+        for body in self.bodies[1..].iter().filter(|body| body.inverse_mass > 0.0) {
+            let (slot, island) =
+                (bodies.slot_of_row(body.row as usize), &mut self.islands[body.island as usize]);
             for index in contacts.of_body(bodies, slot) {
                 // A contact of two such bodies is in the lists of both.
                 let first = contacts[index].slots[0];
                 let is_first = slot == first || !is_joined(first);
-                let home = graph.home(index);
-                body.touches |= home.is_some();
-                self.contacts.extend(home.filter(|home| is_first && !home.is_solved_directly()));
+                let Some(home) = graph.home(index) else { continue };
+                island.touches = true;
+                island.is_direct |= home.is_solved_directly();
+                self.contacts.extend((is_first && !home.is_solved_directly()).then_some(home));
             }
         }
         self.contacts.sort_unstable();
-        for island in &mut self.islands {
-            island.touches = island.bodies.iter().any(|&place| self.bodies[place as usize].touches);
-        }
     }
 
     fn add(&mut self, index: u32, record: &mut JointRecord, bodies: &Bodies) {
@@ -157,7 +159,6 @@ fn body_of(row: u32, inverse: Option<[f32; 2]>) -> JointBody {
         closing: [0.0; 3],
         ahead: [0.0; 3],
         acceleration: [0.0; 3],
-        touches: false,
         held: 0,
         arm: 0.0,
     }
