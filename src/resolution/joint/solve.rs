@@ -76,8 +76,7 @@ impl JointSolver {
         let is_swept = clusters.iter().any(|cluster| cluster.is_swept);
         for _ in 0..if is_swept { SWEEPS } else { 1 } {
             for cluster in clusters.iter_mut() {
-                problem.look_at_changes(cluster);
-                problem.step(cluster);
+                problem.spread_over(cluster);
             }
         }
     }
@@ -243,6 +242,25 @@ impl Problem<'_> {
                 _ => (aim == Aim::Way).then(|| row.ahead(a, b, h)),
             };
             row.look(a, b, ahead, self.times);
+        }
+    }
+
+    /// The same over a cluster. What meets its bounds is free no more, and the others do without it: as if it still bore what was wanted of
+    /// it, they would throw light bodies off.
+    fn spread_over(&mut self, cluster: &mut Cluster) {
+        for _ in 0..TURNS {
+            self.look_at_changes(cluster);
+            self.step(cluster);
+            let mut is_cut = false;
+            for &row in &cluster.rows {
+                let row = &mut self.rows[row as usize];
+                if row.is_free && row.impulse != row.wanted {
+                    (row.is_free, is_cut) = (false, true);
+                }
+            }
+            if !is_cut {
+                break;
+            }
         }
     }
 
