@@ -5,6 +5,7 @@ mod drives;
 mod impacts;
 mod kinds;
 mod loads;
+mod machines;
 mod pendulums;
 mod stones;
 mod use_of_joints;
