@@ -18,9 +18,10 @@
 //! ```
 //!
 //! with 3 rows for each body, in an order that keeps rows near those of their neighbours (E. Cuthill & J. McKee,
-//! 1969). The limits of friction follow the normal impulses from step to step (P. Alart & A. Curnier, "A mixed
-//! formulation for frictional contact problems prone to Newton like solution methods", 1991, gives the joint method;
-//! to hold the limits within a step keeps H symmetric).
+//! 1969). The limits of friction hold still until the minimum is found, then follow the normal impulses, and so on until both agree (a
+//! fixed-point iteration: K. Kunisch & G. Stadler, "Generalized Newton methods for the 2D-Signorini contact problem with friction in function
+//! space", 2005). To hold the limits keeps H symmetric and φ convex. Of two solutions, one that sticks and one that slips, what has rested
+//! is to find that which sticks, so limits begin with the greater of what pressed before and what presses where all is held.
 //!
 //! Where bodies are joined, the rows of their joints are rows as well, see [`joint`].
 //!

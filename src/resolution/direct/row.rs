@@ -62,7 +62,7 @@ pub(super) struct Row {
     /// Impulse per velocity that the row yields by, 1/(c k + its softness), kg.
     stiffness: f64,
     /// It yields to the change from this impulse, N s.
-    previous: f64,
+    pub(super) previous: f64,
     /// With which stiffness and Jacobian it takes part in the matrix: 0 where it does not.
     taken: Taken,
     /// u where it has last responded, m/s.
@@ -178,6 +178,11 @@ impl Row {
     pub(super) fn respond(&mut self, velocities: &[Triple; 2]) {
         self.speed = self.speed(velocities);
         self.impulse = self.answer(self.speed);
+    }
+
+    /// Whether the impulse is still that which the speed is answered with, to the tolerance, when bounds have changed.
+    pub(super) fn stays(&self) -> bool {
+        self.k * (self.answer(self.speed) - self.impulse).abs() <= TOLERANCE
     }
 
     /// Whether an impulse would change with the speed: it is not at a bound.

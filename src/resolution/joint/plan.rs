@@ -39,8 +39,6 @@ pub(super) struct Island {
     pub(super) swing: f64,
     /// Whether a body of it is in a contact.
     pub(super) touches: bool,
-    /// Whether contacts of it are solved directly.
-    pub(super) is_direct: bool,
     /// By how much others have pushed its bodies since it was solved in full, m/s.
     pub(super) pushed: f64,
     /// Whether what it is to be after the move was found only as if bodies did not turn in it.

@@ -46,11 +46,10 @@ impl JointSolver {
                 (row.load, row.in_substep) = (row.load_before, [0.0; 3]);
             }
         }
-        // What is solved directly is solved for the end of the substep, and joints with it.
-        let most = match island {
-            _ if !scheme.split_kick || island.is_direct => 1.0,
-            _ if island.touches => MOST_STEPS_IN_CONTACT,
-            _ => MOST_STEPS,
+        let most = match (scheme.split_kick, island.touches) {
+            (false, _) => 1.0,
+            (true, false) => MOST_STEPS,
+            (true, true) => MOST_STEPS_IN_CONTACT,
         };
         let shortest = h / most;
         island.swing = 0.0;

@@ -75,7 +75,7 @@ impl JointSolver {
             return;
         }
         for island in &mut self.islands {
-            (island.touches, island.is_direct) = (false, false);
+            island.touches = false;
         }
         let is_joined = |slot: u32| {
             bodies.is_dynamic(slot) && self.place_of_slot.get(slot as usize).is_some_and(|&place| place != 0)
@@ -89,7 +89,6 @@ impl JointSolver {
                 let is_first = slot == first || !is_joined(first);
                 let Some(home) = graph.home(index) else { continue };
                 island.touches = true;
-                island.is_direct |= home.is_solved_directly();
                 self.contacts.extend((is_first && !home.is_solved_directly()).then_some(home));
             }
         }
