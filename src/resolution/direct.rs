@@ -113,8 +113,7 @@ impl DirectSolver {
             self.states_of_movers.push(motion.row);
             self.newton.masses.push([mass, mass, inertia]);
         }
-        let masses = self.newton.masses[first_mover..].iter().map(|&[mass, ..]| mass);
-        let lightest = masses.clone().fold(f64::INFINITY, f64::min) / masses.sum::<f64>();
+        let mass_ratio = self.newton.mass_ratio(first_mover..self.states_of_movers.len());
         for &slot in island {
             for index in joints.of_body(slot) {
                 let Some((rows, of_bodies)) = joint_solver.rows_of_joint(index) else { continue };
@@ -139,7 +138,7 @@ impl DirectSolver {
                         movers,
                         bodies,
                         joint_solver,
-                        lightest,
+                        mass_ratio,
                         newton,
                     ));
                 }

@@ -42,14 +42,14 @@ pub(super) struct DirectContact {
 }
 
 impl DirectContact {
-    /// Adds the rows of the contact with an index, between two movers. The lightest of the island has so much of its mass, `lightest`.
+    /// Adds the rows of the contact with an index, between two movers of an island with a [`mass_ratio`](Newton::mass_ratio).
     pub(super) fn new(
         (index, contact): (u32, &Contact),
         home: GraphIndex,
         movers: [Option<u32>; 2],
         bodies: &Bodies,
         joints: &JointSolver,
-        lightest: f64,
+        mass_ratio: f64,
         newton: &mut Newton,
     ) -> Self {
         let (first_row, points) = (newton.rows.len(), contact.manifold.points().len());
@@ -66,7 +66,7 @@ impl DirectContact {
             home,
             moves: movers.map(|mover| mover.is_some()),
             surface_speed: bodies.roles.surface_speed(contact.colliders).unwrap_or(0.0),
-            softness: if joints.connects(contact.slots) { SOFTNESS * lightest } else { 0.0 },
+            softness: if joints.connects(contact.slots) { SOFTNESS / mass_ratio } else { 0.0 },
             first_row,
             points,
             rolling_moment: arm.map(|_| contact.rolling_moment.into()),

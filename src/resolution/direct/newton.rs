@@ -125,11 +125,15 @@ impl Newton {
             let leftmost = &mut self.leftmost[a.max(b)];
             *leftmost = (*leftmost).min((a.min(b) - mover) as u32);
         }
-        let masses = || self.masses[movers.clone()].iter().map(|&[mass, ..]| mass);
-        let lightest = masses().fold(f64::INFINITY, f64::min);
-        let ease = (STIFF_MASS * lightest / masses().sum::<f64>()).min(1.0);
+        let ease = (STIFF_MASS / self.mass_ratio(movers.clone())).min(1.0);
         let compliance = (COMPLIANCE * ease).max(LEAST_COMPLIANCE);
         Part { movers, pairs, rows, compliance, is_unsolved: false }
+    }
+
+    /// The mass of these movers together, in units of the lightest.
+    pub(super) fn mass_ratio(&self, movers: Range<usize>) -> f64 {
+        let masses = self.masses[movers].iter().map(|&[mass, ..]| mass);
+        masses.clone().sum::<f64>() / masses.fold(f64::INFINITY, f64::min)
     }
 
     /// Finds what the impulses of a part have added to the velocities, if they have acted, and takes it out of the free ones.
@@ -289,13 +293,17 @@ impl Newton {
         is_solved
     }
 
-    /// Goes down φ, step by step, until its gradient is 0 with the bounds of friction that its impulses give. Returns whether it came there.
+    /// Goes down φ, step by step, until its gradient is 0, lets the limits of friction follow, and goes on until they stay. Returns whether it
+    /// came to an end.
     fn descend(&mut self, part: &Part) -> bool {
         for number in 0..MOST_STEPS {
             self.respond(part);
             if self.is_balanced(part) {
+                if number >= LIMIT_STEPS {
+                    return true;
+                }
                 self.follow_limits(part);
-                if number >= LIMIT_STEPS || self.rows[part.rows.clone()].iter().all(Row::stays) {
+                if self.rows[part.rows.clone()].iter().all(Row::stays) {
                     return true;
                 }
                 self.respond(part);

@@ -7,11 +7,12 @@ fn a_pile_does_not_creep() {
     hold(&["pile-5-minutes"]);
 }
 
-/// The statics of it is that all do. Of 200 piles by other seeds five to eight tremble for minutes, at 0.1 mm/s, which is where rest begins.
+/// The statics of it is that all come to rest. Of 200 piles eight tremble for minutes, at 0.1 mm/s, which is where rest begins. None that rests moves again.
 #[test]
 fn at_most_one_of_thirty_piles_trembles_on() {
     for check in checks("30-piles") {
-        assert!(check.value <= 1.0, "{check:?}");
+        let most = if check.what == "piles that do not come to rest" { 1.0 } else { 0.0 };
+        assert!(check.value <= most, "{check:?}");
     }
 }
 

@@ -200,8 +200,8 @@ fn friction_is_bounded_by_what_presses_in_the_end() {
         for velocity in &mut newton.free {
             *velocity = [(); 3].map(|()| random.random_range(-2.0..2.0));
         }
-        for number in 0..6 {
-            let (mover, other) = (number, random.below(6));
+        for mover in 0..6 {
+            let other = random.below(6);
             let movers = [(other != mover).then_some(other), Some(mover)];
             let angle: f64 = random.random_range(0.0..core::f64::consts::TAU);
             let (normal, tangent) = ([angle.cos(), angle.sin(), 0.0], [-angle.sin(), angle.cos(), 1.0]);
