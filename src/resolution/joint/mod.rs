@@ -61,7 +61,7 @@ pub(crate) struct JointSolver {
 /// How a row answers to what pushes its bodies.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Acting {
-    /// Its speed per velocity of each of the two bodies.
+    /// Its speed per velocity of each of the two bodies, as far as impulses change that: what does not turn is not turned.
     pub(super) j: [V3; 2],
     /// J M⁻¹ Jᵀ, and what it yields by beside, 1/kg.
     pub(super) k: f64,
@@ -114,7 +114,15 @@ impl JointSolver {
     /// How a row acts, as it was solved last; `None` where it bears nothing that could change.
     pub(super) fn acting(&self, row: u32) -> Option<Acting> {
         let row = &self.rows[row as usize];
-        let acting = || Acting { j: row.j, k: row.k, softness: row.softness, range: row.range_of_change() };
+        let acting = || {
+            let mut j = row.j;
+            for (j, place) in j.iter_mut().zip(row.bodies) {
+                if self.bodies[place as usize].inverse_inertia == 0.0 {
+                    j[2] = 0.0;
+                }
+            }
+            Acting { j, k: row.k, softness: row.softness, range: row.range_of_change() }
+        };
         row.is_free.then(acting)
     }
 
