@@ -18,16 +18,17 @@
 //! ```
 //!
 //! with 3 rows for each body, in an order that keeps rows near those of their neighbours (E. Cuthill & J. McKee,
-//! 1969). The limits of friction hold still until the minimum is found, then follow the normal impulses, and so on until both agree (a
-//! fixed-point iteration: K. Kunisch & G. Stadler, "Generalized Newton methods for the 2D-Signorini contact problem with friction in function
-//! space", 2005). To hold the limits keeps H symmetric and φ convex. Of two solutions, one that sticks and one that slips, what has rested
-//! is to find that which sticks, so limits begin with the greater of what pressed before and what presses where all is held.
+//! 1969). The limits of friction are held until the minimum is found, then set from the normal impulses, and so on until they stay, or for ten
+//! Newton steps (a fixed-point iteration: K. Kunisch & G. Stadler, "Generalized Newton methods for the 2D-Signorini contact problem with
+//! friction in function space", 2005). To hold them keeps H symmetric and φ convex. There may be two solutions, one in which a body sticks and
+//! one in which it slips. What rests has to stay at rest, so the limits begin high: with the greater of the last normal impulse and that of
+//! the first Newton step, in which all is held.
 //!
 //! Where bodies are joined, the rows of their joints are rows as well, see [`joint`].
 //!
-//! A substep has two such solves. That before the move says where bodies go: it holds with half of the forces, and drives out overlap. Its
-//! impulses are then taken back, as that would be speed, and as they acted where bodies no longer are. That after the move finds what
-//! presses in the end, under all the forces.
+//! A substep has two such solves. The one before the move balances half of the forces of the substep and corrects penetration: it says where
+//! bodies go. Its impulses are then taken back: a correction is no speed, and the bodies are no longer where they acted. The one after the
+//! move finds the impulses under all the forces.
 //!
 //! Cost: bodies × band², so for chains, towers and small heaps only.
 
@@ -59,8 +60,7 @@ const LARGEST_SMALL_ISLAND: usize = 32;
 ///
 /// In a step: `clear`, and `add_island` for each, once the constraints are there; in each phase of a substep `begin`, `solve`, and where
 /// joints have answered `solve_again`; after the drift `take_back_push`; after the second phase `write_back`; and in the end `finish`.
-/// The impulses of the first phase move the bodies and are taken back, as part of them only drives out overlap; only those of the second
-/// are what contacts have borne.
+/// Only the impulses of the second phase are what contacts have borne.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct DirectSolver {
     /// The row of each mover among the states.
@@ -77,8 +77,6 @@ pub(crate) struct DirectSolver {
 struct Island {
     part: Part,
     joints: Range<usize>,
-    /// Whether its impulses have acted in this phase.
-    has_acted: bool,
 }
 
 impl DirectSolver {
@@ -148,7 +146,7 @@ impl DirectSolver {
             self.mover_of_row[row as usize] = None;
         }
         let part = self.newton.part_from(begin);
-        self.islands.push(Island { part, joints: first_joint..self.joints.len(), has_acted: false });
+        self.islands.push(Island { part, joints: first_joint..self.joints.len() });
     }
 
     pub(crate) fn is_empty(&self) -> bool {
@@ -164,47 +162,54 @@ impl DirectSolver {
             .flat_map(|part| self.states_of_movers[part.movers.clone()].iter().copied())
     }
 
-    /// Begins a phase: rows get the geometry of now, and impulses to begin the search with, which do not act yet: those of the last
-    /// substep, of which a blow may have been, would throw bodies apart before their joints hold them.
+    /// Begins a phase: rows get the geometry of now, and impulses to begin the search with. These do not act yet: the impulses of an impact in
+    /// the last substep would throw bodies apart before their joints hold them.
     pub(crate) fn begin(&mut self, graph: &ConstraintGraph, states: &[BodyState], phase: Phase, h: f32) {
-        // Joints bear what they are given in this phase.
-        self.newton.rows.iter_mut().for_each(|row| row.impulse = 0.0);
+        for joint in &self.joints {
+            joint.begin(&mut self.newton.rows);
+        }
         for contact in &self.contacts {
             contact.fill_rows(&mut self.newton.rows, graph, states, phase, 1.0 / h);
         }
-        self.islands.iter_mut().for_each(|island| island.has_acted = false);
     }
 
-    /// Finds the impulses of contacts, and the velocities with them. Joints are still to answer to how their bodies turn by that.
+    /// Finds the impulses of contacts, and the velocities with them, for the first time in a phase. Joints have still to answer to how their
+    /// bodies turn by that.
     pub(crate) fn solve(&mut self, states: &mut [BodyState], joints: &mut JointSolver) {
         for number in 0..self.islands.len() {
-            self.solve_island(number, states, joints);
+            self.solve_island(number, states, joints, false);
         }
     }
 
-    /// The same of islands whose joints have answered by more than so much, m/s.
+    /// Finds them again for islands whose velocities others have changed since by more than so much, m/s: joints that have answered.
     pub(crate) fn solve_again(&mut self, states: &mut [BodyState], joints: &mut JointSolver, more_than: f64) {
         for number in 0..self.islands.len() {
             if self.change(number, states) > more_than {
-                self.solve_island(number, states, joints);
+                self.solve_island(number, states, joints, true);
             }
         }
     }
 
-    fn solve_island(&mut self, number: usize, states: &mut [BodyState], joints: &mut JointSolver) {
+    /// Solves an island; `acted` says that its impulses have acted in this phase.
+    fn solve_island(
+        &mut self,
+        number: usize,
+        states: &mut [BodyState],
+        joints: &mut JointSolver,
+        acted: bool,
+    ) {
         let Self { states_of_movers, islands, newton, .. } = self;
-        let Island { part, joints: of_island, has_acted } = &mut islands[number];
+        let Island { part, joints: of_island } = &mut islands[number];
         for mover in part.movers.clone() {
             newton.free[mover] = velocity_of(&states[states_of_movers[mover] as usize]).map(f64::from);
         }
         for joint in &self.joints[of_island.clone()] {
             joint.fill_rows(&mut newton.rows, joints, &newton.free);
         }
-        if *has_acted {
+        if acted {
             newton.take_out_gains(part);
         }
         newton.solve(part);
-        *has_acted = true;
         for joint in &self.joints[of_island.clone()] {
             joint.hand_over(&newton.rows, joints);
         }
@@ -213,8 +218,8 @@ impl DirectSolver {
         }
     }
 
-    /// By how much others have changed the velocities of an island since they were given, m/s: of points at the radius of gyration, the
-    /// fastest, more or less.
+    /// By how much others have changed the velocities of an island since they were given, m/s: the most of √(v² + r² ω²), r being the radius of
+    /// gyration of a body.
     fn change(&self, number: usize, states: &[BodyState]) -> f64 {
         let of_mover = |mover: usize| {
             let [x, y, w] = self.change_of(mover, states).map(f64::from);
@@ -231,8 +236,8 @@ impl DirectSolver {
         [0, 1, 2].map(|axis| now[axis] - given[axis] as f32)
     }
 
-    /// Takes the impulses of the push out of the velocities when the bodies have moved: what presses in the end is found anew. What has
-    /// struck bodies since stays, and what joints have answered.
+    /// Takes the impulses of the first phase out of the velocities when the bodies have moved. What has struck bodies since stays, and what
+    /// joints have answered.
     pub(crate) fn take_back_push(&self, states: &mut [BodyState], joints: &mut JointSolver) {
         for (mover, &row) in self.states_of_movers.iter().enumerate() {
             let (free, change) = (self.newton.free[mover], self.change_of(mover, states));

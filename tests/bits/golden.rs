@@ -22,7 +22,7 @@ const GOLDEN: &[(&str, u64)] = &[
     ("pile", 0x0BA6_0310_8518_6128),
     ("pool", 0x4A06_7DB6_4EC0_54AD),
     ("materials", 0xB205_0F2C_4C4A_83B5),
-    ("platforms", 0x3985_9E17_4DF2_DC2A),
+    ("platforms", 0xB816_8809_E671_FE2A),
     ("far_tower", 0xA088_7AFD_EC9D_88A7),
     ("card_house", 0xDC14_D3F7_200F_4A2E),
     ("bounce", 0x1558_2EDA_59DA_0250),

@@ -19,8 +19,8 @@ use crate::resolution::solve_contact::LARGEST_SPEED_CHANGE;
 const SMALLEST_GAP: f32 = 1e-6;
 
 /// A contact between bodies that joints connect yields this share of what it bears, taken by the mass of the whole island: under its weight a
-/// body sinks 0.1 mm. Nothing may move such bodies against each other, and without it contacts in a ring of welded crates bear more and more
-/// while it turns, more than any blow gives. Taken by the masses of the two, a light one under 100 kg is squeezed flat.
+/// body sinks 0.1 mm. Joints may leave such bodies no way to move against each other. Without it contacts in a ring of welded crates bear more
+/// and more while it turns, more than any blow gives. Taken by the masses of the two, a light one under 100 kg is squeezed flat.
 const SOFTNESS: f64 = 0.01;
 
 /// A contact that is solved directly.
@@ -108,7 +108,7 @@ impl DirectContact {
             rows[1].carried = rows[1].bias;
             rows[0].bias += f64::from(bias);
             if is_pending[index] {
-                // It parts, whatever the velocities.
+                // It is not to touch yet. With no Jacobian any positive speed says that it parts.
                 (rows[0].jacobian, rows[0].bias) = ([[0.0; 3]; 2], 1.0);
             }
         }

@@ -29,8 +29,13 @@ impl DirectJoint {
         Self { of_joint, movers, first_row }
     }
 
-    /// Fills its rows, which keep what they bear: coordinates are to go on changing as fast as with the velocities that the movers have
-    /// `now`, as the joint has seen to it. What does not act bears what it does.
+    /// Begins a phase, in which nothing has been handed over to the joint yet.
+    pub(super) fn begin(&self, rows: &mut [Row]) {
+        rows[self.first_row..][..self.of_joint.len()].iter_mut().for_each(|row| row.impulse = 0.0);
+    }
+
+    /// Fills its rows, which keep their impulses: coordinates are to go on changing as fast as with the velocities that the movers have
+    /// `now`, which the joint has found. The impulse of a row that does not act cannot change.
     pub(super) fn fill_rows(&self, rows: &mut [Row], joints: &JointSolver, now: &[Triple]) {
         for (row, of_joint) in rows[self.first_row..].iter_mut().zip(self.of_joint.clone()) {
             let Some(acting) = joints.acting(of_joint) else {

@@ -18,14 +18,15 @@ const STIFF_MASS: f64 = 100.0;
 /// sweeps, and overlap by a hundredth of a stone. Few islands that need more come to an end, and a step of the world would be seen to take long.
 const MOST_STEPS: usize = 30;
 
-/// Tries at most to find how far to go along a step. Each leaves half of what is left of the way at most, 1e-6 in all.
+/// Tries at most to find how far to go along a step. Each is a root of the slope, or halves what is left of the way: 1e-6 in all.
 const MOST_TRIES: usize = 20;
 
 /// Sweeps over an island that Newton's method did not solve. Fewer leave more small piles awake.
 const SWEEPS: usize = 20;
 
-/// For so many Newton steps the limits of friction follow the normal impulses, each time that all is balanced with those from before. With half
-/// as many, gears jam: teeth stick to flanks that press no longer. Then limits hold still until the next substep, so that the steps end.
+/// For so many Newton steps the limits of friction follow the normal impulses, each time that all is balanced with those from before. Then they
+/// are held, so that the steps end. With half as many, gears jam: teeth stick to flanks that press no longer. With half as many again, a car
+/// on stones takes half as long again, and gears run no better.
 const LIMIT_STEPS: usize = 10;
 
 /// A share of a step that is rounding, no unit.
@@ -76,8 +77,8 @@ pub(super) struct Newton {
     pub(super) free: Vec<Triple>,
     pub(super) sought: Vec<Triple>,
     /// What the impulses add to the velocities.
-    pub(super) gains: Vec<Triple>,
-    /// The rows of a pair follow each other, and a row of friction the one that bounds it.
+    gains: Vec<Triple>,
+    /// The rows of a pair follow each other, and a row of friction comes after the one that bounds it.
     pub(super) rows: Vec<Row>,
     pairs: Vec<Pair>,
     /// Of each mover the first of its part that it shares a row with, counted within the part.
@@ -179,7 +180,7 @@ impl Newton {
     }
 
     /// Finds what the impulses add to the velocities.
-    pub(super) fn find_gains(&mut self, part: &Part) {
+    fn find_gains(&mut self, part: &Part) {
         self.gains[part.movers.clone()].fill([0.0; 3]);
         for pair in &self.pairs[part.pairs.clone()] {
             let mut momenta = [[0.0; 3]; 2];
@@ -296,7 +297,7 @@ impl Newton {
     /// Goes down φ, step by step, until its gradient is 0, lets the limits of friction follow, and goes on until they stay. Returns whether it
     /// came to an end.
     fn descend(&mut self, part: &Part) -> bool {
-        for number in 0..MOST_STEPS {
+        for number in 0.. {
             self.respond(part);
             if self.is_balanced(part) {
                 if number >= LIMIT_STEPS {
@@ -307,6 +308,9 @@ impl Newton {
                     return true;
                 }
                 self.respond(part);
+            }
+            if number == MOST_STEPS {
+                break;
             }
             // Rows that touch are first held, whichever way they would go: a load reaches the ground at once, and
             // not one body further in each step.

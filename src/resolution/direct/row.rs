@@ -10,7 +10,7 @@ pub(super) const TOLERANCE: f64 = 1e-5;
 /// change would yield to the whole load there, and a stack of 200 swing by half a metre per second. `f64` has digits for little less.
 pub(super) const LEAST_COMPLIANCE: f64 = 1e-6;
 
-/// Rows that ask for a speed below this are held in the first Newton step, m/s: where those of wide gaps are held too,
+/// Rows whose bias is below this are held in the first Newton step, m/s: where those of wide gaps are held too,
 /// or none, more islands are not solved.
 const HELD: f64 = 0.1;
 
@@ -47,7 +47,7 @@ pub(super) struct Row {
     pub(super) bias: f64,
     /// By how much it yields to a unit of impulse, as springs and motors do, 1/kg.
     pub(super) softness: f64,
-    /// Whether it is one of a joint, which yields to nothing but by its softness: if it did, the joint would bring back each time what the contacts
+    /// Whether it is one of a joint, which has the least compliance: with more, the joint would bring back each time what the contacts
     /// of its bodies have gained by that, and they would bear more and more.
     pub(super) is_of_joint: bool,
     /// What of the bias is how what impulses do not move goes past, m/s.
