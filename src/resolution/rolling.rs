@@ -83,7 +83,8 @@ impl Rolling {
         }
     }
 
-    /// One of the warm starts of a substep: a `part` of what acted in the last one, no unit, as far as the load goes.
+    /// One of the warm starts of a substep: a `part` of what acted in the last one, no unit, as far as its load goes. What acts along the
+    /// normal before the move is that part of the load; after the move it has become the whole.
     pub(crate) fn start(
         &mut self,
         time: WarmStartTime,
@@ -92,11 +93,14 @@ impl Rolling {
         states: &mut [BodyState],
     ) {
         for contact in &mut self.contacts {
-            let greatest = part * contact.limit(graph);
+            let (acted, load_part) = match time {
+                WarmStartTime::BeforeMove => (0.0, 1.0),
+                WarmStartTime::AfterMove => (contact.acted, part),
+            };
+            let greatest = load_part * contact.limit(graph);
             let moment = (part * contact.moment).clamp(-greatest, greatest);
             contact.turn(moment, states);
-            let before = if time == WarmStartTime::BeforeMove { 0.0 } else { contact.acted };
-            contact.acted = before + moment;
+            contact.acted = acted + moment;
         }
     }
 

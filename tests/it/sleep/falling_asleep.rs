@@ -18,6 +18,18 @@ fn piles_fall_asleep_and_then_run_no_stage() {
     }
 }
 
+/// What rolls on discs is lost, so heaps of them come to rest as others do.
+#[test]
+fn piles_with_rolling_discs_fall_asleep_if_they_have_rolling_resistance() {
+    for seed in 1..=8 {
+        let (mut world, ids) = pile(seed, true, true);
+        for &id in &ids {
+            world.body_mut(id).unwrap().set_rolling_resistance(0.01).unwrap();
+        }
+        assert!(falls_asleep(&mut world, &ids), "the pile of seed {seed} is awake after 30 s");
+    }
+}
+
 fn runs_no_stage(world: &mut World) {
     // The step after the one that put the last to sleep looks at the boxes that had moved in it.
     world.step();
