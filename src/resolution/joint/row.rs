@@ -291,6 +291,11 @@ impl Row {
         if self.is_free { self.residual.abs() * times.h / (EXACT * self.scale) } else { 0.0 }
     }
 
+    /// Whether it is off by no more than this angle, rad, or this part of the lever arm.
+    pub(super) fn is_within(&self, part: f64, times: Times) -> bool {
+        self.residual.abs() * times.h <= part * self.scale
+    }
+
     /// By how much its impulse may change, as it acts now.
     pub(super) fn range_of_change(&self) -> [f64; 2] {
         [f64::NEG_INFINITY, f64::INFINITY].map(|wanted| self.cut(wanted, self.times) - self.impulse)
