@@ -129,21 +129,23 @@ impl World {
 mod tests {
     use super::*;
     use crate::prelude::{Body, Settings, Shape};
+    use crate::testing::Random;
 
     /// Discs on ratchets in a row, which fall freely and turn by 0.02 rad in a substep at most: few steps do for that, however long it takes
     /// to find out which of the ratchets hold. A step of s times the substep is off by s² 0.02²/2, and is short enough from 1/4 on.
     #[test]
     fn a_row_of_ratchets_takes_few_steps() {
+        let mut random = Random(1);
         for count in [16, 24, 30_u8] {
             let mut world = World::new(Settings::default());
             let mut before = None;
-            for k in 0..count {
-                let k = f32::from(k);
-                let velocity = [3.0 * (2.0 * k).sin(), 3.0 * (5.0 * k).sin()];
-                let disc = Body::dynamic(Shape::circle(0.3)).at([f64::from(k), 0.0]).velocity(velocity);
-                let id = world.add(disc.angular_velocity(4.0 * (7.0 * k).sin())).unwrap();
+            for number in 0..count {
+                let x = f64::from(number);
+                let velocity = [(); 2].map(|()| random.between(-3.0, 3.0));
+                let disc = Body::dynamic(Shape::circle(0.3)).at([x, 0.0]).velocity(velocity);
+                let id = world.add(disc.angular_velocity(random.between(-4.0, 4.0))).unwrap();
                 if let Some(before) = before {
-                    world.add_joint(Joint::ratchet(before, id, 0.3).at([f64::from(k) - 0.5, 0.0])).unwrap();
+                    world.add_joint(Joint::ratchet(before, id, 0.3).at([x - 0.5, 0.0])).unwrap();
                 }
                 before = Some(id);
             }

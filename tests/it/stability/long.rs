@@ -7,11 +7,12 @@ fn a_pile_does_not_creep() {
     hold(&["pile-5-minutes"]);
 }
 
-/// The statics of it is that all come to rest. Of 200 piles eight tremble for minutes, at 0.1 mm/s, which is where rest begins. None that rests moves again.
+/// The statics of it is that all come to rest. Of 200 piles eight tremble for minutes, at 0.1 mm/s, which is where rest begins, or rock at a few
+/// mm/s: which do is chance. At that rate more than four of thirty do once in 170 times. None that rests moves again.
 #[test]
-fn at_most_one_of_thirty_piles_trembles_on() {
+fn few_of_thirty_piles_tremble_on() {
     for check in checks("30-piles") {
-        let most = if check.what == "piles that do not come to rest" { 1.0 } else { 0.0 };
+        let most = if check.what == "piles that do not come to rest" { 4.0 } else { 0.0 };
         assert!(check.value <= most, "{check:?}");
     }
 }
