@@ -83,8 +83,8 @@ impl Rolling {
         }
     }
 
-    /// One of the warm starts of a substep: a `part` of what acted in the last one, no unit, as far as its load goes. What acts along the
-    /// normal before the move is that part of the load; after the move it has become the whole.
+    /// One of the warm starts of a substep: a `part` of what acted in the last one, no unit, as far as that goes which it applies along the
+    /// normal.
     pub(crate) fn start(
         &mut self,
         time: WarmStartTime,
@@ -93,21 +93,20 @@ impl Rolling {
         states: &mut [BodyState],
     ) {
         for contact in &mut self.contacts {
-            let (acted, load_part) = match time {
-                WarmStartTime::BeforeMove => (0.0, 1.0),
-                WarmStartTime::AfterMove => (contact.acted, part),
-            };
-            let greatest = load_part * contact.limit(graph);
+            let applied = graph.constraint(contact.home).frictions.map(|friction| friction.warm_start);
+            let greatest = contact.limit(applied);
             let moment = (part * contact.moment).clamp(-greatest, greatest);
             contact.turn(moment, states);
-            contact.acted = acted + moment;
+            let before = if time == WarmStartTime::BeforeMove { 0.0 } else { contact.acted };
+            contact.acted = before + moment;
         }
     }
 
     /// After the move: what stops the spin, as far as the load goes.
     pub(crate) fn solve(&mut self, graph: &ConstraintGraph, states: &mut [BodyState]) {
         for contact in &mut self.contacts {
-            let greatest = contact.limit(graph);
+            let load = graph.constraint(contact.home).points.map(|point| point.normal_impulse);
+            let greatest = contact.limit(load);
             contact.moment = (contact.acted + contact.stopping(states)).clamp(-greatest, greatest);
             contact.turn(contact.moment - contact.acted, states);
             contact.acted = contact.moment;
@@ -123,9 +122,8 @@ impl Rolling {
 }
 
 impl RollingContact {
-    /// Greatest moment under the load of now, N m s.
-    fn limit(&self, graph: &ConstraintGraph) -> f32 {
-        let [first, second] = graph.constraint(self.home).points.map(|point| point.normal_impulse);
+    /// Greatest moment under these impulses along the normal, N s, of both points, N m s.
+    fn limit(&self, [first, second]: [f32; 2]) -> f32 {
         self.arm * (first + second)
     }
 

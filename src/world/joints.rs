@@ -131,8 +131,8 @@ mod tests {
     use crate::prelude::{Body, Settings, Shape};
     use crate::testing::Random;
 
-    /// Discs on ratchets in a row, which fall freely and turn by 0.02 rad in a substep at most: few steps do for that, however long it takes
-    /// to find out which of the ratchets hold. A step of s times the substep is off by s² 0.02²/2, and is short enough from 1/4 on.
+    /// Discs on ratchets in a row, which fall freely. At 0.02 rad in a substep, a step of s times the substep is off by s² 0.02²/2, less than what
+    /// is taken from s = 1/2 on; half of that is allowed, as links spin each other up. It takes no shorter ones to find out which ratchets hold.
     #[test]
     fn a_row_of_ratchets_takes_few_steps() {
         let mut random = Random(1);

@@ -8,7 +8,7 @@ fn a_pile_does_not_creep() {
 }
 
 /// The statics of it is that all come to rest. Of 200 piles eight tremble for minutes, at 0.1 mm/s, which is where rest begins, or rock at a few
-/// mm/s: which do is chance. At that rate more than four of thirty do once in 170 times. None that rests moves again.
+/// mm/s: which do is chance. At that rate more than four of thirty do once in 158 times. None that rests moves again.
 #[test]
 fn few_of_thirty_piles_tremble_on() {
     for check in checks("30-piles") {
