@@ -9,8 +9,8 @@
 //!
 //! As friction does, it makes up for what would turn the circle as far as it goes, and no further: the spin is not turned
 //! round. It begins with what it was in the last substep, half before and half after the move, so that a disc on a slope
-//! comes to rest, and discs in a heap do not tremble. After the move it is solved before the sweep, whose friction answers it, and after it, with
-//! the load that this has found.
+//! comes to rest, and discs in a heap do not tremble. After the move it is solved before the sweep, whose friction answers it,
+//! and once more after the sweep, with the load that the sweep has found.
 //!
 //! Runs four times per substep on the contacts of bodies with rolling resistance that have a circle. Nothing where there is none.
 //! In what is solved directly it is a row like others.
@@ -62,7 +62,7 @@ impl Rolling {
         for &slot in bodies.roles.rolling() {
             for index in contacts.of_body(bodies, bodies.body_of(slot)) {
                 let (contact, Some(home)) = (&contacts[index], graph.home(index)) else { continue };
-                // A contact of two such bodies is in the lists of both, and one of another shape is in that of this one too.
+                // A contact of two such shapes is in the lists of both, and in the list of a body are those of its other shapes.
                 let is_of_both = slot == contact.colliders[1]
                     && bodies.roles.of(contact.colliders[0]).rolling_resistance > 0.0;
                 if home.is_solved_directly() || is_of_both || !contact.colliders.contains(&slot) {

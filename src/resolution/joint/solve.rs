@@ -136,6 +136,8 @@ impl Problem<'_> {
         }
         self.give_back(cluster);
         self.diverges |= !self.is_nearly_there(cluster);
+        // Rows are free as they are in what is left.
+        self.look(cluster, Aim::Way);
         true
     }
 
