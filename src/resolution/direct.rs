@@ -38,6 +38,8 @@ mod newton;
 mod row;
 mod skyline;
 
+pub(crate) use skyline::work_of_factorization;
+
 use core::ops::Range;
 
 use crate::body::Bodies;
@@ -50,6 +52,7 @@ use crate::resolution::direct::joint::DirectJoint;
 use crate::resolution::direct::newton::{Newton, Part};
 use crate::resolution::islands::Connections;
 use crate::resolution::joint::{JointSolver, Phase};
+use crate::resolution::load::DirectOutcome;
 
 /// Where Newton's method does not solve an island of no more bodies than this, that is tried again in the next step: to
 /// leave it to the sweeps of [`Tier::Swept`](crate::Tier), 42 of 10,000 random worlds show an overlap of 1 cm, and 1 so. More
@@ -153,13 +156,17 @@ impl DirectSolver {
         self.islands.is_empty()
     }
 
-    /// Rows of the bodies of islands that Newton's method did not solve in this step, but for small ones, which are tried
-    /// again in the next.
-    pub(crate) fn unsolved_rows(&self) -> impl Iterator<Item = u32> {
-        let parts = self.islands.iter().map(|island| &island.part);
-        parts
-            .filter(|part| part.is_unsolved && part.movers.len() > LARGEST_SMALL_ISLAND)
-            .flat_map(|part| self.states_of_movers[part.movers.clone()].iter().copied())
+    /// How it went in this step, for the bodies of each island.
+    pub(crate) fn outcomes(&self, bodies: &Bodies) -> impl Iterator<Item = DirectOutcome> {
+        self.islands.iter().flat_map(move |Island { part, .. }| {
+            let is_given_up = part.is_unsolved && part.movers.len() > LARGEST_SMALL_ISLAND;
+            let work = part.work_per_mover();
+            self.states_of_movers[part.movers.clone()].iter().map(move |&row| DirectOutcome {
+                slot: bodies.slot_of_row(row as usize),
+                work,
+                is_given_up,
+            })
+        })
     }
 
     /// Begins a phase: rows get the geometry of now, and impulses to begin the search with. These do not act yet: the impulses of an impact in

@@ -52,7 +52,17 @@ impl ContactLoad {
     }
 }
 
-/// The contacts under great load, found at the end of a step.
+/// How the direct solve of its island went, for a body.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct DirectOutcome {
+    pub(crate) slot: u32,
+    /// Multiplications that factorizations took, for each body of the island.
+    pub(crate) work: f32,
+    /// Whether it did not solve the island, so that it is not to be tried again at once.
+    pub(crate) is_given_up: bool,
+}
+
+/// The contacts under great load, and how direct solves went, found at the end of a step.
 #[derive(Debug, Default)]
 pub(crate) struct Loads {
     /// By index of a contact.
@@ -61,11 +71,11 @@ pub(crate) struct Loads {
     pub(crate) great: Vec<u32>,
     /// Contacts that begin between bodies at rest, see [`begins_at_rest`].
     pub(crate) begun_at_rest: Vec<u32>,
-    /// Slots of the bodies of islands that the direct solve could not solve.
-    pub(crate) unsolved: Vec<u32>,
+    /// Of the bodies of islands that were solved directly.
+    pub(crate) of_direct: Vec<DirectOutcome>,
 }
 
-clone_into_buffers!(Loads { of_contact, great, begun_at_rest, unsolved });
+clone_into_buffers!(Loads { of_contact, great, begun_at_rest, of_direct });
 
 impl Loads {
     /// Forgets the load of the contact that had an index; makes room for one that begins.
@@ -77,7 +87,7 @@ impl Loads {
 
     /// Forgets the body in a slot, which is removed, or not dynamic any more.
     pub(crate) fn forget_body(&mut self, slot: u32) {
-        self.unsolved.retain(|&other| other != slot);
+        self.of_direct.retain(|outcome| outcome.slot != slot);
     }
 
     /// Forgets what is beyond so many contacts and slots of bodies.
@@ -85,14 +95,14 @@ impl Loads {
         self.of_contact.truncate(contacts);
         self.great.retain(|&index| (index as usize) < contacts);
         self.begun_at_rest.retain(|&index| (index as usize) < contacts);
-        self.unsolved.retain(|&slot| (slot as usize) < slots);
+        self.of_direct.retain(|outcome| (outcome.slot as usize) < slots);
     }
 
     /// Begins a step.
     pub(crate) fn clear(&mut self) {
         self.great.clear();
         self.begun_at_rest.clear();
-        self.unsolved.clear();
+        self.of_direct.clear();
     }
 }
 

@@ -18,13 +18,14 @@ use crate::body::{Bodies, NONE};
 use crate::collision::{Contact, Contacts};
 use crate::joint::Joints;
 use crate::resolution::constraint_graph::ConstraintGraph;
+use crate::resolution::direct::work_of_factorization;
 use crate::resolution::islands::{Connections, Islands, find_island};
 use crate::resolution::load::{
     CALM_SHARE, CALM_STEPS, DIRECT_SHARE, LASTING_STEPS, Load, Loads, USUAL_RATE, begins_at_rest,
 };
 use crate::resolution::softness::sag;
 use crate::resolution::tier::Tier;
-use crate::resolution::tiers::history::{History, RETRY_STEPS};
+use crate::resolution::tiers::history::{History, MOST_OVERSPENT, RETRY_STEPS};
 use crate::store::BitSet;
 
 /// Islands whose factorization takes more multiplications than this are not solved directly: a step of the world would be
@@ -48,9 +49,6 @@ const SMALL_JOINED_ISLAND: usize = 8;
 /// For how many steps an island counts as calm already, as it comes to be solved directly before its loads have lasted: it stays so
 /// until they would, and no longer if they are little.
 const CALM_AT_FIRST: u8 = CALM_STEPS - LASTING_STEPS - 1;
-
-/// Multiplications of a product of two blocks of 3 × 3.
-const PRODUCT_OF_BLOCKS: u64 = 27;
 
 /// An island that is too much work is left alone for so many steps. To find it every ten steps, and to order it, takes 7 % of
 /// the step of a drum; a heap that comes apart waits for no longer than two seconds.
@@ -184,8 +182,8 @@ impl Tiers {
     /// Decides for the next step, from the contacts under great load that the last one found.
     pub(crate) fn decide(&mut self, tick: u64, rule: TierRule, loads: &Loads, mut tables: TierTables<'_>) {
         self.direct.clear();
-        for &slot in &loads.unsolved {
-            self.histories[slot as usize].leave_alone(tick);
+        for outcome in &loads.of_direct {
+            self.histories[outcome.slot as usize].take_note(outcome, tick);
         }
         let has_work = !(loads.great.is_empty() && loads.begun_at_rest.is_empty());
         if !has_work && !tables.graph.solves_directly() {
@@ -258,7 +256,9 @@ impl Tiers {
         let is_calm = was_direct && largest <= share;
         let stays = is_calm && history.calm_steps < CALM_STEPS;
         let is_asked = rule.adapts && !is_paused && !is_hopeless && (largest > share || stays);
-        let is_direct = is_asked && self.can_be_direct(tables);
+        let overspent = if was_direct && !blows_count { history.overspent_with(largest) } else { 0.0 };
+        let is_too_dear = overspent > MOST_OVERSPENT;
+        let is_direct = is_asked && !is_too_dear && self.can_be_direct(tables);
         let calm_steps = if is_calm {
             history.calm_steps.saturating_add(1)
         } else if load.lasting <= share {
@@ -266,7 +266,7 @@ impl Tiers {
         } else {
             0
         };
-        self.give(if is_direct { Tier::Direct } else { Tier::Swept }, calm_steps, tables);
+        self.give(if is_direct { Tier::Direct } else { Tier::Swept }, calm_steps, overspent, tables);
         if !is_direct {
             for &slot in &self.island {
                 let of_body = &mut self.histories[slot as usize];
@@ -281,6 +281,9 @@ impl Tiers {
                 of_body.quiet_until = history.quiet_until.max(tick + pause);
                 if is_calm {
                     of_body.unsolved_times = 0;
+                }
+                if is_too_dear {
+                    of_body.leave_alone(tick);
                 }
             }
         }
@@ -313,7 +316,7 @@ impl Tiers {
             for &slot in &self.island {
                 self.seen.insert(slot);
             }
-            self.give(Tier::Direct, CALM_AT_FIRST, tables);
+            self.give(Tier::Direct, CALM_AT_FIRST, 0.0, tables);
         }
     }
 
@@ -323,10 +326,11 @@ impl Tiers {
         find_island(slot, tables.bodies, tables.connections(), &mut self.seen, &mut self.island, look_at);
     }
 
-    /// Gives the island a tier.
-    fn give(&mut self, tier: Tier, calm_steps: u8, tables: &mut TierTables<'_>) {
+    /// Gives the island a tier, and its bodies what it has been through.
+    fn give(&mut self, tier: Tier, calm_steps: u8, overspent: f32, tables: &mut TierTables<'_>) {
         for &slot in &self.island {
-            self.histories[slot as usize].calm_steps = calm_steps;
+            let of_body = &mut self.histories[slot as usize];
+            (of_body.calm_steps, of_body.overspent) = (calm_steps, overspent);
             if tables.graph.set_tier(slot, tier) {
                 self.to_move.extend(tables.contacts.of_body(tables.bodies, slot));
             }
@@ -378,16 +382,12 @@ impl Tiers {
             self.place_of_slot[slot as usize] = place;
         }
         self.first.clear();
-        let mut work = 0;
         for (place, &slot) in (0_u32..).zip(&self.island) {
             let neighbours = tables.neighbours(slot);
             let first = neighbours.map(|other| self.place_of_slot[other as usize]).fold(place, u32::min);
             self.first.push(first);
-            // Each entry of a row takes the common part of two rows, in blocks of 3 × 3.
-            let common = |column: u32| u64::from(column - first.max(self.first[column as usize]) + 1);
-            work += PRODUCT_OF_BLOCKS * (first..=place).map(common).sum::<u64>();
         }
-        work <= LARGEST_FACTORIZATION
+        work_of_factorization(&self.first) <= LARGEST_FACTORIZATION
     }
 }
 

@@ -3,7 +3,7 @@
 use core::ops::Range;
 
 use crate::resolution::direct::row::{Bound, LEAST_COMPLIANCE, Row, Slope, TOLERANCE, Triple};
-use crate::resolution::direct::skyline::{Block, Skyline};
+use crate::resolution::direct::skyline::{Block, Skyline, work_of_factorization};
 
 /// Share of its own impulse that a row gives back when the impulse changes, no unit. It makes redundant contacts
 /// share their load, as the compliance of the sweeps does, and it damps: a house of cards, rigid to the last digit, trembles
@@ -66,6 +66,16 @@ pub(super) struct Part {
     /// Whether Newton's method failed in this step. It would fail in the substeps to come too, at the price of thirty factorizations, so
     /// the rows are swept over until the step ends.
     pub(super) is_unsolved: bool,
+    /// Multiplications of a factorization, and how many of these there have been in this step.
+    work_of_factorization: u64,
+    factorizations: u32,
+}
+
+impl Part {
+    /// Multiplications that factorizations have taken in this step, for each mover.
+    pub(super) fn work_per_mover(&self) -> f32 {
+        self.work_of_factorization as f32 * self.factorizations as f32 / self.movers.len() as f32
+    }
 }
 
 /// Movers, rows between them, and the buffers of the solve.
@@ -128,7 +138,8 @@ impl Newton {
         }
         let ease = (STIFF_MASS / self.mass_ratio(movers.clone())).min(1.0);
         let compliance = (COMPLIANCE * ease).max(LEAST_COMPLIANCE);
-        Part { movers, pairs, rows, compliance, is_unsolved: false }
+        let work_of_factorization = work_of_factorization(&self.leftmost[movers.clone()]);
+        Part { movers, pairs, rows, compliance, is_unsolved: false, work_of_factorization, factorizations: 0 }
     }
 
     /// The mass of these movers together, in units of the lightest.
@@ -273,7 +284,7 @@ impl Newton {
     /// Goes down φ with the compliance of each stage: where a load begins, with rows that yield much first, which tells quickly
     /// which of them press, and about how hard. Returns whether it came to an end; if not, impulses and velocities
     /// are those of the last stage that did.
-    fn descend_in_stages(&mut self, part: &Part) -> bool {
+    fn descend_in_stages(&mut self, part: &mut Part) -> bool {
         let begins = self.rows[part.rows.clone()].iter().all(|row| row.impulse == 0.0);
         if begins && part.compliance < COMPLIANCE && !self.descend_with(COMPLIANCE, part) {
             return false;
@@ -282,7 +293,7 @@ impl Newton {
     }
 
     /// Goes down φ with this compliance. Returns whether it came to an end; if not, impulses are those of before.
-    fn descend_with(&mut self, compliance: f64, part: &Part) -> bool {
+    fn descend_with(&mut self, compliance: f64, part: &mut Part) -> bool {
         for row in &mut self.rows[part.rows.clone()] {
             row.yield_by(compliance);
         }
@@ -296,7 +307,7 @@ impl Newton {
 
     /// Goes down φ, step by step, until its gradient is 0, lets the limits of friction follow, and goes on until they stay. Returns whether it
     /// came to an end.
-    fn descend(&mut self, part: &Part) -> bool {
+    fn descend(&mut self, part: &mut Part) -> bool {
         for number in 0.. {
             self.respond(part);
             if self.is_balanced(part) {
@@ -351,7 +362,7 @@ impl Newton {
 
     /// Finds the factor of H, for the rows as they respond now, or with all that touch held. The last factor serves again where it is that
     /// of the same rows: in a world with one such island, mostly.
-    fn factorize(&mut self, part: &Part, holds: bool) {
+    fn factorize(&mut self, part: &mut Part, holds: bool) {
         let mut is_new = false;
         for index in part.rows.clone() {
             let row = &self.rows[index];
@@ -365,6 +376,7 @@ impl Newton {
         self.factorized = part.movers.clone();
         self.assemble(part);
         self.matrix.factorize();
+        part.factorizations += 1;
     }
 
     /// H, of the rows that take part.

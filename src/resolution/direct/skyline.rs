@@ -8,6 +8,19 @@
 /// and masses may differ as much again, which leaves `f32` nothing.
 pub(crate) type Block = [[f64; 3]; 3];
 
+/// Multiplications of a product of two blocks.
+const PRODUCT_OF_BLOCKS: u64 = 27;
+
+/// Multiplications that the factorization of a matrix takes whose row i of blocks begins with column `first[i]`.
+pub(crate) fn work_of_factorization(first: &[u32]) -> u64 {
+    let of_row = |(row, &begin): (u32, &u32)| {
+        // Each entry of a row takes the common part of two rows.
+        let common = |column: u32| u64::from(column - begin.max(first[column as usize]) + 1);
+        (begin..=row).map(common).sum::<u64>()
+    };
+    PRODUCT_OF_BLOCKS * (0..).zip(first).map(of_row).sum::<u64>()
+}
+
 /// The lower half of a symmetric matrix, then its factor L, with the reciprocals of its diagonal.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Skyline {
