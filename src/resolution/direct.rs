@@ -54,11 +54,6 @@ use crate::resolution::islands::Connections;
 use crate::resolution::joint::{JointSolver, Phase};
 use crate::resolution::load::DirectOutcome;
 
-/// Where Newton's method does not solve an island of no more bodies than this, that is tried again in the next step: to
-/// leave it to the sweeps of [`Tier::Swept`](crate::Tier), 42 of 10,000 random worlds show an overlap of 1 cm, and 1 so. More
-/// bodies take more time than that is worth.
-const LARGEST_SMALL_ISLAND: usize = 32;
-
 /// The islands that are solved directly.
 ///
 /// In a step: `clear`, and `add_island` for each, once the constraints are there; in each phase of a substep `begin`, `solve`, and where
@@ -156,15 +151,14 @@ impl DirectSolver {
         self.islands.is_empty()
     }
 
-    /// How it went in this step, for the bodies of each island.
-    pub(crate) fn outcomes(&self, bodies: &Bodies) -> impl Iterator<Item = DirectOutcome> {
+    /// How it went in this step of so many substeps, for the bodies of each island.
+    pub(crate) fn outcomes(&self, bodies: &Bodies, substeps: u32) -> impl Iterator<Item = DirectOutcome> {
         self.islands.iter().flat_map(move |Island { part, .. }| {
-            let is_given_up = part.is_unsolved && part.movers.len() > LARGEST_SMALL_ISLAND;
-            let work = part.work_per_mover();
+            let work = part.work_per_mover() / substeps as f32;
             self.states_of_movers[part.movers.clone()].iter().map(move |&row| DirectOutcome {
                 slot: bodies.slot_of_row(row as usize),
                 work,
-                is_given_up,
+                is_solved: !part.is_unsolved,
             })
         })
     }

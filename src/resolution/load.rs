@@ -56,10 +56,10 @@ impl ContactLoad {
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct DirectOutcome {
     pub(crate) slot: u32,
-    /// Multiplications that factorizations took, for each body of the island.
+    /// Multiplications that factorizations took in a substep, for each body of the island, on average.
     pub(crate) work: f32,
-    /// Whether it did not solve the island, so that it is not to be tried again at once.
-    pub(crate) is_given_up: bool,
+    /// Whether it solved the island.
+    pub(crate) is_solved: bool,
 }
 
 /// The contacts under great load, and how direct solves went, found at the end of a step.

@@ -4,8 +4,8 @@
 //! the bias makes up for half of the compliance, which is 14 % of k λ (see [`sag`]). Where that is more than an eightieth
 //! of the thinner body, in a contact whose bodies hardly move against each other, for a few steps, the island is solved
 //! directly, if that is little work. In a small island one step is enough: that is a blow. It ends
-//! when the load does, or when the direct solve does not solve the island: that is tried again later, if much would sag. Only
-//! the state decides, never a clock: a clone is solved as its original.
+//! when the load does, or when the direct solve takes more than it is worth, as in heaps in which contacts come and go: that is tried
+//! again later, if much would sag. Only the state decides, never a clock: a clone is solved as its original.
 //!
 //! A heap of great weight that begins at rest is solved directly from its first step on: its loads have yet to build up,
 //! and it would fall meanwhile.
@@ -54,10 +54,10 @@ const CALM_AT_FIRST: u8 = CALM_STEPS - LASTING_STEPS - 1;
 /// the step of a drum; a heap that comes apart waits for no longer than two seconds.
 const TOO_LARGE_STEPS: u64 = 120;
 
-/// What the direct solve has not solved is not tried again unless a contact sags by more than this share of the width of
+/// What the direct solve took too much for is not solved so again unless a contact sags by more than this share of the width of
 /// the thinner body, no unit: it would be lifted out of its sag, and fall back. Where it is tried again all the same, piles
 /// at rest move again and card houses of five levels fall.
-const UNSOLVED_SHARE: f32 = 0.05;
+const RETRY_SHARE: f32 = 0.05;
 
 /// A body that touches more others is a hub: ordered as any other, a plate on 200 balls takes 1.5 times as long.
 const HUB_NEIGHBOURS: usize = 12;
@@ -183,7 +183,7 @@ impl Tiers {
     pub(crate) fn decide(&mut self, tick: u64, rule: TierRule, loads: &Loads, mut tables: TierTables<'_>) {
         self.direct.clear();
         for outcome in &loads.of_direct {
-            self.histories[outcome.slot as usize].take_note(outcome, tick);
+            self.histories[outcome.slot as usize].take_note(outcome);
         }
         let has_work = !(loads.great.is_empty() && loads.begun_at_rest.is_empty());
         if !has_work && !tables.graph.solves_directly() {
@@ -249,8 +249,7 @@ impl Tiers {
         };
         let history = History::of_island(self.island.iter().map(|&slot| self.histories[slot as usize]));
         let is_hopeless = !was_direct
-            && (history.is_given_up() && !load.is_recent
-                || history.unsolved_times > 0 && largest <= UNSOLVED_SHARE);
+            && (history.is_given_up() && !load.is_recent || history.times_dear > 0 && largest <= RETRY_SHARE);
         let is_paused = history.quiet_until > tick;
         let share = if was_direct { CALM_SHARE * DIRECT_SHARE } else { DIRECT_SHARE };
         let is_calm = was_direct && largest <= share;
@@ -280,7 +279,7 @@ impl Tiers {
                 };
                 of_body.quiet_until = history.quiet_until.max(tick + pause);
                 if is_calm {
-                    of_body.unsolved_times = 0;
+                    of_body.times_dear = 0;
                 }
                 if is_too_dear {
                     of_body.leave_alone(tick);

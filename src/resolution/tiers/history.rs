@@ -1,26 +1,26 @@
-//! What an island has been through: how long sweeps would have done, and how often the direct solve was in vain.
+//! What an island has been through: how long sweeps would have done, and how often the direct solve took more than it is worth.
 
 use crate::resolution::load::{DIRECT_SHARE, DirectOutcome};
 use crate::resolution::tier::Tier;
 
-/// An island that is not solved directly, as it is too large, its load too small, or Newton's method came to no end, is
+/// An island that is not solved directly, as it is too large, its load too small, or the solve takes too much, is
 /// left alone for so many steps: it may have come into another state by then, and to look at it takes time.
 pub(super) const RETRY_STEPS: u64 = 10;
 
-/// Each further time that it was not solved, it is left alone for twice as long, so many times: Newton's method comes to
-/// an end where bodies have come to another place. Then it is given up until a load is new: a heap that sags under sweeps
+/// Each further time that the solve took too much, the island is left alone for twice as long, so many times: it takes little where
+/// bodies have come to another place. Then it is given up until a load is new: a heap that sags under sweeps
 /// is lifted by each try, sinks back, and would never lie still.
-const MOST_UNSOLVED_TIMES: u8 = 6;
+const MOST_TIMES_DEAR: u8 = 6;
 
-/// Multiplications in a step, for each body, that the direct solve is worth for each [`DIRECT_SHARE`] that sweeps would let a contact
-/// sag by: they take as long as two steps of sweeps. Towers, houses of cards and plates on balls at rest take 40 to 250, a heap of boxes
-/// of one density, whose contacts come and go, 3,000.
-const WORTH: f32 = 2_000.0;
+/// Multiplications in a substep, for each body, that the direct solve is worth for each [`DIRECT_SHARE`] that sweeps would let a
+/// contact sag by, if it comes to an end; sweeps are done in half the time. Towers, houses of cards and plates on balls at rest take 10 to 60; a heap of boxes
+/// of one density, whose contacts come and go, takes 750.
+const WORTH: f32 = 500.0;
 
-/// What the direct solve may take beyond its worth, in multiplications for each body, before the island is left to sweeps.
-/// The loads of a house of cards of eight levels take 190,000 to build up; with less it falls. With twice as much, what such a heap takes
-/// as it lands is seen.
-pub(super) const MOST_OVERSPENT: f32 = 250_000.0;
+/// What the direct solve of an island may take beyond its worth before it is left to sweeps: the sum over steps of what a substep takes, in
+/// multiplications for each body. A house of cards of eight levels takes 48,000 until its loads are there, and falls if it may not. That
+/// heap takes this within ten steps after it has landed, which is as long as is not yet seen.
+pub(super) const MOST_OVERSPENT: f32 = 62_500.0;
 
 /// What a body has been through in its islands, or an island, which is the worst of its bodies.
 #[derive(Clone, Copy, Debug, Default)]
@@ -29,13 +29,15 @@ pub(super) struct History {
     pub(super) calm_steps: u8,
     /// The tick from which on the direct solve may be thought of.
     pub(super) quiet_until: u64,
-    /// The tick from which on the direct solve is tried again after it did not solve the island.
+    /// The tick from which on the direct solve is tried again after it took too much.
     pub(super) retry_tick: u64,
-    /// How many times it did not solve the island.
-    pub(super) unsolved_times: u8,
-    /// Multiplications for each body that the last direct solve took.
+    /// How many times it took too much.
+    pub(super) times_dear: u8,
+    /// Multiplications in a substep, for each body, that the last direct solve took.
     work: f32,
-    /// What it has taken beyond its worth, since the island is solved directly.
+    /// Whether that came to no end.
+    was_in_vain: bool,
+    /// What direct solves have taken beyond their worth, since the island is solved so.
     pub(super) overspent: f32,
 }
 
@@ -47,28 +49,28 @@ impl History {
             calm_steps: one.calm_steps.min(other.calm_steps),
             quiet_until: one.quiet_until.max(other.quiet_until),
             retry_tick: one.retry_tick.max(other.retry_tick),
-            unsolved_times: one.unsolved_times.max(other.unsolved_times),
+            times_dear: one.times_dear.max(other.times_dear),
             work: one.work.max(other.work),
+            was_in_vain: one.was_in_vain || other.was_in_vain,
             overspent: one.overspent.max(other.overspent),
         })
     }
 
     /// Takes note of how the direct solve went in the step before `tick`.
-    pub(super) fn take_note(&mut self, outcome: &DirectOutcome, tick: u64) {
-        self.work = outcome.work;
-        if outcome.is_given_up {
-            self.leave_alone(tick);
-        }
+    pub(super) fn take_note(&mut self, outcome: &DirectOutcome) {
+        (self.work, self.was_in_vain) = (outcome.work, !outcome.is_solved);
     }
 
-    /// What the direct solve has taken beyond its worth, with the last step, in an island that sweeps would let sag by this share of a width.
+    /// What direct solves have taken beyond their worth, with that of the last step, in an island that sweeps would let sag by this share
+    /// of a width.
     pub(super) fn overspent_with(&self, sag: f32) -> f32 {
-        (self.overspent + self.work - WORTH * (sag / DIRECT_SHARE).max(1.0)).max(0.0)
+        let worth = if self.was_in_vain { 0.0 } else { WORTH * (sag / DIRECT_SHARE).max(1.0) };
+        (self.overspent + self.work - worth).max(0.0)
     }
 
-    /// Whether the direct solve has failed so often that it is not tried again under the same load.
+    /// Whether the direct solve took too much so often that it is not tried again under the same load.
     pub(super) fn is_given_up(&self) -> bool {
-        self.unsolved_times == MOST_UNSOLVED_TIMES
+        self.times_dear == MOST_TIMES_DEAR
     }
 
     /// Whether an island at rest is still to change its tier after `tick`, which moves it: the direct solve will be tried
@@ -80,11 +82,11 @@ impl History {
         }
     }
 
-    /// Leaves the island alone for a while, as it could not be solved directly.
+    /// Leaves the island alone for a while, as the direct solve takes too much.
     pub(super) fn leave_alone(&mut self, tick: u64) {
-        self.retry_tick = tick + (RETRY_STEPS << self.unsolved_times);
+        self.retry_tick = tick + (RETRY_STEPS << self.times_dear);
         self.quiet_until = self.retry_tick;
-        self.unsolved_times = (self.unsolved_times + 1).min(MOST_UNSOLVED_TIMES);
+        self.times_dear = (self.times_dear + 1).min(MOST_TIMES_DEAR);
     }
 }
 
@@ -96,10 +98,10 @@ mod tests {
     fn an_island_has_the_worst_of_its_bodies() {
         let calm = History { calm_steps: 9, quiet_until: 3, ..History::default() };
         let troubled =
-            History { calm_steps: 2, quiet_until: 7, retry_tick: 5, unsolved_times: 1, ..History::default() };
+            History { calm_steps: 2, quiet_until: 7, retry_tick: 5, times_dear: 1, ..History::default() };
         let island = History::of_island([calm, troubled].into_iter());
         assert_eq!((island.calm_steps, island.quiet_until), (2, 7));
-        assert_eq!((island.retry_tick, island.unsolved_times), (5, 1));
+        assert_eq!((island.retry_tick, island.times_dear), (5, 1));
     }
 
     #[test]
@@ -113,14 +115,29 @@ mod tests {
     }
 
     #[test]
-    fn what_is_not_solved_is_tried_again_after_twice_as_long_each_time_and_then_given_up() {
+    fn what_is_dear_is_tried_again_after_twice_as_long_each_time_and_then_given_up() {
         let mut history = History::default();
         let mut waits = Vec::new();
         while !history.is_given_up() {
             history.leave_alone(1000);
             waits.push((history.quiet_until - 1000) / RETRY_STEPS);
         }
-        assert_eq!(waits.len(), usize::from(MOST_UNSOLVED_TIMES));
+        assert_eq!(waits.len(), usize::from(MOST_TIMES_DEAR));
         assert!(waits[0] == 1 && waits.windows(2).all(|pair| pair[1] == 2 * pair[0]), "{waits:?}");
+    }
+
+    #[test]
+    fn work_beyond_its_worth_adds_up_and_what_is_in_vain_is_worth_nothing() {
+        let mut history = History::default();
+        let mut step = |work: f32, is_solved: bool, sag: f32| {
+            history.take_note(&DirectOutcome { slot: 0, work, is_solved });
+            history.overspent = history.overspent_with(sag);
+            history.overspent
+        };
+        assert_eq!(step(WORTH, true, 0.5 * DIRECT_SHARE), 0.0, "sweeps would hardly let it sag");
+        assert_eq!(step(3.0 * WORTH, true, 2.0 * DIRECT_SHARE), WORTH);
+        assert_eq!(step(WORTH, false, 100.0 * DIRECT_SHARE), 2.0 * WORTH);
+        assert_eq!(step(WORTH, true, 2.0 * DIRECT_SHARE), WORTH, "what takes less makes up for it");
+        assert_eq!(step(0.0, true, 2.0 * DIRECT_SHARE), 0.0, "and no more than that");
     }
 }

@@ -28,7 +28,6 @@ const KNOWN_FAILURES: &[(&str, &str)] = &[
     ),
     ("pyramid-100", "as pyramid-40, by centimetres"),
     ("leaning-inside", "in the first steps, before the load has come up, the upper nine boxes begin to turn"),
-    ("10-piles", "one trembles for minutes at 0.1 mm/s, where rest begins: of 200 piles eight do"),
     ("crowd-of-50", "each of 49 others pushes a box as if it were alone"),
 ];
 

@@ -27,7 +27,7 @@ pub(super) fn of(case: &str) -> &'static str {
              does not solve. A few still move after 10 s, under little gravity."
         }
         "10-piles" | "30-piles" => {
-            "One trembles for minutes at 0.1 mm/s, where rest begins. Of 200 piles eight do."
+            "One trembles for minutes at 0.1 mm/s, where rest begins. Of 200 piles seven do."
         }
         "gravel-edge" => {
             "Sweeps leave a hundredth of a stone of overlap, or half of it; and one stone trembles at 0.4 mm/s until 14 s. Of 500 such \
