@@ -162,6 +162,7 @@ impl Canvas {
 
     /// Draws every sheet.
     pub(crate) fn draw(&self) {
+        self.prepare_text();
         let mut is_cut = false;
         for sheet in &self.sheets[..self.used] {
             match sheet.clip {
@@ -174,6 +175,15 @@ impl Canvas {
         }
         if is_cut {
             set_default_camera();
+        }
+    }
+
+    /// Puts every letter of the frame on the picture of its font before the first is drawn.
+    ///
+    /// A picture that grows is a new one, and the old one is deleted: what was drawn from that earlier in the frame would be lost.
+    fn prepare_text(&self) {
+        for label in self.sheets[..self.used].iter().flat_map(|sheet| &sheet.labels) {
+            self.width_of(&label.text, label.style);
         }
     }
 

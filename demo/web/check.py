@@ -227,6 +227,7 @@ def check_address(page, base):
     page.wait("an address opens its state", has(scene="galaxy", seed="3", overlays="boxes,grid", copies="2"))
     page.open(base + "#scene=bounce&overlays=none")
     page.wait("without the overlays of the scene", has(scene="bounce", overlays="-"))
+    page.wait("it runs there, and its letters are drawn", lambda state: int(state["tick"]) > 30)
     page.open(base + "#scene=nowhere")
     page.wait("one that makes no sense opens the first scene", has(scene="pile"))
 
