@@ -13,7 +13,8 @@
 //! - **With a circle** the manifold is never kept: its normal turns as it rolls. A normal that is late is a force that is late,
 //!   and feeds every swing: late by half a step, as one of the step's begin is, it lets the energy of a swing of angular
 //!   frequency ω grow by ω² dt/2 per second. Where it moves slowly it is found where the bodies will be halfway through the
-//!   step, as in the midpoint rule, whose swings do not grow, and holds still; where it moves faster the solver follows it.
+//!   step, as in the midpoint rule, whose swings do not grow, and holds still; where it moves faster, or its load makes swings faster than
+//!   that rule can follow, the solver follows it.
 //!   Over a face that does not move, as long as it stays over it, only the gap changes, which the solver knows.
 //!
 //! A manifold is speculative: it has points that are still apart but may meet within the step, so that the
@@ -61,6 +62,8 @@ const LONGEST_FOLLOWED: u8 = 15;
 pub(crate) struct Refresh {
     /// Length of the step, s.
     pub(crate) dt: f32,
+    /// Length of the substeps that impulses are of, s; infinite where there are none yet.
+    pub(crate) impulses_of: f32,
     /// Whether manifolds may be kept.
     pub(crate) recycling: bool,
 }
@@ -79,7 +82,7 @@ fn bring_up_to_date(contact: &mut Contact, bodies: &Bodies, settings: Refresh) {
     if pair.is_out_of_reach() {
         return contact.clear();
     }
-    let update = pair.update(contact, settings.recycling);
+    let update = pair.update(contact, settings);
     let was_followed = contact.follows;
     (contact.has_bounced, contact.follows, contact.approach_speed) = (false, false, 0.0);
     let (predicted, touch) = match update {
@@ -96,7 +99,8 @@ fn bring_up_to_date(contact: &mut Contact, bodies: &Bodies, settings: Refresh) {
             }
             pair.take_over(manifold, contact);
             contact.approach_speed = pair.approach_speed(&contact.manifold);
-            contact.holds_still = pair.is_at_rest(predicted);
+            contact.holds_still =
+                if contact.has_circle { pair.is_slow(predicted) } else { pair.is_at_rest(predicted) };
             contact.follows = (contact.has_circle || contact.pivots()) && !pair.is_flat();
             return;
         }
@@ -319,8 +323,8 @@ impl<'a> Pair<'a> {
 
     /// How the manifold is to be brought up to date.
     #[inline(always)]
-    fn update(&self, contact: &Contact, recycling: bool) -> ManifoldUpdate {
-        if !recycling || contact.manifold.points().is_empty() {
+    fn update(&self, contact: &Contact, settings: Refresh) -> ManifoldUpdate {
+        if !settings.recycling || contact.manifold.points().is_empty() {
             return ManifoldUpdate::FindAnew(self.predicted_motion());
         }
         if contact.has_circle {
@@ -329,7 +333,10 @@ impl<'a> Pair<'a> {
                 && let Some(touch) = self.find_on_face(predicted)
             {
                 ManifoldUpdate::MoveAlong(predicted, touch)
-            } else if self.is_slow(predicted) && !self.goes_round() {
+            } else if self.is_slow(predicted)
+                && !self.goes_round()
+                && !self.is_pressed(contact, settings.impulses_of)
+            {
                 ManifoldUpdate::FindHalfway(predicted)
             } else {
                 ManifoldUpdate::FindAnew(predicted)

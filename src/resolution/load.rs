@@ -28,6 +28,10 @@ pub(super) const CALM_SHARE: f32 = 0.7;
 /// the next.
 pub(super) const CALM_STEPS: u8 = 30;
 
+/// A load presses its bodies into each other if they have been deep in each other under it for so many steps, whether they move or not.
+/// With [`LASTING_STEPS`] blows count, and a heap takes a third longer.
+const PRESSING_STEPS: u8 = 15;
+
 /// The load of a contact.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct ContactLoad {
@@ -37,9 +41,16 @@ pub(crate) struct ContactLoad {
     pub(super) is_passing: bool,
     /// The overlap that sweeps would leave under it, as a share of the width of the thinner body.
     pub(super) sag: f32,
+    /// For how many steps its bodies have been deep in each other under it.
+    deep_steps: u8,
 }
 
 impl ContactLoad {
+    /// Whether it presses its bodies into each other: they are deep in each other, and sweeps would leave them so.
+    pub(super) fn presses_in(self) -> bool {
+        self.deep_steps >= PRESSING_STEPS && self.sag > DEEP_SHARE
+    }
+
     /// Whether it has been great for long.
     pub(super) fn lasts(self) -> bool {
         self.steps >= LASTING_STEPS
@@ -47,8 +58,8 @@ impl ContactLoad {
 
     /// Whether it lasts, or is a blow. Bodies that are deep in each other are pushed apart, which is none: taken for one, crosses that
     /// are set into each other fly apart.
-    fn counts(self, contact: &Contact) -> bool {
-        self.lasts() || self.steps > 0 && contact.penetration() <= DEEP_SHARE * contact.thickness
+    pub(super) fn counts(self) -> bool {
+        self.lasts() || self.steps > 0 && self.deep_steps == 0
     }
 }
 
@@ -132,13 +143,16 @@ impl LoadMeasure {
     pub(crate) fn note_load(self, contact: &Contact, load: &mut ContactLoad, speed: f32) -> bool {
         let sag = sag(self.factor * speed, self.usual_rate);
         if sag <= CALM_SHARE * DIRECT_SHARE * contact.thickness {
-            load.steps = 0;
+            (load.steps, load.deep_steps) = (0, 0);
             return false;
         }
         let steps_before = if load.is_passing { 0 } else { load.steps };
         let steps = if contact.holds_still { steps_before.saturating_add(1) } else { 1 };
-        *load = ContactLoad { steps, is_passing: !contact.holds_still, sag: sag / contact.thickness };
-        load.counts(contact)
+        let is_deep = contact.penetration() > DEEP_SHARE * contact.thickness;
+        let deep_steps = if is_deep { load.deep_steps.saturating_add(1) } else { 0 };
+        let (is_passing, sag) = (!contact.holds_still, sag / contact.thickness);
+        *load = ContactLoad { steps, is_passing, sag, deep_steps };
+        load.counts() || load.presses_in()
     }
 }
 
@@ -155,8 +169,8 @@ pub(super) struct Load {
 }
 
 impl Load {
-    pub(super) fn add(&mut self, load: ContactLoad, contact: &Contact) {
-        if load.counts(contact) {
+    pub(super) fn add(&mut self, load: ContactLoad) {
+        if load.counts() {
             let greatest = if load.is_passing { &mut self.passing } else { &mut self.greatest };
             *greatest = greatest.max(load.sag);
         }
@@ -180,7 +194,7 @@ pub(crate) fn begins_at_rest(contact: &Contact, bodies: &Bodies) -> bool {
 mod tests {
     use super::*;
     use crate::body::Body;
-    use crate::collision::Contacts;
+    use crate::collision::{Contacts, Manifold, ManifoldPoint};
     use crate::shape::Shape;
 
     /// Two boxes 1 m thick, in contact and at rest.
@@ -199,6 +213,25 @@ mod tests {
         wanted / sag(1.0, USUAL_RATE)
     }
 
+    /// What trembles bears no load that lasts, but may be crushed.
+    #[test]
+    fn a_load_presses_in_what_is_deep_under_it_for_long_though_it_moves() {
+        let (measure, mut contact) = (LoadMeasure::new(true, 1.0 / 60.0, 4, 1), contact());
+        contact.holds_still = false;
+        let mut presses_in = |depth: f32, sag: f32, steps: u8| {
+            let point = ManifoldPoint { separation: -depth * contact.thickness, ..ManifoldPoint::default() };
+            contact.manifold = Manifold::of_one(Vec2::new(0.0, 1.0), point);
+            let mut load = ContactLoad::default();
+            (0..steps).for_each(|_| _ = measure.note_load(&contact, &mut load, speed_for(sag)));
+            assert!(!load.lasts());
+            load.presses_in()
+        };
+        assert!(presses_in(1.1 * DEEP_SHARE, 1.1 * DEEP_SHARE, PRESSING_STEPS));
+        assert!(!presses_in(1.1 * DEEP_SHARE, 1.1 * DEEP_SHARE, PRESSING_STEPS - 1), "a blow");
+        assert!(!presses_in(0.9 * DEEP_SHARE, 1.1 * DEEP_SHARE, PRESSING_STEPS), "not deep");
+        assert!(!presses_in(1.1 * DEEP_SHARE, 0.9 * DEEP_SHARE, PRESSING_STEPS), "not by its load");
+    }
+
     #[test]
     fn a_load_lasts_when_it_was_great_for_some_steps_and_ends_at_once() {
         let (measure, contact, mut load) =
@@ -207,7 +240,7 @@ mod tests {
         for step in 1..=6 {
             assert!(measure.note_load(&contact, &mut load, great), "step {step}");
             let mut island = Load::default();
-            island.add(load, &contact);
+            island.add(load);
             let sags = [island.greatest, island.lasting].map(|sag| sag / DIRECT_SHARE);
             let lasts = f32::from(u8::from(step >= LASTING_STEPS));
             assert!(

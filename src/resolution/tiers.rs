@@ -204,7 +204,7 @@ impl Tiers {
             for slot in tables.slots(index) {
                 let counts = |is_joined: bool| is_joined || !load.is_passing;
                 let is_blow = || !self.seen.contains(slot) && small_island(slot, &tables).is_some_and(counts);
-                if load.lasts() || is_blow() {
+                if load.lasts() || load.counts() && is_blow() {
                     self.decide_island(slot, tick, rule, loads, &mut tables);
                 }
             }
@@ -235,7 +235,7 @@ impl Tiers {
         let (mut load, mut is_driven, bodies) = (Load::default(), false, tables.bodies);
         let drives = |slot| !bodies.is_dynamic(slot) && bodies.state(slot).is_moving();
         self.find_island(slot, tables, |index, contact| {
-            load.add(loads.of_contact[index as usize], contact);
+            load.add(loads.of_contact[index as usize]);
             is_driven |= contact.slots.into_iter().any(drives);
         });
         let was_direct = self.island.iter().any(|&slot| tables.graph.is_direct(slot));

