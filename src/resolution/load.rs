@@ -1,7 +1,7 @@
 //! What the contacts of an island bear, told at the end of each step.
 //!
 //! A load is told by the overlap that sweeps leave under it, see [`sag`], as a share of the width
-//! of the thinner body. Contacts without a lasting load cost one comparison.
+//! of the thinner body. Contacts without a great load cost one comparison.
 
 use crate::body::Bodies;
 use crate::collision::Contact;
@@ -78,7 +78,7 @@ pub(crate) struct DirectOutcome {
 pub(crate) struct Loads {
     /// By index of a contact.
     pub(crate) of_contact: Vec<ContactLoad>,
-    /// Indices of the contacts.
+    /// Indices of the contacts whose load counts, or presses in.
     pub(crate) great: Vec<u32>,
     /// Contacts that begin between bodies at rest, see [`begins_at_rest`].
     pub(crate) begun_at_rest: Vec<u32>,
@@ -138,7 +138,7 @@ impl LoadMeasure {
         Self { dt, usual_rate, factor: if loads_matter { substep_rate / usual_rate } else { 0.0 } }
     }
 
-    /// Takes note of the load of a contact, whose greatest k λ is `speed`, m/s. Returns whether it counts.
+    /// Takes note of the load of a contact, whose greatest k λ is `speed`, m/s. Returns whether it counts, or presses in.
     #[inline(always)]
     pub(crate) fn note_load(self, contact: &Contact, load: &mut ContactLoad, speed: f32) -> bool {
         let sag = sag(self.factor * speed, self.usual_rate);

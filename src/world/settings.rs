@@ -43,7 +43,7 @@ pub struct Settings {
     /// the tick rate by as much as the substeps are divided by: nothing moves then.
     pub substeps: u32,
     /// Whether islands under great load, heavy bodies on light ones or tall stacks, may be solved
-    /// [directly](crate::Tier::Direct); and whether all take two or four times as many substeps while, in a heap too large for that,
+    /// [directly](crate::Tier::Direct); and whether all take two to eight times as many substeps while, in a heap too large for that,
     /// heavy bodies would press light ones flat, unless more than 32 joints are awake. [`Counters`](crate::Counters) tell of both.
     /// Others pay nothing for the first. Default true.
     pub adaptive: bool,

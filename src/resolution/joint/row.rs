@@ -242,11 +242,11 @@ impl Row {
             Role::Spring { max, .. } => {
                 // After the drift it bears what it bore before.
                 let w = if is_push { u + self.bias + self.softness * self.impulse } else { 0.0 };
-                (w, is_push && self.is_inside(max * times.kick, w))
+                (w, is_push && is_inside(self.impulse.abs(), max * times.kick, self.impulse * w))
             }
             Role::Speed { speed, max } => {
                 let w = u - speed + self.softness * self.impulse;
-                (w, self.is_inside(max * times.kick, w))
+                (w, is_inside(self.impulse.abs(), max * times.kick, self.impulse * w))
             }
         };
         self.is_free &= self.k > 0.0;
@@ -262,9 +262,9 @@ impl Row {
         if gap > EXACT * self.scale { (gap / times.h).min(CLOSING_SPEED) } else { 0.0 }
     }
 
-    /// Whether the impulse is within its bound, or is to come back from it.
-    fn is_inside(&self, bound: f64, w: f64) -> bool {
-        self.impulse.abs() < AT_BOUND * bound || (bound > 0.0 && self.impulse * w > 0.0)
+    /// The impulse with which the row by itself is off by nothing.
+    pub(super) fn wanted_alone(&self) -> f64 {
+        if self.k > 0.0 { self.impulse - self.residual / (self.k + self.softness) } else { self.impulse }
     }
 
     /// Limits act where they are reached, and let go of what leaves them.
@@ -315,6 +315,11 @@ impl Row {
         let [least, most] = self.bounds(times);
         impulse.max(least).min(most)
     }
+}
+
+/// Whether an impulse of this size is within its bound, or is to come back from it, as its product with what it is off by, `inward`, tells.
+pub(super) fn is_inside(size: f64, bound: f64, inward: f64) -> bool {
+    size < AT_BOUND * bound || (bound > 0.0 && inward > 0.0)
 }
 
 /// The speed along a coordinate of a body, m/s or rad/s.

@@ -3,7 +3,7 @@
 use crate::resolution::joint::JointSolver;
 use crate::resolution::joint::geometry::{Base, JointBody};
 use crate::resolution::joint::plan::{Cluster, Island};
-use crate::resolution::joint::row::{Phase, Role, Row, Times};
+use crate::resolution::joint::row::{Phase, Role, Row, Times, is_inside};
 
 /// Solves of a cluster that stands by itself, at most. Each takes the rest of the one before times the angle by which bodies turn
 /// in a substep; and where bounds are met, finds which.
@@ -205,16 +205,29 @@ impl Problem<'_> {
         false
     }
 
-    /// Gives a row with bounds by itself what it asks for, as far as they let it.
+    /// Gives a row with bounds, or a vector with its first, by itself what it asks for, as far as they let it.
     fn sweep(&mut self, index: usize, aim: Aim) {
-        let row = &mut self.rows[index];
-        if row.role == Role::Rigid || row.k <= 0.0 {
+        let is_second = index > 0 && self.rows[index - 1].heads_pair;
+        if self.rows[index].role == Role::Rigid || is_second {
             return;
         }
-        let [a, b] = row.bodies.map(|body| &self.bodies[body as usize]);
-        let ahead = (aim == Aim::Way).then(|| row.ahead(a, b, self.times.h));
-        row.look(a, b, ahead, self.times);
-        let cut = row.cut(row.impulse - row.residual / (row.k + row.softness), self.times);
+        let vector = index..=index + usize::from(self.rows[index].heads_pair);
+        for row in &mut self.rows[vector.clone()] {
+            let [a, b] = row.bodies.map(|body| &self.bodies[body as usize]);
+            let ahead = (aim == Aim::Way).then(|| row.ahead(a, b, self.times.h));
+            row.look(a, b, ahead, self.times);
+            (row.wanted, row.is_free) = (row.wanted_alone(), false);
+        }
+        for row in vector {
+            self.give_wanted(row);
+        }
+    }
+
+    /// Gives a row the impulse that is wanted of it, as far as its bounds let it.
+    fn give_wanted(&mut self, index: usize) {
+        let wanted = wanted(self.rows, index, self.times);
+        let row = &mut self.rows[index];
+        let cut = row.cut(wanted, self.times);
         let gain = cut - row.impulse;
         row.impulse = cut;
         for (body, j) in row.bodies.into_iter().zip(row.j) {
@@ -259,6 +272,24 @@ impl Problem<'_> {
             };
             row.look(a, b, ahead, self.times);
         }
+        for &row in &cluster.rows {
+            if self.rows[row as usize].heads_pair {
+                self.look_at_vector(row as usize, aim);
+            }
+        }
+    }
+
+    /// Finds whether the two rows of a vector are free: it is within its bound, or is to come back from it.
+    fn look_at_vector(&mut self, first: usize, aim: Aim) {
+        let [x, y] = [&self.rows[first], &self.rows[first + 1]];
+        // After the move springs bear what they bore before.
+        let acts = aim != Aim::Speed || matches!(x.role, Role::Speed { .. });
+        let inward = x.impulse * x.residual + y.impulse * y.residual;
+        let is_free = acts
+            && x.k > 0.0
+            && y.k > 0.0
+            && is_inside(length(x.impulse, y.impulse), x.bound(self.times), inward);
+        (self.rows[first].is_free, self.rows[first + 1].is_free) = (is_free, is_free);
     }
 
     /// The same over a cluster. What meets its bounds is free no more, and the others do without it: as if it still bore what was wanted of
@@ -291,10 +322,11 @@ impl Problem<'_> {
 
     /// One solve of the rows that are free, cut to what they may bear.
     fn step(&mut self, cluster: &mut Cluster) {
-        let Self { rows, bodies, times, .. } = self;
+        let Self { rows, bodies, .. } = self;
         let Cluster { rows: order, factor, free, .. } = cluster;
         let is_free = |row: &u32| rows[*row as usize].is_free;
-        if !order.iter().any(is_free) {
+        // A vector at its bound follows by itself.
+        if !order.iter().any(|row| is_free(row) || rows[*row as usize].heads_pair) {
             return;
         }
         let is_new = order.iter().zip(&*free).any(|(row, was)| is_free(row) != *was);
@@ -315,15 +347,8 @@ impl Problem<'_> {
         for (&row, &gain) in order.iter().zip(&factor.x) {
             rows[row as usize].wanted = rows[row as usize].impulse + gain;
         }
-        for &row in order.iter() {
-            let wanted = wanted(rows, row as usize, *times);
-            let row = &mut rows[row as usize];
-            let cut = row.cut(wanted, *times);
-            let gain = cut - row.impulse;
-            row.impulse = cut;
-            for (body, j) in row.bodies.into_iter().zip(row.j) {
-                bodies[body as usize].push(j, gain);
-            }
+        for &row in &cluster.rows {
+            self.give_wanted(row as usize);
         }
     }
 }
@@ -334,17 +359,17 @@ fn wanted(rows: &mut [Row], row: usize, times: Times) -> f64 {
         let [x, y] = [row, row + 1].map(|row| {
             let row = &rows[row];
             // What is at its bound follows by itself.
-            if row.is_free || row.k <= 0.0 {
-                row.wanted
-            } else {
-                row.impulse - row.residual / (row.k + row.softness)
-            }
+            if row.is_free { row.wanted } else { row.wanted_alone() }
         });
-        let (length, bound) = ((x * x + y * y).sqrt(), rows[row].bound(times));
+        let (length, bound) = (length(x, y), rows[row].bound(times));
         let share = if length > bound { bound / length } else { 1.0 };
         (rows[row].wanted, rows[row + 1].wanted) = (x * share, y * share);
     }
     rows[row].wanted
+}
+
+fn length(x: f64, y: f64) -> f64 {
+    (x * x + y * y).sqrt()
 }
 
 /// An entry of the matrix.

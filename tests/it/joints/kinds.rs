@@ -24,6 +24,44 @@ fn friction_slows_by_its_force_over_the_mass_and_then_holds() {
     assert_near(place(&world, body)[0], 2.25, 1e-4, "way");
 }
 
+/// It is bounded as a vector: whichever way the body goes, it is stopped straight ahead after m v²/(2 F) = 4.1667 m, with F = 6 N. The
+/// direction is that of the first substep, to rounding; the way as above.
+#[test]
+fn friction_is_the_same_in_all_directions() {
+    for degrees in [0.0_f64, 15.0, 30.0, 45.0, 80.0, 200.0] {
+        let (sin, cos) = degrees.to_radians().sin_cos();
+        let mut world = space();
+        let body = Body::dynamic(Shape::rectangle(1.0, 1.0))
+            .at([0.0, 0.0])
+            .mass(2.0)
+            .velocity([5.0 * cos as f32, 5.0 * sin as f32]);
+        let body = add(&mut world, body);
+        let joint = world.add_joint(Joint::friction(body, None).max_force(6.0)).unwrap();
+        run(&mut world, 1.0);
+        assert_relative(f64::from(world.joint(joint).unwrap().force().length()), 6.0, 1e-5, "force");
+        run(&mut world, 2.0);
+        let [x, y] = place(&world, body);
+        assert_relative(x * cos + y * sin, 25.0 / 6.0, 1e-4, "way");
+        assert_near(x * sin - y * cos, 0.0, 1e-5, "off the way");
+    }
+}
+
+/// What drags a body drags it with no more than its greatest force, in any direction: at F t/m after a second.
+#[test]
+fn a_hand_drags_alike_in_all_directions() {
+    for degrees in [0.0_f64, 30.0, 45.0] {
+        let (sin, cos) = degrees.to_radians().sin_cos();
+        let mut world = space();
+        let body = add(&mut world, Body::dynamic(Shape::circle(0.5)).at([0.0, 0.0]).mass(2.0));
+        let hand = Joint::drag(body, [0.0, 0.0]).target([1000.0 * cos, 1000.0 * sin]).max_force(6.0);
+        world.add_joint(hand).unwrap();
+        run(&mut world, 1.0);
+        let [x, y] = velocity(&world, body);
+        assert_relative(x * cos + y * sin, 3.0, 1e-3, "speed");
+        assert_near(x * sin - y * cos, 0.0, 1e-3, "speed across");
+    }
+}
+
 /// A wheel that hangs from what does not move sags by g/ω², and no farther than its travel.
 #[test]
 fn a_suspension_sags_by_its_closed_form_and_stops_at_its_travel() {
