@@ -54,8 +54,8 @@ pub(crate) struct Contact {
     pub(crate) holds_still: bool,
     /// Whether the bodies met and parted again within the last step.
     pub(crate) has_bounced: bool,
-    /// Whether it follows the surface within the step: it does not hold still, and a body topples on it, or rolls on what
-    /// moves or ends there.
+    /// Whether it follows the surface within the step: a body topples on it, or rolls on what moves or ends there, and does so fast, or
+    /// under a great load.
     pub(crate) follows: bool,
     /// Whether one of the bodies is a circle that the other does not find flat: its manifold is never kept, and nothing is
     /// frozen. It is asked before the bodies are close.

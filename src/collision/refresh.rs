@@ -99,6 +99,7 @@ fn bring_up_to_date(contact: &mut Contact, bodies: &Bodies, settings: Refresh) {
             }
             pair.take_over(manifold, contact);
             contact.approach_speed = pair.approach_speed(&contact.manifold);
+            // As where it is found halfway.
             contact.holds_still =
                 if contact.has_circle { pair.is_slow(predicted) } else { pair.is_at_rest(predicted) };
             contact.follows = (contact.has_circle || contact.pivots()) && !pair.is_flat();

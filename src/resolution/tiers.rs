@@ -247,9 +247,10 @@ impl Tiers {
             (true, false) => load.greatest,
             (false, _) => load.lasting,
         };
-        let history = History::of_island(self.island.iter().map(|&slot| self.histories[slot as usize]));
-        let is_hopeless = !was_direct
-            && (history.is_given_up() && !load.is_recent || history.times_dear > 0 && largest <= RETRY_SHARE);
+        let history =
+            History::of_island(self.island.iter().map(|&slot| self.histories[slot as usize].at(tick)));
+        let is_hopeless =
+            !was_direct && (history.is_given_up() || history.times_dear > 0 && largest <= RETRY_SHARE);
         let is_paused = history.quiet_until > tick;
         let share = if was_direct { CALM_SHARE * DIRECT_SHARE } else { DIRECT_SHARE };
         let is_calm = was_direct && largest <= share;
