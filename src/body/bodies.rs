@@ -318,7 +318,7 @@ impl Bodies {
             role: self.roles.of(own),
             own_at: self.place_on_frame(own),
             further: self.further_colliders(slot),
-            lacks_shape: false,
+            flaw: None,
         }
     }
 

@@ -141,8 +141,8 @@ impl Collider {
         self
     }
 
-    /// Coefficient of rolling resistance, no unit, as [`Body::rolling_resistance`](crate::Body::rolling_resistance) says. It acts
-    /// where the collider is a circle around the centre of mass.
+    /// Coefficient of rolling resistance, no unit, as [`Body::rolling_resistance`](crate::Body::rolling_resistance) says. It slows
+    /// the collider down where it is a circle around the centre of mass of its body; what other shapes have slows down circles that roll on them.
     #[must_use]
     pub fn rolling_resistance(mut self, coefficient: f32) -> Self {
         self.role.rolling_resistance = Some(coefficient);

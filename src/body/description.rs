@@ -69,8 +69,8 @@ pub struct Body {
     pub(crate) own_at: Vec2,
     /// Its shapes beside its own.
     pub(crate) further: Vec<Collider>,
-    /// Whether it was made of no piece at all.
-    pub(crate) lacks_shape: bool,
+    /// Why what it was made of makes no body.
+    pub(crate) flaw: Option<BodyError>,
 }
 
 impl Body {
@@ -93,7 +93,7 @@ impl Body {
             role: Role::default(),
             own_at: Vec2::ZERO,
             further: Vec::new(),
-            lacks_shape: false,
+            flaw: None,
         }
     }
 
@@ -465,8 +465,8 @@ impl Body {
 
     /// Checks every number of the description.
     pub(crate) fn validate(&self) -> Result<(), BodyError> {
-        if self.lacks_shape {
-            return Err(BodyError::NoShape);
+        if let Some(flaw) = &self.flaw {
+            return Err(flaw.clone());
         }
         check_place(self.center)?;
         check_strength("the angle", self.angle, "rad")?;

@@ -13,6 +13,8 @@ pub enum BodyError {
     Shape(ShapeError),
     /// The body was made of no piece at all.
     NoShape,
+    /// The body was made of a map of tiles of which none is solid.
+    NoSolidTile,
     /// A dynamic body has a segment, which has no mass.
     DynamicSegment,
     /// A quantity is NaN, infinite, or outside the range that the engine can compute with.
@@ -40,6 +42,10 @@ impl fmt::Display for BodyError {
         match self {
             Self::Shape(error) => write!(f, "the body's shape cannot be used: {error}"),
             Self::NoShape => write!(f, "the body has no shape: give it a piece at least"),
+            Self::NoSolidTile => write!(
+                f,
+                "no tile of the map is solid: give it one at least, in rows of 1 tile or more, or use a TileMap, which may be empty"
+            ),
             Self::DynamicSegment => write!(
                 f,
                 "a segment has no thickness and no mass: make the body fixed or kinematic, or give it a capsule in the place of \
@@ -65,9 +71,11 @@ impl std::error::Error for BodyError {
     fn source(&self) -> Option<&(dyn std::error::Error + 'static)> {
         match self {
             Self::Shape(error) => Some(error),
-            Self::NoShape | Self::DynamicSegment | Self::OutOfRange { .. } | Self::NotKinematic { .. } => {
-                None
-            }
+            Self::NoShape
+            | Self::NoSolidTile
+            | Self::DynamicSegment
+            | Self::OutOfRange { .. }
+            | Self::NotKinematic { .. } => None,
         }
     }
 }

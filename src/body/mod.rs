@@ -39,7 +39,7 @@ pub use material::{Material, Mix};
 pub(crate) use rest::{HORIZON, RestRule, RestWatch};
 pub(crate) use role::{Role, Roles};
 pub use tiles::Ground;
-pub(crate) use tiles::{body_of_tiles, boxes_of_tiles};
+pub(crate) use tiles::{body_of_tiles, boxes_of_tiles, check_tile_size};
 
 crate::store::id_type! {
     /// Names a body of a world.

@@ -1,6 +1,6 @@
 //! Bodies that are made of pieces, each at its own place in the frame of the body.
 
-use crate::body::{Body, BodyType, Collider};
+use crate::body::{Body, BodyError, BodyType, Collider};
 use crate::math::Vec2;
 use crate::shape::Shape;
 
@@ -46,8 +46,9 @@ impl Body {
         let mut shapes = shapes.into_iter();
         let own = shapes.next();
         let (shape, own_at) = own.unwrap_or((Shape::circle(0.0), Vec2::ZERO));
+        let flaw = own.is_none().then_some(BodyError::NoShape);
         let further = shapes.map(|(shape, at)| Collider::new(shape).at(at)).collect();
-        Self { own_at, further, lacks_shape: own.is_none(), ..Self::new(body_type, shape) }
+        Self { own_at, further, flaw, ..Self::new(body_type, shape) }
     }
 
     fn of_pieces(body_type: BodyType, pieces: impl IntoIterator<Item = Shape>) -> Self {

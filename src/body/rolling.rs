@@ -8,8 +8,10 @@ impl Body {
     /// on a slope it stays up to a gradient of 3/2 c. Rubber on asphalt has some 0.01, on grass 0.1. Default 0: it rolls on for
     /// ever.
     ///
-    /// It acts where a circle touches something, not where a round corner does, as a moment of 3/2 c r N that never turns the spin round; of two bodies the
-    /// greater coefficient counts, and of two circles the smaller radius r.
+    /// It acts where a circle touches something, as a moment of 3/2 c r N that never turns the spin round; of two bodies the
+    /// greater coefficient counts, and of two circles the smaller radius r. Boxes, polygons, capsules and round corners may have
+    /// it too: it slows down the circles that roll on them, and does nothing to themselves. Of a body of several shapes only circles about its
+    /// centre of mass roll.
     ///
     /// ```
     /// # use rustycs::prelude::*;

@@ -4,9 +4,9 @@
 //! if that makes fewer. Flush boxes are one ground, whatever their sizes (see `shape::exposure`), so that it does not matter where
 //! they meet.
 
-use crate::body::{Body, BodyType};
+use crate::body::{Body, BodyError, BodyType};
 use crate::math::Vec2;
-use crate::shape::Shape;
+use crate::shape::{MAX_SIZE, MIN_SIZE, Shape, ShapeError};
 
 /// Ground of a map that stays as it is. One that is edited is a [`TileMap`](crate::TileMap).
 #[derive(Debug)]
@@ -57,7 +57,20 @@ pub(crate) fn body_of_tiles(boxes: &[TileBox], tile_size: f32) -> Body {
         let shape = Shape::aabb(length(columns as f64), length(rows as f64));
         (shape, Vec2::new(middle(x, columns), middle(y, rows)))
     });
-    Body::of_placed(BodyType::Fixed, pieces)
+    let mut body = Body::of_placed(BodyType::Fixed, pieces);
+    let no_tile = boxes.is_empty().then_some(BodyError::NoSolidTile);
+    body.flaw = check_tile_size(tile_size).err().or(no_tile);
+    body
+}
+
+/// Checks that a tile can have sides of `tile_size`, m.
+pub(crate) fn check_tile_size(tile_size: f32) -> Result<(), BodyError> {
+    // NaN is not within.
+    if (MIN_SIZE..=MAX_SIZE).contains(&tile_size) {
+        Ok(())
+    } else {
+        Err(BodyError::Shape(ShapeError::Size { what: "size of a tile", value: tile_size }))
+    }
 }
 
 /// Boxes that cover the solid tiles of a map of so many columns and rows, each once.

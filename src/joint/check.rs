@@ -73,13 +73,17 @@ impl Joint {
     /// Checks where it may go.
     fn validate_limits(&self) -> Result<(), JointError> {
         let Some([lower, upper]) = self.limits else { return Ok(()) };
-        let any = [f64::NEG_INFINITY; 2];
-        let (names, least, unit) = match self.kind {
-            JointKind::Distance => (["the least length", "the greatest length"], [0.0, SHORTEST], "m"),
-            JointKind::Revolute | JointKind::Ratchet => (["the lower limit", "the upper limit"], any, "rad"),
-            _ => (["the lower limit", "the upper limit"], any, "m"),
+        // Infinite is no limit, but not to be met: a lower one of infinity would leave no place.
+        let any = |farthest: f64| [f64::NEG_INFINITY, -farthest];
+        let limits = ["the lower limit", "the upper limit"];
+        let (names, least, greatest, unit) = match self.kind {
+            JointKind::Distance => {
+                (["the least length", "the greatest length"], [0.0, SHORTEST], FARTHEST, "m")
+            }
+            JointKind::Revolute | JointKind::Ratchet => (limits, any(LARGEST_ANGLE), LARGEST_ANGLE, "rad"),
+            _ => (limits, any(FARTHEST), FARTHEST, "m"),
         };
-        check(names[0], lower, [least[0], f64::INFINITY], unit)?;
+        check(names[0], lower, [least[0], greatest], unit)?;
         check(names[1], upper, [least[1], f64::INFINITY], unit)?;
         if lower > upper {
             return Err(JointError::LimitsCrossed { lower, upper });

@@ -16,6 +16,8 @@ pub enum JointError {
     },
     /// Both bodies are one and the same.
     SameBody,
+    /// None of its bodies is dynamic: nothing that it does would move one.
+    NoDynamicBody,
     /// The lower limit is above the upper one.
     LimitsCrossed {
         /// The lower limit, m or rad.
@@ -60,6 +62,9 @@ impl fmt::Display for JointError {
             Self::SameBody => {
                 f.write_str("a joint cannot join a body to itself; give two bodies, or None for the world")
             }
+            Self::NoDynamicBody => f.write_str(
+                "a joint moves dynamic bodies only; give one that is dynamic, or make it dynamic before the joint is added",
+            ),
             Self::LimitsCrossed { lower, upper } => write!(
                 f,
                 "the lower limit {} is above the upper limit {}; exchange them",
@@ -83,12 +88,10 @@ impl fmt::Display for JointError {
                 let space = if unit.is_empty() { "" } else { " " };
                 write!(f, "{quantity} is {}{space}{unit}; give ", Number(*value))?;
                 let [least, most] = [min, max].map(|bound| Number(*bound));
-                if max.is_finite() {
-                    write!(f, "a finite number from {least} to {most}{space}{unit}")
-                } else if min.is_finite() {
-                    write!(f, "a number of {least}{space}{unit} or more")
-                } else {
-                    f.write_str("a number, or an infinite one")
+                match (min.is_finite(), max.is_finite()) {
+                    (true, true) => write!(f, "a finite number from {least} to {most}{space}{unit}"),
+                    (true, false) => write!(f, "a number of {least}{space}{unit} or more"),
+                    (false, _) => write!(f, "a number of {most}{space}{unit} or less"),
                 }
             }
         }

@@ -38,7 +38,7 @@ pub enum ShapeError {
     /// A length of the shape is not a number, or outside [`MIN_SIZE`] to [`MAX_SIZE`].
     Size {
         /// Which length: `"radius"`, `"width"`, `"height"`, `"capsule's length"`, `"segment's length"`, `"polygon's size"`,
-        /// `"polygon's thickness"` or `"outline's size"`.
+        /// `"polygon's thickness"`, `"outline's size"` or `"size of a tile"`.
         what: &'static str,
         /// Its value, m.
         value: f32,
@@ -57,7 +57,8 @@ pub enum ShapeError {
     },
     /// More corners than [`MAX_VERTICES`].
     TooManyPoints {
-        /// How many corners there are, points that lie on a straight edge not counted.
+        /// How many corners there are, points that lie on a straight edge not counted; of more than 256 points, how many points
+        /// there are, up to one more than [`MAX_OUTLINE_POINTS`].
         count: usize,
     },
     /// All points of a polygon lie on one line.
@@ -154,7 +155,9 @@ impl fmt::Display for ShapeError {
             }
             Self::TooManyPoints { count } => write!(
                 f,
-                "the polygon has {count} corners, more than {MAX_VERTICES}: use fewer, or several polygons"
+                "the polygon has {count} corners{}, more than {MAX_VERTICES}: use fewer, or Shape::concave, which makes several \
+                 polygons of an outline",
+                if count > MAX_OUTLINE_POINTS { " or more" } else { "" }
             ),
             Self::Collinear => {
                 write!(f, "all points of the polygon lie on one line: move one of them off it")

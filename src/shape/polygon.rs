@@ -2,14 +2,14 @@
 
 use crate::math::Vec2;
 use crate::shape::hull::{Hull, MAX_VERTICES};
-use crate::shape::{MAX_SIZE, MIN_SIZE, Rounded, ShapeError};
+use crate::shape::{MAX_OUTLINE_POINTS, MAX_SIZE, MIN_SIZE, Rounded, ShapeError};
 
 /// Points closer than this part of the polygon's size are one corner, and a point nearer than this to the
 /// line of its neighbours is none. The rounding of `f32` coordinates is 6e-8 of the size: a bend of 1e-5 is
 /// far above it, so that every corner kept still bends the right way after centring.
 const WELD: f64 = 1e-5;
 
-/// More points than this are refused unread, so that an endless iterator ends.
+/// More points than this are refused: counted, but not looked at.
 const MAX_GIVEN: usize = 256;
 
 /// A convex polygon with 3 to 8 corners, about its centroid.
@@ -73,9 +73,12 @@ pub(super) fn rounded<P: Into<Vec2>>(
 
 /// The points of an outline as they are given, of which none is the next.
 fn distinct<P: Into<Vec2>>(points: impl IntoIterator<Item = P>) -> Result<Vec<Corner>, ShapeError> {
-    let given: Vec<Vec2> = points.into_iter().take(MAX_GIVEN + 1).map(Into::into).collect();
-    if given.len() > MAX_GIVEN {
-        return Err(ShapeError::TooManyPoints { count: given.len() });
+    // An endless iterator ends.
+    let mut points = points.into_iter().take(MAX_OUTLINE_POINTS + 1);
+    let given: Vec<Vec2> = points.by_ref().take(MAX_GIVEN).map(Into::into).collect();
+    let beyond = points.count();
+    if beyond > 0 {
+        return Err(ShapeError::TooManyPoints { count: given.len() + beyond });
     }
     if let Some(index) = given.iter().position(|p| !p.is_finite()) {
         return Err(ShapeError::NotFinite { index, point: given[index].into() });

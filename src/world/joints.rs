@@ -5,13 +5,18 @@ use crate::joint::{Joint, JointError, JointId};
 use crate::world::{JointMut, JointRef, World};
 
 impl World {
-    /// Adds a joint between two bodies, or a body and the world; wakes them.
+    /// Adds a joint between two bodies, or a body and the world; wakes them. One of its bodies at least must be dynamic; it may be
+    /// [made fixed](crate::BodyMut::set_body_type) later, and the joint acts again once it is dynamic.
     ///
     /// # Errors
-    /// [`JointError`], if a body has been removed, both are one, the kind has no such option, limits are crossed, or a number is
-    /// NaN or out of range; the world is as it was.
+    /// [`JointError`], if a body has been removed, both are one, none is dynamic, the kind has no such option, limits are crossed,
+    /// or a number is NaN or out of range; the world is as it was.
     pub fn add_joint(&mut self, joint: Joint) -> Result<JointId, JointError> {
         self.validate_joint(&joint)?;
+        let mut ends = std::iter::once(joint.a).chain(joint.b);
+        if !ends.any(|id| self.bodies.is_dynamic(id.0.index())) {
+            return Err(JointError::NoDynamicBody);
+        }
         let id = self.joints.insert(joint, &self.bodies);
         self.joint_changed(id, true);
         Ok(id)

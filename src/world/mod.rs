@@ -235,7 +235,8 @@ impl World {
     }
 
     /// Puts other settings in force from the next step on. Wakes all bodies, unless they are those it has, or differ only in
-    /// what does not move a body: `max_ticks_per_advance`, `hit_threshold`, `bounds`, `lanes`, `threads`, `fitted_kernels`.
+    /// what does not move a body: `max_ticks_per_advance`, `hit_threshold`, `sum_impulses`, `bounds`, `lanes`, `threads`,
+    /// `fitted_kernels`.
     ///
     /// # Errors
     /// [`SettingsError`], if `settings` holds a number that [`Settings::validate`] refuses; the world keeps

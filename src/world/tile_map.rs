@@ -3,7 +3,10 @@
 //! The map is kept in chunks of 16 x 16 tiles, each a fixed body of its own: an edit makes the boxes of one chunk anew. Where
 //! chunks meet, the ground is as smooth as within them.
 
-use crate::body::{Body, BodyError, BodyId, Filter, Material, body_of_tiles, boxes_of_tiles};
+use crate::body::limits::check_place;
+use crate::body::{
+    Body, BodyError, BodyId, Filter, Material, body_of_tiles, boxes_of_tiles, check_tile_size,
+};
 use crate::math::Point;
 use crate::world::World;
 
@@ -80,6 +83,8 @@ impl TileMap {
     /// material is; the map is in no world then.
     pub fn add_to(&mut self, world: &mut World) -> Result<(), BodyError> {
         self.remove_from(world);
+        check_tile_size(self.tile_size)?;
+        check_place(self.corner)?;
         self.is_added = true;
         for chunk in 0..self.chunks.len() {
             if let Err(error) = self.make(world, chunk) {

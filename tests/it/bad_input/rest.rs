@@ -126,6 +126,21 @@ fn a_thousand_of_the_strongest_attractors_stay_finite() {
     assert!(world.energy().is_finite() && world.body(id).is_some());
 }
 
+/// What is told is how many points there are, and not how many were looked at.
+#[test]
+fn an_outline_of_thousands_of_points_is_told_their_number() {
+    for (points, told) in
+        [(257, "257 corners,"), (5000, "5000 corners,"), (100_000, "65537 corners or more,")]
+    {
+        let outline = ring(points, 1);
+        for refused in [Shape::polygon(outline.clone()), Shape::rounded(outline.clone(), 0.1)] {
+            let text = refused.unwrap_err().to_string();
+            assert!(text.contains(told) && text.contains("use fewer"), "{points} points: {text}");
+        }
+    }
+    assert!(Shape::polygon(std::iter::repeat([0.0_f32, 0.0])).is_err(), "an endless outline ends");
+}
+
 const ARROW: &[[f32; 2]] = &[[0.0, 0.0], [2.0, 1.0], [0.0, 2.0], [1.0, 1.0]];
 const BOW_TIE: &[[f32; 2]] = &[[0.0, 0.0], [1.0, 1.0], [1.0, 0.0], [0.0, 1.0]];
 const LINE: &[[f32; 2]] = &[[0.0, 0.0], [1.0, 1.0], [2.0, 2.0], [5.0, 5.0]];

@@ -93,6 +93,24 @@ fn a_chunk_without_tiles_is_no_body() {
     assert_eq!(world.bodies().count(), 0);
 }
 
+/// It is the size of the tiles that is told, and not what follows from it; that of a map without tiles as well.
+#[test]
+fn a_bad_size_of_tiles_is_told_as_such() {
+    let mut world = World::new(Settings::default());
+    for size in [0.0, -1.0, f32::NAN, f32::INFINITY, 1e9] {
+        for is_solid in [true, false] {
+            let ground = world.add(Ground::from_tiles(&[is_solid; 4], 2, size)).map(|_| ());
+            for refused in [ground, TileMap::new(&[is_solid; 4], 2, size).add_to(&mut world)] {
+                let text = refused.unwrap_err().to_string();
+                let told = format!("the size of a tile is {size} m: choose");
+                assert!(text.contains(&told), "{size}, {is_solid}: {text}");
+            }
+        }
+    }
+    let nowhere = TileMap::new(&[false; 4], 2, 1.0).at([f64::NAN, 0.0]).add_to(&mut world).unwrap_err();
+    assert!(nowhere.to_string().contains("x of the position"), "{nowhere}");
+}
+
 #[test]
 fn a_map_that_cannot_be_is_refused_as_a_whole() {
     let mut world = World::new(Settings::default());
@@ -100,8 +118,9 @@ fn a_map_that_cannot_be_is_refused_as_a_whole() {
         assert!(world.add(Ground::from_tiles(&[true; 4], 2, size)).is_err(), "{size}");
         assert!(TileMap::new(&[true; 4], 2, size).add_to(&mut world).is_err(), "{size}");
     }
-    assert_eq!(world.add(Ground::from_tiles(&[false; 4], 2, 1.0)), Err(BodyError::NoShape));
-    assert_eq!(world.add(Ground::from_tiles(&[true; 4], 0, 1.0)), Err(BodyError::NoShape));
+    assert_eq!(world.add(Ground::from_tiles(&[false; 4], 2, 1.0)), Err(BodyError::NoSolidTile));
+    assert_eq!(world.add(Ground::from_tiles(&[true; 4], 0, 1.0)), Err(BodyError::NoSolidTile));
+    assert!(BodyError::NoSolidTile.to_string().contains("no tile of the map is solid: give it one"));
     // The last chunk is out of range, the first is not.
     let mut map = TileMap::new(&[true; 64], 64, 1e6).at([1e12 - 2e7, 0.0]);
     assert!(map.add_to(&mut world).is_err());

@@ -14,6 +14,8 @@ fn a_joint_that_makes_no_sense_is_refused_with_a_sentence_and_nothing_changes() 
     let [a, b] = two_boxes(&mut world);
     let gone = add(&mut world, Body::dynamic(Shape::circle(1.0)));
     world.remove(gone);
+    let floor = add(&mut world, Body::fixed(Shape::rectangle(9.0, 1.0)).at([0.0, -9.0]));
+    let lift = add(&mut world, Body::kinematic(Shape::rectangle(2.0, 0.2)).at([0.0, -5.0]));
     let bad = [
         (Joint::revolute(gone, b), "the first body of the joint has been removed"),
         (Joint::revolute(a, gone), "the second body of the joint has been removed"),
@@ -35,6 +37,18 @@ fn a_joint_that_makes_no_sense_is_refused_with_a_sentence_and_nothing_changes() 
             "a weld joint has no motor; leave it out, or take one of these kinds: revolute, prismatic, distance, wheel, ratchet",
         ),
         (Joint::gear(a, b, 0.0), "the size of the ratio is 0"),
+        (Joint::prismatic(a, b).limits(NEVER), "the lower limit is inf m; give a number of 1e12 m or less"),
+        (Joint::prismatic(a, b).limits(-f64::INFINITY..=-f64::INFINITY), "the upper limit is -inf m; give"),
+        (
+            Joint::revolute(a, None).limits(NEVER),
+            "the lower limit is inf rad; give a number of 1e9 rad or less",
+        ),
+        (Joint::wheel(a, b).axis([0.0, 1.0]).travel(NEVER), "the lower limit is inf m; give"),
+        (Joint::distance(a, b).limits(NEVER), "the least length is inf m; give a finite number from 0 to"),
+        (Joint::prismatic(a, b).limits(f64::NAN..=1.0), "the lower limit is NaN m; give"),
+        (Joint::weld(floor, lift), "a joint moves dynamic bodies only; give one that is dynamic"),
+        (Joint::weld(lift, floor), "a joint moves dynamic bodies only; give one that is dynamic"),
+        (Joint::drag(floor, [0.0, 0.0]), "a joint moves dynamic bodies only; give one that is dynamic"),
     ];
     let before = world.state_hash();
     for (joint, sentence) in bad {
@@ -42,6 +56,40 @@ fn a_joint_that_makes_no_sense_is_refused_with_a_sentence_and_nothing_changes() 
         assert!(error.starts_with(sentence), "{error}, expected {sentence}");
     }
     assert_eq!((world.joint_count(), world.state_hash()), (0, before));
+}
+
+/// Limits that leave no place: what they let pass is nowhere.
+const NEVER: std::ops::RangeInclusive<f64> = f64::INFINITY..=f64::INFINITY;
+
+/// Of two infinite limits one does nothing, and both may.
+#[test]
+fn a_limit_may_be_infinite_on_its_own_side() {
+    let mut world = earth();
+    let body = add(&mut world, Body::dynamic(Shape::circle(0.5)));
+    let slide = Joint::prismatic(body, None).axis([0.0, 1.0]);
+    for limits in [f64::NEG_INFINITY..=f64::INFINITY, f64::NEG_INFINITY..=0.0, -0.25..=f64::INFINITY] {
+        let joint = world.add_joint(slide.clone().limits(limits)).unwrap();
+        assert!(world.joint_mut(joint).unwrap().set_limits(NEVER).is_err());
+    }
+    run(&mut world, 1.0);
+    assert!(world.body(body).unwrap().position().y.abs() < 0.251, "the last of them holds it");
+    world.validate().unwrap();
+}
+
+/// A bridge that is held until it is let go: a joint outlives that its bodies are fixed, and may be changed meanwhile.
+#[test]
+fn a_joint_rests_while_its_bodies_are_fixed() {
+    let mut world = earth();
+    let plank = add(&mut world, Body::dynamic(Shape::rectangle(1.0, 0.1)).at([0.5, 0.0]));
+    let hinge = world.add_joint(Joint::revolute(plank, None).at([0.0, 0.0])).unwrap();
+    world.body_mut(plank).unwrap().set_body_type(BodyType::Fixed).unwrap();
+    world.joint_mut(hinge).unwrap().set_limits(-0.5..=0.5).unwrap();
+    run(&mut world, 1.0);
+    assert_eq!(world.joint(hinge).unwrap().angle(), 0.0);
+    world.body_mut(plank).unwrap().set_body_type(BodyType::Dynamic).unwrap();
+    run(&mut world, 3.0);
+    let turned = world.joint(hinge).unwrap().angle().abs();
+    assert!((turned - 0.5).abs() < 1e-3, "it hangs at its limit: {turned}");
 }
 
 #[test]
