@@ -6,7 +6,6 @@
 //!
 //! For the scenes of the demo there is a command: `cargo run --release --example error_report -- --scene tower`.
 
-use std::sync::OnceLock;
 use std::time::Instant;
 
 use rustycs::prelude::*;
@@ -26,19 +25,14 @@ fn scene(settings: Settings) -> World {
     world
 }
 
-/// Seconds since the first call.
-fn clock() -> f64 {
-    static START: OnceLock<Instant> = OnceLock::new();
-    START.get_or_init(Instant::now).elapsed().as_secs_f64()
-}
-
 fn main() -> Result<(), StudyError> {
+    let start = Instant::now();
     let report = Study::new(scene)
         .name("three orbits")
         .duration(4.0)
         .tick_rates([30.0, 60.0, 120.0, 240.0])
         .substeps([1, 2, 4, 8])
-        .clock(clock)
+        .clock(|| start.elapsed().as_secs_f64())
         .run()?;
     println!("{}", report.to_markdown());
 

@@ -135,7 +135,7 @@ fn clock() -> f64 {
 
 fn with_clock(clock: Option<Clock>) -> World {
     let mut world = crowd().build();
-    world.set_clock(Some(self::clock));
+    world.set_clock(Clock::new(self::clock));
     world.set_clock(clock);
     world
 }
@@ -279,7 +279,7 @@ pub(crate) const ROWS: &[Row] = &[
         statement: "given and taken away; given",
         absent: || crowd().build(),
         set_out: Some(|| with_clock(None)),
-        in_use: Some(|| with_clock(Some(clock))),
+        in_use: Some(|| with_clock(Some(Clock::new(clock)))),
     },
     Row {
         name: "fixed bodies",
@@ -298,7 +298,9 @@ pub(crate) const ROWS: &[Row] = &[
 ];
 
 fn general(crowd: Crowd) -> World {
-    with_settings(crowd, |settings| Settings { fitted_kernels: false, ..settings })
+    let mut world = crowd.build();
+    world.use_general_kernels();
+    world
 }
 
 fn rough_discs() -> Crowd {

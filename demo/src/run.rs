@@ -1,6 +1,6 @@
 //! A world that runs, with all that is kept about it from tick to tick.
 
-use rustycs::{BodyId, BodyRef, Pose, Settings, World};
+use rustycs::{BodyId, BodyRef, Clock, Pose, Settings, World};
 use rustycs_scenes::Scene;
 
 use macroquad::time::get_time;
@@ -45,7 +45,7 @@ impl Run {
     /// A scene at time 0.
     pub(crate) fn new(scene: &Scene, seed: u64) -> Self {
         let mut world = scene.build(seed, Settings::default());
-        world.set_clock(Some(get_time));
+        world.set_clock(Clock::new(get_time));
         Self::at(Moment { world, seconds: 0.0 })
     }
 

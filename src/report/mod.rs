@@ -35,11 +35,7 @@
 //! ```
 //! # use rustycs::prelude::*;
 //! # use rustycs::report::{Exact, Study};
-//! fn seconds() -> f64 {
-//!     static START: std::sync::OnceLock<std::time::Instant> = std::sync::OnceLock::new();
-//!     START.get_or_init(std::time::Instant::now).elapsed().as_secs_f64()
-//! }
-//!
+//! let start = std::time::Instant::now();
 //! let report = Study::new(|settings| {
 //!     let mut world = World::new(settings);
 //!     world.add_force(Force::EARTH_GRAVITY);
@@ -48,7 +44,7 @@
 //! })
 //! .exact(|t| vec![Exact::at([3.0 * t, 4.0 * t - 0.5 * 9.81 * t * t])])
 //! .also("classic", [30.0, 60.0, 120.0].map(|tick_rate| Settings { tick_rate, ..Settings::classic() }))
-//! .clock(seconds)
+//! .clock(|| start.elapsed().as_secs_f64())
 //! .run()?;
 //! let order = report.order_of("classic").expect("its errors are well above rounding");
 //! assert!((0.9..1.1).contains(&order));

@@ -9,7 +9,7 @@ use crate::report::result::{Reference, Report, Row, RunTime};
 use crate::report::study::{Progress, Study};
 use crate::report::sweep::{Variant, sweeps_per_substep};
 use crate::report::track::{PredictedMotion, Track, moving_count, ticks_to};
-use crate::world::{Clock, Settings, World};
+use crate::world::{Settings, World};
 
 /// Timed runs that are together shorter than this, s, are repeated ...
 const SHORT: f64 = 0.01;
@@ -190,10 +190,7 @@ impl<'a> Runner<'a> {
             invariants = invariants.max(track.invariants);
             substeps += track.substeps / self.study.seeds.len() as f64;
         }
-        let run_time = match self.study.clock {
-            None => None,
-            Some(clock) => Some(self.time(variant, clock)?),
-        };
+        let run_time = if self.study.clock.is_some() { Some(self.time(variant)?) } else { None };
         Ok(Row {
             name: variant.name.clone(),
             series: variant.series.clone(),
@@ -285,7 +282,8 @@ impl<'a> Runner<'a> {
     }
 
     /// Times a row: all seeds one after the other, repeatedly.
-    fn time(&mut self, variant: &Variant, clock: Clock) -> Result<RunTime, StudyError> {
+    fn time(&mut self, variant: &Variant) -> Result<RunTime, StudyError> {
+        let now = |runner: &Self| runner.study.clock.as_ref().map_or(0.0, |clock| clock());
         let repeats = self.study.repeats;
         let (mut all, mut spent) = (Vec::new(), 0.0);
         while all.len() < repeats as usize || (spent < SHORT && all.len() < (repeats * MOST_MORE) as usize) {
@@ -299,11 +297,11 @@ impl<'a> Runner<'a> {
                     drive: self.study.drive.as_deref(),
                 };
                 let ticks = course.ticks(&world);
-                let start = clock();
+                let start = now(self);
                 for _ in 0..ticks {
                     course.step(&mut world);
                 }
-                seconds += clock() - start;
+                seconds += now(self) - start;
                 simulated += ticks as f64 * world.settings().tick_seconds();
                 if is_asked_for {
                     self.done += self.work_of(&variant.settings);

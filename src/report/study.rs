@@ -10,16 +10,38 @@ use crate::report::result::Report;
 use crate::report::run::Runner;
 use crate::report::sweep::Sweep;
 use crate::report::track::Exact;
-use crate::world::{Clock, Settings, World};
+use crate::world::{Settings, World};
 
 /// Builds a world from a seed and settings.
 type Build<'a> = Box<dyn Fn(u64, Settings) -> World + 'a>;
 /// Called before each tick.
 type Drive<'a> = Box<dyn Fn(&mut World) + 'a>;
+/// Tells the time, s.
+type Clock<'a> = Box<dyn Fn() -> f64 + 'a>;
 /// Called between and within runs.
 type Watcher<'a> = Box<dyn FnMut(&Progress<'_>) -> ControlFlow<()> + 'a>;
 
 /// How far a study is.
+///
+/// ```
+/// # use rustycs::prelude::*;
+/// # let throw = |settings: Settings| {
+/// #     let mut world = World::new(settings);
+/// #     world.add_force(Force::EARTH_GRAVITY);
+/// #     world.add(Body::dynamic(Shape::circle(0.5)).velocity([3.0, 4.0])).unwrap();
+/// #     world
+/// # };
+/// use rustycs::report::{Progress, Study};
+///
+/// use std::ops::ControlFlow;
+///
+/// let shown = Study::new(throw).progress(|&Progress { done, label }| {
+///     eprint!("\r{:3.0} % {label}", 100.0 * done);
+///     ControlFlow::Continue(()) // `Break` where the user has had enough
+/// });
+/// assert!(shown.run()?.is_complete());
+/// # Ok::<(), rustycs::report::StudyError>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Progress<'a> {
     /// Part of the work that is done, 0 to 1.
@@ -31,6 +53,24 @@ pub struct Progress<'a> {
 /// Measures the error of a scene against its run time, over a range of settings.
 ///
 /// See the [module](crate::report) for an example.
+///
+/// ```
+/// # use rustycs::prelude::*;
+/// # let throw = |settings: Settings| {
+/// #     let mut world = World::new(settings);
+/// #     world.add_force(Force::EARTH_GRAVITY);
+/// #     world.add(Body::dynamic(Shape::circle(0.5)).velocity([3.0, 4.0])).unwrap();
+/// #     world
+/// # };
+/// use rustycs::report::{Exact, Study};
+///
+/// let report = Study::new(throw)
+///     .exact(|t| vec![Exact::at([3.0 * t, 4.0 * t - 0.5 * 9.81 * t * t])])
+///     .tick_rates([30.0, 60.0, 120.0])
+///     .run()?;
+/// assert!(report.rows().iter().all(|row| row.error < 1e-5), "free flight is exact");
+/// # Ok::<(), rustycs::report::StudyError>(())
+/// ```
 pub struct Study<'a> {
     pub(super) name: String,
     pub(super) build: Build<'a>,
@@ -42,7 +82,7 @@ pub struct Study<'a> {
     pub(super) sweep: Sweep,
     pub(super) source: Source<'a>,
     pub(super) repeats: u32,
-    pub(super) clock: Option<Clock>,
+    pub(super) clock: Option<Clock<'a>>,
     pub(super) progress: Watcher<'a>,
 }
 
@@ -199,11 +239,11 @@ impl<'a> Study<'a> {
         Self { source: Source::ExactValue(Box::new(exact)), ..self }
     }
 
-    /// A clock to time the rows with. Without one, the cost of a row is how often it visits all contacts, and
-    /// the report is the same in every run.
+    /// A clock to time the rows with: the seconds since any moment. Without one, the cost of a row is how often it visits all
+    /// contacts, and the report is the same in every run.
     #[must_use]
-    pub fn clock(self, clock: Clock) -> Self {
-        Self { clock: Some(clock), ..self }
+    pub fn clock(self, seconds: impl Fn() -> f64 + 'a) -> Self {
+        Self { clock: Some(Box::new(seconds)), ..self }
     }
 
     /// How often each row is timed at least; what is very short is timed more often. Default 3.

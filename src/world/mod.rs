@@ -1,4 +1,23 @@
 //! The world: everything that is simulated together, and all that can be asked of it.
+//!
+//! ```
+//! use rustycs::prelude::*;
+//!
+//! let mut world = World::new(Settings::default());
+//! world.add_force(Force::EARTH_GRAVITY);
+//! world.add(Body::fixed(Shape::rectangle(20.0, 1.0)).at([0.0, -0.5]))?;
+//! let hero = world.add(Body::dynamic(Shape::rectangle(0.6, 1.8)).at([0.0, 0.9]).fixed_rotation(true))?;
+//! let frame = 1.0 / 144.0; // s, as measured
+//! world.advance_with(frame, |world| {
+//!     world.body_mut(hero).unwrap().apply_force([0.2, 0.0]); // what the player wants
+//! });
+//! for hit in world.events().hits() {
+//!     println!("a sound at {}", hit.point);
+//! }
+//! let shown = world.body(hero).unwrap().interpolated_pose(world.alpha()); // where to draw it
+//! # assert_eq!(shown.center, Point::new(0.0, 0.9));
+//! # Ok::<(), BodyError>(())
+//! ```
 
 mod advance;
 mod attractor;
@@ -128,6 +147,8 @@ pub struct World {
     /// Bodies that were told to get to a pose in the next tick; some may have been told otherwise since, or more than once.
     arriving: Vec<BodyId>,
     pool: ThreadPool,
+    /// Whether contacts are solved by kernels that leave out what is not there.
+    fits_kernels: bool,
     memory_use: MemoryUse,
     /// Scratch of the step.
     new_pairs: Vec<(u32, u32)>,
@@ -145,7 +166,8 @@ pub struct World {
 clone_into_buffers!(World {
     settings, bodies, broad_phase, candidates, contacts, joints, graph, sleepers, forces, acceleration,
     attractors, tiers, refinement, loads, events, sensors, profile, residual, impulses_of, resting, ticks,
-    rate_since, is_within_step, unused_time, dropped_time, forced, held_forces, arriving, memory_use
+    rate_since, is_within_step, unused_time, dropped_time, forced, held_forces, arriving, fits_kernels,
+    memory_use
 } scratch {
     solver, rescaling, pool, new_pairs, is_close_now, leaves_box, leaving, changed_contacts
 });
@@ -158,6 +180,18 @@ impl Default for World {
 }
 
 /// How far the last step was from perfect. Of bodies that sleep it is the step in which they fell asleep that counts.
+///
+/// ```
+/// use rustycs::prelude::*;
+///
+/// let mut world = World::new(Settings::default());
+/// world.add(Body::fixed(Shape::rectangle(20.0, 1.0)).at([0.0, -0.5]))?;
+/// world.add(Body::dynamic(Shape::circle(0.5)).at([0.0, 0.48]))?;
+/// world.step();
+/// let StepError { penetration, .. } = world.error();
+/// assert!(penetration > 0.01 && penetration < 0.02, "it was put in by 2 cm, and is on its way out");
+/// # Ok::<(), BodyError>(())
+/// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[non_exhaustive]
 pub struct StepError {
@@ -220,6 +254,7 @@ impl World {
             held_forces: HeldForces::default(),
             arriving: Vec::new(),
             pool: ThreadPool::default(),
+            fits_kernels: true,
             memory_use: MemoryUse::default(),
             new_pairs: Vec::new(),
             is_close_now: Vec::new(),
@@ -235,8 +270,8 @@ impl World {
     }
 
     /// Puts other settings in force from the next step on. Wakes all bodies, unless they are those it has, or differ only in
-    /// what does not move a body: `max_ticks_per_advance`, `hit_threshold`, `sum_impulses`, `bounds`, `lanes`, `threads`,
-    /// `fitted_kernels`.
+    /// what does not move a body: `max_ticks_per_advance`, `hit_threshold`, `sum_impulses`, `bounds`, `lanes`,
+    /// `threads`.
     ///
     /// # Errors
     /// [`SettingsError`], if `settings` holds a number that [`Settings::validate`] refuses; the world keeps
@@ -317,9 +352,9 @@ impl World {
         &self.profile
     }
 
-    /// Hands the profile a clock to time stages with, or takes it away.
-    pub fn set_clock(&mut self, clock: Option<Clock>) {
-        self.profile.clock = clock;
+    /// Hands the profile a clock to time stages with; `None` takes it away.
+    pub fn set_clock(&mut self, clock: impl Into<Option<Clock>>) {
+        self.profile.clock = clock.into();
     }
 
     /// How many steps the world has taken.
@@ -408,6 +443,13 @@ impl World {
     #[doc(hidden)]
     pub fn divide_all_work(&mut self) {
         self.pool.divide_all();
+    }
+
+    /// Has all contacts solved by the kernel that leaves out nothing, where there are others for contacts of one point, without
+    /// friction, or of bodies that do not turn: slower, and no bit different. For tests of that, and to measure what it saves.
+    #[doc(hidden)]
+    pub fn use_general_kernels(&mut self) {
+        self.fits_kernels = false;
     }
 
     /// Wakes every sleeping body.

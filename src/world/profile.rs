@@ -1,6 +1,21 @@
 //! Which stages of a step ran, on how much, and for how long.
 
+use core::fmt;
+use std::sync::Arc;
+
 /// The stages of a step, in order.
+///
+/// ```
+/// use rustycs::prelude::*;
+///
+/// let mut world = World::new(Settings::default());
+/// world.step();
+/// assert!(Stage::ALL.iter().all(|&stage| !world.profile().stage(stage).ran), "nothing is there");
+/// world.add(Body::dynamic(Shape::circle(0.5)))?;
+/// world.step();
+/// assert!(world.profile().stage(Stage::Solve).ran && !world.profile().stage(Stage::Contacts).ran);
+/// # Ok::<(), BodyError>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Stage {
@@ -40,6 +55,19 @@ impl Stage {
 }
 
 /// What one stage did in the last step.
+///
+/// ```
+/// use rustycs::prelude::*;
+///
+/// let mut world = World::new(Settings::default());
+/// world.add(Body::dynamic(Shape::circle(0.5)))?;
+/// world.step();
+/// for (stage, StageReport { ran, count, .. }) in world.profile().stages() {
+///     println!("{}: {}", stage.name(), if ran { format!("{count} things") } else { "did not run".into() });
+/// }
+/// assert_eq!(world.profile().stage(Stage::Solve).count, 1);
+/// # Ok::<(), BodyError>(())
+/// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[non_exhaustive]
 pub struct StageReport {
@@ -51,12 +79,58 @@ pub struct StageReport {
     pub seconds: Option<f64>,
 }
 
-/// A clock: seconds since any moment of the caller's choice.
+/// A clock: a function that tells the seconds since any moment of the caller's choice. Clones of a world share it.
 ///
 /// The library reads no clock of its own; on the web there is none in the standard library.
-pub type Clock = fn() -> f64;
+///
+/// ```
+/// use rustycs::prelude::*;
+/// use std::time::Instant;
+///
+/// let mut world = World::new(Settings::default());
+/// world.add(Body::dynamic(Shape::circle(0.5)))?;
+/// let start = Instant::now();
+/// world.set_clock(Clock::new(move || start.elapsed().as_secs_f64()));
+/// world.step();
+/// println!("the step took {:.1} µs", world.profile().seconds().unwrap() * 1e6);
+/// # Ok::<(), BodyError>(())
+/// ```
+#[derive(Clone)]
+pub struct Clock(Arc<dyn Fn() -> f64 + Send + Sync>);
+
+impl Clock {
+    /// A clock that is read by calling a function. If it panics, so does the step, in the middle: the world is to be dropped.
+    pub fn new(seconds: impl Fn() -> f64 + Send + Sync + 'static) -> Self {
+        Self(Arc::new(seconds))
+    }
+
+    fn seconds(&self) -> f64 {
+        (self.0)()
+    }
+}
+
+impl fmt::Debug for Clock {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("Clock")
+    }
+}
 
 /// What the last step did.
+///
+/// ```
+/// use rustycs::prelude::*;
+///
+/// let mut world = World::new(Settings::default());
+/// world.set_clock(Clock::new({
+///     let start = std::time::Instant::now();
+///     move || start.elapsed().as_secs_f64()
+/// }));
+/// world.add(Body::dynamic(Shape::circle(0.5)))?;
+/// world.step();
+/// let slowest = world.profile().stages().max_by(|(_, one), (_, other)| one.seconds.partial_cmp(&other.seconds).unwrap());
+/// println!("most time goes to: {}", slowest.unwrap().0.name());
+/// # Ok::<(), BodyError>(())
+/// ```
 #[derive(Clone, Debug, Default)]
 pub struct Profile {
     stages: [StageReport; Stage::ALL.len()],
@@ -65,6 +139,21 @@ pub struct Profile {
 }
 
 /// How much there was in the last step.
+///
+/// ```
+/// use rustycs::prelude::*;
+///
+/// let mut world = World::new(Settings::default());
+/// world.add_force(Force::EARTH_GRAVITY);
+/// world.add(Body::fixed(Shape::rectangle(20.0, 1.0)).at([0.0, -0.5]))?;
+/// for x in 0..3 {
+///     world.add(Body::dynamic(Shape::rectangle(1.0, 1.0)).at([2.0 * f64::from(x), 0.5]))?;
+/// }
+/// world.step();
+/// let Counters { awake_bodies, contacts, .. } = world.profile().counters();
+/// assert_eq!((awake_bodies, contacts), (3, 3));
+/// # Ok::<(), BodyError>(())
+/// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct Counters {
@@ -104,7 +193,7 @@ impl Profile {
 
     /// How long the stages took together, s; `None` without a clock.
     pub fn seconds(&self) -> Option<f64> {
-        self.clock?;
+        self.clock.as_ref()?;
         Some(self.stages.iter().filter_map(|stage| stage.seconds).sum())
     }
 
@@ -116,12 +205,12 @@ impl Profile {
     /// Runs a stage, unless it has no input.
     pub(crate) fn run_stage(&mut self, stage: Stage, count: usize, work: impl FnOnce()) {
         let report = &mut self.stages[stage as usize];
-        *report = StageReport { ran: count > 0, count, seconds: self.clock.map(|_| 0.0) };
+        *report = StageReport { ran: count > 0, count, seconds: self.clock.as_ref().map(|_| 0.0) };
         if count == 0 {
             return;
         }
-        let start = self.clock.map(|clock| clock());
+        let start = self.clock.as_ref().map(Clock::seconds);
         work();
-        report.seconds = self.clock.zip(start).map(|(clock, start)| clock() - start);
+        report.seconds = self.clock.as_ref().zip(start).map(|(clock, start)| clock.seconds() - start);
     }
 }

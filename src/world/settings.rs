@@ -8,6 +8,15 @@ use crate::math::{Aabb, Vec2};
 use crate::resolution::{Asked, MOST_SUBSTEPS, Scheme, SpeedLimits, TierRule};
 
 /// How overlapping bodies are parted.
+///
+/// ```
+/// use rustycs::prelude::*;
+///
+/// // As the engines of the nineties did it, for comparison.
+/// let projected = PositionCorrection::Projection { iterations: 4 };
+/// assert_eq!(Settings::classic().position_correction, projected);
+/// let world = World::new(Settings { position_correction: projected, ..Settings::default() });
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum PositionCorrection {
@@ -114,9 +123,6 @@ pub struct Settings {
     /// feature `parallel` is off. Worlds with the same number share threads, which end at the first step of the last
     /// of them that asks for another number, or with it. Default 1.
     pub threads: usize,
-    /// Whether contacts of one point, without friction, or of bodies that do not turn are solved by kernels that leave
-    /// out what is not there. No bit of a result depends on it: it is there to measure what that saves. Default true.
-    pub fitted_kernels: bool,
 }
 
 impl Default for Settings {
@@ -148,7 +154,6 @@ impl Default for Settings {
             max_spin: 1e5,
             lanes: Lanes::Auto,
             threads: 1,
-            fitted_kernels: true,
         }
     }
 }
@@ -173,9 +178,9 @@ impl Settings {
     /// Whether bodies move by these settings as they do by `others`.
     pub(crate) fn moves_bodies_like(&self, others: &Self) -> bool {
         let Self { max_ticks_per_advance, hit_threshold, sum_impulses, bounds, .. } = *self;
-        let Self { lanes, threads, fitted_kernels, .. } = *self;
+        let Self { lanes, threads, .. } = *self;
         let rest = Self { max_ticks_per_advance, hit_threshold, sum_impulses, bounds, ..others.clone() };
-        let same = Self { lanes, threads, fitted_kernels, ..rest };
+        let same = Self { lanes, threads, ..rest };
         *self == same
     }
 
@@ -282,12 +287,21 @@ impl Settings {
             asked: if self.sum_impulses { Asked::ALL } else { Asked::meeting_from(self.hit_threshold) },
             limits: self.speed_limits(),
             width: self.lanes.width_for(sizes),
-            fitted_kernels: self.fitted_kernels,
+            fitted_kernels: true,
         }
     }
 }
 
 /// Why settings were refused. The world keeps the ones it has.
+///
+/// ```
+/// use rustycs::prelude::*;
+///
+/// let read_from_a_file = Settings { substeps: 0, ..Settings::default() };
+/// let error = World::try_new(read_from_a_file).unwrap_err();
+/// assert_eq!(error.to_string(), "Settings::substeps is 0; give a number from 1 to 256");
+/// assert!(matches!(error, SettingsError::OutOfRange { field: "substeps", .. }));
+/// ```
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum SettingsError {

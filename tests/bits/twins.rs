@@ -87,8 +87,8 @@ fn fitted_kernels_change_no_bit() {
     ];
     for (name, build) in worlds {
         for settings in [&default, &others] {
-            let [mut with, mut without] =
-                [true, false].map(|fitted_kernels| build(&Settings { fitted_kernels, ..settings.clone() }));
+            let [mut with, mut without] = [build(settings), build(settings)];
+            without.use_general_kernels();
             for tick in 0..150 {
                 // From 50 on walls rub, from 100 on no longer.
                 let mix = if (50..100).contains(&tick) { Mix::Max } else { Mix::Min };

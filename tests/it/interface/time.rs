@@ -134,7 +134,7 @@ fn a_clock_is_read_only_if_one_is_given() {
     add(&mut world, Body::dynamic(Shape::circle(0.5)));
     world.step();
     assert_eq!((CALLS.load(Ordering::Relaxed), world.profile().seconds()), (0, None));
-    world.set_clock(Some(clock));
+    world.set_clock(Clock::new(clock));
     world.step();
     // Solve and finalize: a beginning and an end each.
     let running = world.profile().stages().filter(|(_, report)| report.ran).count();
@@ -145,6 +145,24 @@ fn a_clock_is_read_only_if_one_is_given() {
     world.set_clock(None);
     world.step();
     assert_eq!((CALLS.load(Ordering::Relaxed), world.profile().seconds()), (2 * running as u32, None));
+}
+
+/// What a clock counts from is the caller's, and clones read the same one.
+#[test]
+fn a_clock_may_keep_what_it_counts_from() {
+    let reads = std::sync::Arc::new(AtomicU32::new(0));
+    let counter = reads.clone();
+    let mut world = earth();
+    add(&mut world, Body::dynamic(Shape::circle(0.5)));
+    world.set_clock(Clock::new(move || f64::from(counter.fetch_add(1, Ordering::Relaxed)) / 8.0));
+    let mut clone = world.clone();
+    for world in [&mut world, &mut clone] {
+        world.step();
+        let running = world.profile().stages().filter(|(_, report)| report.ran).count();
+        assert_eq!(world.profile().seconds(), Some(running as f64 / 8.0));
+    }
+    assert!(reads.load(Ordering::Relaxed) >= 8);
+    assert_eq!(world.state_hash(), clone.state_hash());
 }
 
 fn broken_clock() -> f64 {
@@ -160,7 +178,7 @@ fn a_panic_in_a_step_is_passed_on_and_the_world_is_not_stepped_again() {
     let mut world = World::new(Settings { threads: 2, ..Settings::default() });
     let ball = world.add(Body::dynamic(Shape::circle(0.5))).unwrap();
     let before = world.clone();
-    world.set_clock(Some(broken_clock));
+    world.set_clock(Clock::new(broken_clock));
     assert_eq!(message_of(&mut world), "the clock stands still");
     assert_eq!(message_of(&mut world), "an earlier step of this world panicked halfway");
     assert_eq!(world.body(ball).unwrap().position(), Vec2::ZERO);

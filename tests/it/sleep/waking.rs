@@ -134,8 +134,7 @@ fn what_changes_nothing_wakes_nobody() {
     let same: [Edit; 5] = [
         |world| world.set_settings(world.settings().clone()).unwrap(),
         |world| {
-            let settings =
-                Settings { lanes: Lanes::One, threads: 1, fitted_kernels: false, ..Settings::default() };
+            let settings = Settings { lanes: Lanes::One, threads: 1, ..Settings::default() };
             world
                 .set_settings(Settings { max_ticks_per_advance: 3, hit_threshold: 2.0, ..settings })
                 .unwrap();

@@ -41,7 +41,7 @@ impl Engine for Rustycs {
             ..Settings::default()
         };
         let (mut world, bodies) = build(scene, &settings);
-        world.set_clock(self.times_stages.then_some(clock));
+        world.set_clock(self.times_stages.then(|| Clock::new(clock)));
         Box::new(RustycsWorld { world, bodies })
     }
 }
