@@ -143,13 +143,23 @@ pub use world::{
 };
 
 /// Everything a program needs by name.
+///
+/// ```
+/// use rustycs::prelude::*;
+///
+/// let mut world = World::default();
+/// world.add(Body::dynamic(Shape::circle(0.5)))?;
+/// # Ok::<(), BodyError>(())
+/// ```
+///
+/// Beside the prelude of another crate that has a `Vec2` too, name the one that is meant: `use rustycs::Vec2;`.
 pub mod prelude {
     pub use crate::{
         Aabb, Attractor, AttractorError, AttractorId, Awake, Body, BodyError, BodyId, BodyMut, BodyRef,
         BodyType, Character, Clock, ClosestHit, Collider, ColliderId, ColliderMut, ColliderRef, ContactEvent,
         ContactFilter, ContactRef, Counters, DrawnPart, Events, FeatureId, Filter, FilteredShape, Force,
         ForceError, ForceId, Ground, HitEvent, Joint, JointError, JointGap, JointId, JointKind, JointMut,
-        JointRef, Lanes, Manifold, ManifoldPoint, Material, Mix, Moved, Mover, Point, Pose,
+        JointRef, JointRefusal, Lanes, Manifold, ManifoldPoint, Material, Mix, Moved, Mover, Point, Pose,
         PositionCorrection, Profile, QueryFilter, RayHit, Refusal, Rot, SensorEvent, Settings, SettingsError,
         Shape, ShapeError, ShapeHit, Stage, StageReport, StepError, Tier, TileMap, Vec2, World, collision,
     };

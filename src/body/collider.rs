@@ -12,6 +12,18 @@ use crate::shape::Shape;
 
 crate::store::id_type! {
     /// Names one of the shapes of a body. A body of one shape has one collider.
+    ///
+    /// ```
+    /// use rustycs::prelude::*;
+    ///
+    /// let mut world = World::new(Settings::default());
+    /// let head = Collider::new(Shape::circle(0.2)).at([0.0, 0.8]).user_data(7);
+    /// let hero = world.add(Body::dynamic(Shape::rectangle(0.6, 1.2)).with(head))?;
+    /// let shot = world.ray_cast([-5.0, 0.8], [9.0, 0.0]).unwrap();
+    /// let shape = world.collider(shot.collider).unwrap();
+    /// assert!(shot.body == hero && shape.user_data() == 7, "it hits the head");
+    /// # Ok::<(), BodyError>(())
+    /// ```
     ColliderId
 }
 

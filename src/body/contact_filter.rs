@@ -7,6 +7,24 @@ use crate::body::{BodyId, BodyType, ColliderId, Filter, Material};
 use crate::shape::Shape;
 
 /// One of two shapes of which a [`ContactFilter`] is asked: what it is, and not where, as the answer holds while both are there.
+///
+/// ```
+/// use rustycs::prelude::*;
+///
+/// let mut world = World::new(Settings::default());
+/// // What is round rolls through gates; all else is stopped by them.
+/// const GATE: u64 = 3;
+/// world.set_contact_filter(ContactFilter::new(|a, b| {
+///     let passes = |one: FilteredShape<'_>, other: FilteredShape<'_>| {
+///         one.shape().radius().is_some() && other.body_user_data() == GATE
+///     };
+///     !passes(a, b) && !passes(b, a)
+/// }));
+/// let gate = world.add(Body::fixed(Shape::rectangle(0.2, 3.0)).user_data(GATE))?;
+/// let ball = world.add(Body::dynamic(Shape::circle(0.5)).at([2.0, 0.0]))?;
+/// assert_eq!(world.may_collide(ball, gate), Some(false));
+/// # Ok::<(), BodyError>(())
+/// ```
 #[derive(Clone, Copy, Debug)]
 pub struct FilteredShape<'a> {
     pub(super) body: BodyId,

@@ -1,36 +1,13 @@
 //! The description of a body, from which a world makes one.
 
-use core::fmt;
-
 use crate::body::collider::{Collider, Masses, Part};
 use crate::body::error::check_range;
 use crate::body::limits::{
     INERTIAS, MASSES, check_damping, check_gravity_scale, check_place, check_strength, check_vector,
 };
-use crate::body::{BodyError, Filter, Material, Role};
+use crate::body::{BodyError, BodyType, Filter, Material, Role};
 use crate::math::{Point, Pose, Vec2};
 use crate::shape::Shape;
-
-/// How a body takes part in the motion.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum BodyType {
-    /// Moved by forces and contacts.
-    Dynamic,
-    /// Never moves.
-    Fixed,
-    /// Moves with the velocity it is told, whatever it meets; as if its mass were infinite.
-    Kinematic,
-}
-
-impl fmt::Display for BodyType {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            Self::Dynamic => "dynamic",
-            Self::Fixed => "fixed",
-            Self::Kinematic => "kinematic",
-        })
-    }
-}
 
 /// A body to be added to a world: a shape with a place, a motion and a material.
 ///

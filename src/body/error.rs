@@ -6,6 +6,16 @@ use crate::body::BodyType;
 use crate::shape::ShapeError;
 
 /// Why a body, or a change to one, was refused. The world is as it was before.
+///
+/// ```
+/// use rustycs::prelude::*;
+///
+/// let mut world = World::new(Settings::default());
+/// let ball = Body::dynamic(Shape::circle(0.5)).friction(-0.1);
+/// let error = world.add(ball).unwrap_err();
+/// assert!(matches!(error, BodyError::OutOfRange { quantity: "the friction", .. }));
+/// assert_eq!(error.to_string(), "the friction is -0.1; give a finite number from 0 to 1e6");
+/// ```
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum BodyError {

@@ -1,6 +1,18 @@
 //! What bodies are made of, and how two materials meet.
 
 /// Density and surface of a body.
+///
+/// ```
+/// use rustycs::prelude::*;
+///
+/// let mut world = World::new(Settings::default());
+/// world.add_force(Force::EARTH_GRAVITY);
+/// let ice = Material { density: 917.0, friction: 0.02, restitution: 0.1 }; // kg/m² of a slab 1 m thick
+/// world.add(Body::fixed(Shape::rectangle(50.0, 1.0)).at([0.0, -0.5]).material(ice))?;
+/// let puck = world.add(Body::dynamic(Shape::circle(0.5)).at([0.0, 0.5]).material(Material::RUBBER))?;
+/// assert!((world.body(puck).unwrap().mass() - 0.9 * std::f32::consts::PI * 0.25).abs() < 1e-6);
+/// # Ok::<(), BodyError>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Material {
     /// Mass per area, kg/m².

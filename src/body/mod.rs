@@ -6,8 +6,21 @@
 //! somebody asks or a contact begins.
 //!
 //! A body of several shapes has a slot for itself and one for each of its shapes.
+//!
+//! ```
+//! use rustycs::prelude::*;
+//!
+//! let mut world = World::new(Settings::default());
+//! let head = Collider::new(Shape::rectangle(0.4, 0.2)).at([0.0, 0.5]).material(Material::METAL);
+//! let hammer = Body::dynamic(Shape::rectangle(0.1, 0.9)).with(head).at([2.0, 3.0]).angular_velocity(4.0);
+//! let hammer = world.add(hammer.density(0.7).friction(0.4))?;
+//! // Near the head: 0.7 · 0.09 kg and 7.8 · 0.08 kg.
+//! assert!((world.body(hammer).unwrap().position().y - 3.454).abs() < 1e-3);
+//! # Ok::<(), BodyError>(())
+//! ```
 
 mod bodies;
+mod body_type;
 mod chain;
 mod collide;
 mod collider;
@@ -27,9 +40,10 @@ mod rolling;
 mod tiles;
 
 pub(crate) use bodies::{Bodies, Forcing, Motion, NONE, Record};
+pub use body_type::BodyType;
 pub use collider::{Collider, ColliderId};
 pub use contact_filter::{ContactFilter, FilteredShape};
-pub use description::{Body, BodyType};
+pub use description::Body;
 pub use error::BodyError;
 pub(crate) use error::{Number, check_range};
 pub(crate) use exposures::Exposures;
@@ -43,5 +57,19 @@ pub(crate) use tiles::{body_of_tiles, boxes_of_tiles, check_tile_size};
 
 crate::store::id_type! {
     /// Names a body of a world.
+    ///
+    /// ```
+    /// use rustycs::prelude::*;
+    ///
+    /// let mut world = World::new(Settings::default());
+    /// let ball = world.add(Body::dynamic(Shape::circle(0.5)))?;
+    /// let mut names = vec![String::new(); world.body_count()];
+    /// names[ball.index()] = "ball".into();
+    /// world.remove(ball);
+    /// assert!(world.body(ball).is_none());
+    /// let next = world.add(Body::dynamic(Shape::circle(0.5)))?;
+    /// assert!(next.index() == ball.index() && next != ball, "in the same place, but not the same");
+    /// # Ok::<(), BodyError>(())
+    /// ```
     BodyId
 }

@@ -16,6 +16,24 @@ use crate::math::Vec2;
 ///
 /// A circle touches at one point only, which is always [`FeatureId::SINGLE`]: a ball that rolls over a corner
 /// keeps its impulse.
+///
+/// ```
+/// use rustycs::prelude::*;
+///
+/// let mut world = World::new(Settings::default());
+/// world.add_force(Force::EARTH_GRAVITY);
+/// world.add(Body::fixed(Shape::rectangle(9.0, 1.0)).at([0.0, -0.5]))?;
+/// let crate_ = world.add(Body::dynamic(Shape::rectangle(1.0, 1.0)).at([0.0, 0.5]))?;
+/// let corners = |world: &World| -> Vec<FeatureId> {
+///     let contact = world.contacts_of(crate_).next().unwrap();
+///     contact.points().iter().map(|point| point.feature).collect()
+/// };
+/// world.step();
+/// let before = corners(&world);
+/// world.step();
+/// assert_eq!(corners(&world), before, "the crate stands on the same two corners");
+/// # Ok::<(), BodyError>(())
+/// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct FeatureId(u16);
 
@@ -74,6 +92,23 @@ impl Corner {
 }
 
 /// One point at which two shapes touch or are about to.
+///
+/// ```
+/// use rustycs::prelude::*;
+///
+/// let mut world = World::new(Settings::default());
+/// world.add_force(Force::EARTH_GRAVITY);
+/// world.add(Body::fixed(Shape::rectangle(9.0, 1.0)).at([0.0, -0.5]))?;
+/// let crate_ = world.add(Body::dynamic(Shape::rectangle(1.0, 1.0)).at([0.0, 0.5]).mass(6.0))?;
+/// for _ in 0..30 {
+///     world.step();
+/// }
+/// let contact = world.contacts_of(crate_).next().unwrap();
+/// let borne: f32 = contact.points().iter().map(|point| point.normal_impulse).sum();
+/// let substep = 1.0 / 60.0 / 4.0;
+/// assert!((borne - 6.0 * 9.81 * substep).abs() < 1e-3, "in each substep its weight is borne");
+/// # Ok::<(), BodyError>(())
+/// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct ManifoldPoint {
     /// The contact point from a's centre, turned as the world is, m: that of a shape for [`detect`](crate::collision::detect), that
@@ -111,6 +146,17 @@ impl ManifoldPoint {
 }
 
 /// One or two contact points with a common normal.
+///
+/// ```
+/// use rustycs::prelude::*;
+///
+/// let crate_ = Shape::rectangle(1.0, 1.0);
+/// // One stands on the other, 1 cm deep in it.
+/// let manifold = collision::detect(&crate_, Pose::at([0.0, 0.0]), &crate_, Pose::at([0.2, 0.99])).unwrap();
+/// assert_eq!(manifold.normal, Vec2::new(0.0, 1.0), "from the first to the second");
+/// assert_eq!(manifold.points().len(), 2, "along an edge");
+/// assert!(manifold.points().iter().all(|point| (point.separation + 0.01).abs() < 1e-6));
+/// ```
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Manifold {

@@ -7,6 +7,20 @@ use crate::body::BodyId;
 use crate::math::{Point, Vec2};
 
 /// What a joint leaves free.
+///
+/// ```
+/// use rustycs::prelude::*;
+///
+/// let mut world = World::new(Settings::default());
+/// let car = world.add(Body::dynamic(Shape::rectangle(4.0, 1.0)).at([0.0, 1.0]))?;
+/// for x in [-1.5, 1.5] {
+///     let tyre = world.add(Body::dynamic(Shape::circle(0.5)).at([x, 0.4]))?;
+///     world.add_joint(Joint::wheel(car, tyre).axis([0.0, 1.0]).suspension(4.0, 0.7))?;
+/// }
+/// let wheels = world.joints_of(car).into_iter().filter(|&id| world.joint(id).unwrap().kind() == JointKind::Wheel);
+/// assert_eq!(wheels.count(), 2);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum JointKind {

@@ -6,6 +6,18 @@ use crate::body::Number;
 use crate::joint::JointKind;
 
 /// Why a joint, or a change to one, was refused. The world is as it was before.
+///
+/// ```
+/// use rustycs::prelude::*;
+///
+/// let mut world = World::new(Settings::default());
+/// let door = world.add(Body::dynamic(Shape::rectangle(1.0, 0.1)))?;
+/// let hinge = Joint::revolute(door, None).at([-0.5, 0.0]);
+/// let error = world.add_joint(hinge.limits(1.0..=-1.0)).unwrap_err();
+/// assert_eq!(error, JointError::LimitsCrossed { lower: 1.0, upper: -1.0 });
+/// assert_eq!(error.to_string(), "the lower limit 1 is above the upper limit -1; exchange them");
+/// # Ok::<(), BodyError>(())
+/// ```
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum JointError {

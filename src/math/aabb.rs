@@ -6,6 +6,15 @@ use crate::math::{Point, Reach, Vec2};
 ///
 /// Coordinates are `f32` of the world's frame. Boxes made from places in `f64` are rounded outward, so that
 /// far from the origin they grow but never miss what they hold.
+///
+/// ```
+/// use rustycs::prelude::*;
+///
+/// let room = Aabb::new(Vec2::new(0.0, 0.0), Vec2::new(4.0, 3.0)); // m, two corners
+/// let table = Shape::rectangle(2.0, 1.0).bounding_box(Pose::at([2.0, 0.5]));
+/// assert!(room.grown(0.01).contains(table));
+/// assert_eq!(room.size(), Vec2::new(4.0, 3.0));
+/// ```
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Aabb {

@@ -11,6 +11,15 @@ use crate::math::vec2::write_pair;
 /// Subtracting two points gives the [`Vec2`] between them, exact to `f32` rounding wherever in the world the
 /// two are; adding a vector moves a point. Arguments that mean a place take `impl Into<Point>`: `[1.0, 2.0]`,
 /// `(1.0, 2.0)`, a `Vec2`, in `f32` or `f64`.
+///
+/// ```
+/// use rustycs::prelude::*;
+///
+/// let (home, ship) = (Point::new(1e9, 0.0), Point::new(1e9 + 0.25, 0.0));
+/// let way: Vec2 = ship - home; // a point minus a point is a vector: exact, a million kilometres from the origin
+/// assert_eq!(way, Vec2::new(0.25, 0.0));
+/// assert_eq!(home.lerp(ship, 0.5), home + Vec2::new(0.125, 0.0));
+/// ```
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Point {

@@ -3,6 +3,16 @@
 use crate::math::{Point, Rot, Vec2};
 
 /// Position of a body's centre of mass and the body's rotation about it.
+///
+/// ```
+/// use rustycs::prelude::*;
+///
+/// // A ship at (10, 5) m that points upward, and its gun 2 m ahead of its middle.
+/// let ship = Pose::new([10.0, 5.0], std::f32::consts::FRAC_PI_2);
+/// let muzzle = ship.to_world(Vec2::new(2.0, 0.0));
+/// assert!(muzzle.distance([10.0, 7.0]) < 1e-6);
+/// assert!(ship.to_local(muzzle).distance([2.0, 0.0]) < 1e-6);
+/// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Pose {
     /// Centre of mass, m.

@@ -5,6 +5,15 @@ use core::ops::Mul;
 use crate::math::{Vec2, trig};
 
 /// A rotation, kept as (cos, sin) of its angle: turning a vector takes four products and no trigonometry.
+///
+/// ```
+/// use rustycs::prelude::*;
+///
+/// let quarter = Rot::from_angle(std::f32::consts::FRAC_PI_2);
+/// assert!(quarter.rotate(Vec2::new(1.0, 0.0)).distance([0.0, 1.0]) < 1e-6); // counter-clockwise
+/// let halfway = Rot::from_angle(0.0).lerp(quarter, 0.5);
+/// assert!((halfway.angle() - std::f32::consts::FRAC_PI_4).abs() < 1e-6);
+/// ```
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Rot {

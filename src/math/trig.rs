@@ -3,6 +3,13 @@
 //!
 //! Arguments are reduced in `f64`, the polynomials are the Taylor series cut where the next term is below
 //! `f64` × 1e-9, so results are within one unit in the last place of `f32`.
+//!
+//! ```
+//! use rustycs::math::trig::{atan2, sin_cos};
+//!
+//! let (sin, cos) = sin_cos(0.3);
+//! assert!((atan2(sin, cos) - 0.3).abs() < 1e-7);
+//! ```
 
 use core::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI, TAU};
 use core::ops::{Add, Mul, Sub};
@@ -12,6 +19,14 @@ use core::ops::{Add, Mul, Sub};
 const LARGE: f32 = 1e9;
 
 /// Sine and cosine of `angle`, rad. Zero and one for an angle that is not finite.
+///
+/// ```
+/// use rustycs::math::trig::sin_cos;
+///
+/// // A throw at 30°, at 20 m/s: the same bits on every machine.
+/// let (sin, cos) = sin_cos(std::f32::consts::PI / 6.0);
+/// assert!((20.0 * sin - 10.0).abs() < 1e-5 && (20.0 * cos - 17.320508).abs() < 1e-5);
+/// ```
 #[inline]
 pub fn sin_cos(angle: f32) -> (f32, f32) {
     if !angle.is_finite() {
@@ -51,6 +66,13 @@ where
 }
 
 /// Angle of the vector (x, y), rad, in (-π, π]; 0 for the zero vector.
+///
+/// ```
+/// use rustycs::math::trig::atan2;
+///
+/// // The angle to a target 3 m to the left and 3 m up.
+/// assert!((atan2(3.0, -3.0) - 0.75 * std::f32::consts::PI).abs() < 1e-6);
+/// ```
 pub fn atan2(y: f32, x: f32) -> f32 {
     atan2_f64(f64::from(y), f64::from(x)) as f32
 }

@@ -10,6 +10,17 @@ use crate::math::trig;
 ///
 /// It has the layout of two `f32`, and comes from `[f32; 2]`, `(f32, f32)` and, by features, other crates'
 /// vectors, so that arguments of the engine can be written as `[1.0, 2.0]`.
+///
+/// ```
+/// use rustycs::prelude::*;
+///
+/// // A ball bounces off a slope: v - 2 (v · n) n.
+/// let (velocity, normal) = (Vec2::new(3.0, -4.0), Vec2::new(0.0, 1.0));
+/// assert_eq!(velocity - 2.0 * velocity.dot(normal) * normal, Vec2::new(3.0, 4.0));
+/// assert_eq!(velocity.length(), 5.0);
+/// let aim = Vec2::new(30.0, 40.0).clamp_length(10.0); // as far as the arm reaches
+/// assert!(aim.distance([6.0, 8.0]) < 1e-5);
+/// ```
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Vec2 {

@@ -42,6 +42,14 @@ pub struct Chart {
 }
 
 /// What an axis shows.
+///
+/// ```
+/// use rustycs::report::{Axis, Unit};
+///
+/// let error = Axis { name: "overlap".into(), unit: Unit::Of("m".into()) }; // 3 mm, 20 µm
+/// let cost = Axis { name: "share of a frame".into(), unit: Unit::Part }; // 12 %
+/// assert_ne!(error.unit, cost.unit);
+/// ```
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Axis {
     /// In words.
@@ -51,6 +59,15 @@ pub struct Axis {
 }
 
 /// Points of one colour and form.
+///
+/// ```
+/// use rustycs::report::{Mark, Point, Series};
+///
+/// // Twice the steps, half the error.
+/// let point = |steps: f64| Point { cost: steps, error: 1.0 / steps, label: String::new(), mark: Mark::Plain };
+/// let euler = Series { name: "Euler".into(), points: [10.0, 20.0, 40.0].map(point).to_vec() };
+/// assert_eq!(euler.points[2].error, 0.025);
+/// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Series {
     /// As the legend calls it.
@@ -60,6 +77,14 @@ pub struct Series {
 }
 
 /// A run. Where an error or a cost is 0 or not finite it has no place in the picture, and the legend counts it.
+///
+/// ```
+/// use rustycs::report::{Mark, Point};
+///
+/// let best = Point { cost: 2e-3, error: 1e-4, label: "120 Hz".into(), mark: Mark::Plain }; // s, m
+/// let exploded = Point { cost: 1e-3, error: f64::NAN, label: String::new(), mark: Mark::Apart }; // only counted
+/// assert!(best.error < 1e-3 && exploded.error.is_nan());
+/// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Point {
     /// What it costs.
@@ -73,6 +98,15 @@ pub struct Point {
 }
 
 /// How a point is drawn.
+///
+/// ```
+/// use rustycs::report::{Mark, Point};
+///
+/// let limit = 1e-7; // what the reference is good to, m
+/// let mark = |error: f64| if error < limit { Mark::AsGoodAsReference } else { Mark::Plain };
+/// let points = [1e-3, 1e-5, 1e-8].map(|error| Point { cost: 1.0, error, label: String::new(), mark: mark(error) });
+/// assert_eq!(points[2].mark, Mark::AsGoodAsReference);
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Mark {
     /// Filled.

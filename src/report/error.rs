@@ -5,6 +5,21 @@ use core::fmt;
 use crate::world::SettingsError;
 
 /// Why a study was not run, or has no result.
+///
+/// ```
+/// # use rustycs::prelude::*;
+/// # let throw = |settings: Settings| {
+/// #     let mut world = World::new(settings);
+/// #     world.add_force(Force::EARTH_GRAVITY);
+/// #     world.add(Body::dynamic(Shape::circle(0.5)).velocity([3.0, 4.0])).unwrap();
+/// #     world
+/// # };
+/// use rustycs::report::{Study, StudyError};
+///
+/// let error = Study::new(throw).duration(0.0).run().unwrap_err();
+/// assert_eq!(error, StudyError::Duration(0.0));
+/// println!("{error}");
+/// ```
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum StudyError {

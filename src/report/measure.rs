@@ -11,6 +11,22 @@ type Gauge<'a> = Box<dyn Fn(&World) -> f64 + 'a>;
 ///
 /// The first one needs a reference: the scene at finer settings, or a closed form. So does a
 /// [`quantity`](Self::quantity). All others are their own measure: they should be 0.
+///
+/// ```
+/// # use rustycs::prelude::*;
+/// # let throw = |settings: Settings| {
+/// #     let mut world = World::new(settings);
+/// #     world.add_force(Force::EARTH_GRAVITY);
+/// #     world.add(Body::dynamic(Shape::circle(0.5)).velocity([3.0, 4.0])).unwrap();
+/// #     world
+/// # };
+/// use rustycs::report::{Measure, Study};
+///
+/// // Does a throw keep its energy?
+/// let report = Study::new(throw).measure(Measure::EnergyDrift).run()?;
+/// assert!(report.rows().iter().all(|row| row.error < 1e-5));
+/// # Ok::<(), rustycs::report::StudyError>(())
+/// ```
 #[non_exhaustive]
 #[derive(Debug)]
 pub enum Measure<'a> {
@@ -98,6 +114,22 @@ impl<'a> Measure<'a> {
 }
 
 /// A number of the caller's own choice.
+///
+/// ```
+/// # use rustycs::prelude::*;
+/// # let throw = |settings: Settings| {
+/// #     let mut world = World::new(settings);
+/// #     world.add_force(Force::EARTH_GRAVITY);
+/// #     world.add(Body::dynamic(Shape::circle(0.5)).velocity([3.0, 4.0])).unwrap();
+/// #     world
+/// # };
+/// use rustycs::report::{Measure, Study};
+///
+/// let height = Measure::quantity("height", "m", |world| world.bodies().next().unwrap().1.position_f64()[1]);
+/// let report = Study::new(throw).measure(height).exact_value(|t| 4.0 * t - 0.5 * 9.81 * t * t).run()?;
+/// assert!(report.rows().iter().all(|row| row.error < 1e-5));
+/// # Ok::<(), rustycs::report::StudyError>(())
+/// ```
 pub struct Custom<'a> {
     name: String,
     unit: String,
@@ -154,6 +186,22 @@ impl Invariant {
 }
 
 /// What should stay as it is, or be 0, and how far from that it was in a run. Every row has all of them.
+///
+/// ```
+/// # use rustycs::prelude::*;
+/// # let throw = |settings: Settings| {
+/// #     let mut world = World::new(settings);
+/// #     world.add_force(Force::EARTH_GRAVITY);
+/// #     world.add(Body::dynamic(Shape::circle(0.5)).velocity([3.0, 4.0])).unwrap();
+/// #     world
+/// # };
+/// use rustycs::report::Study;
+///
+/// let report = Study::new(throw).run()?;
+/// let kept = report.rows()[0].invariants;
+/// assert!(kept.energy_drift < 1e-5 && kept.penetration == 0.0);
+/// # Ok::<(), rustycs::report::StudyError>(())
+/// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Invariants {
     /// See [`Measure::EnergyDrift`].

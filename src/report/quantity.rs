@@ -1,6 +1,13 @@
 //! Figures with units.
 
 /// How figures are written, with three significant digits.
+///
+/// ```
+/// use rustycs::report::Unit;
+///
+/// assert_eq!(Unit::Of("m".into()).figure(0.0123), "12.3 mm");
+/// assert_eq!(Unit::Part.figure(0.0012), "0.12 %");
+/// ```
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Unit {
     /// Parts of a whole, as per cent: `0.12 %`, `3.0e-5 %`.

@@ -8,6 +8,24 @@ use crate::world::Settings;
 const AS_GOOD: f64 = 2.0;
 
 /// How long a row takes, s per simulated second.
+///
+/// ```
+/// # use rustycs::prelude::*;
+/// # let throw = |settings: Settings| {
+/// #     let mut world = World::new(settings);
+/// #     world.add_force(Force::EARTH_GRAVITY);
+/// #     world.add(Body::dynamic(Shape::circle(0.5)).velocity([3.0, 4.0])).unwrap();
+/// #     world
+/// # };
+/// use rustycs::report::Study;
+///
+/// let start = std::time::Instant::now();
+/// let report = Study::new(throw).clock(|| start.elapsed().as_secs_f64()).run()?;
+/// let run_time = report.rows()[0].run_time.expect("there is a clock");
+/// println!("{:.1} µs per simulated second", run_time.median * 1e6);
+/// assert!(run_time.least <= run_time.median && run_time.runs >= 3);
+/// # Ok::<(), rustycs::report::StudyError>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct RunTime {
     /// Of the fastest run: what it takes when nothing disturbs.
@@ -21,6 +39,24 @@ pub struct RunTime {
 }
 
 /// Some settings, how wrong they are and what they cost.
+///
+/// ```
+/// # use rustycs::prelude::*;
+/// # let throw = |settings: Settings| {
+/// #     let mut world = World::new(settings);
+/// #     world.add_force(Force::EARTH_GRAVITY);
+/// #     world.add(Body::dynamic(Shape::circle(0.5)).velocity([3.0, 4.0])).unwrap();
+/// #     world
+/// # };
+/// use rustycs::report::Study;
+///
+/// let report = Study::new(throw).tick_rates([30.0, 60.0]).substeps([1, 4]).run()?;
+/// for row in report.rows() {
+///     println!("{}: off by {:.1e} m for {} sweeps a second", row.label, row.error, row.sweeps);
+/// }
+/// assert_eq!(report.rows()[0].settings.tick_rate, 30.0);
+/// # Ok::<(), rustycs::report::StudyError>(())
+/// ```
 #[derive(Clone, Debug)]
 pub struct Row {
     /// The name the settings came with; `None` for those of the sweep.
@@ -68,6 +104,23 @@ impl Row {
 }
 
 /// What rows were measured against.
+///
+/// ```
+/// # use rustycs::prelude::*;
+/// # let throw = |settings: Settings| {
+/// #     let mut world = World::new(settings);
+/// #     world.add_force(Force::EARTH_GRAVITY);
+/// #     world.add(Body::dynamic(Shape::circle(0.5)).velocity([3.0, 4.0])).unwrap();
+/// #     world
+/// # };
+/// use rustycs::report::{Exact, Reference, Study};
+///
+/// let report = Study::new(throw).run()?;
+/// assert!(matches!(report.reference(), Reference::Finer(_)), "itself, at finer settings");
+/// let by_hand = Study::new(throw).exact(|t| vec![Exact::at([3.0 * t, 4.0 * t - 0.5 * 9.81 * t * t])]).run()?;
+/// assert!(matches!(by_hand.reference(), Reference::ClosedForm));
+/// # Ok::<(), rustycs::report::StudyError>(())
+/// ```
 #[derive(Clone, Debug)]
 #[non_exhaustive]
 pub enum Reference {
@@ -80,6 +133,25 @@ pub enum Reference {
 }
 
 /// What a [`Study`](crate::report::Study) found: error and run time for each of its settings.
+///
+/// ```
+/// # use rustycs::prelude::*;
+/// # let throw = |settings: Settings| {
+/// #     let mut world = World::new(settings);
+/// #     world.add_force(Force::EARTH_GRAVITY);
+/// #     world.add(Body::dynamic(Shape::circle(0.5)).velocity([3.0, 4.0])).unwrap();
+/// #     world
+/// # };
+/// use rustycs::report::Study;
+///
+/// let report = Study::new(throw).name("a throw").tick_rates([30.0, 60.0]).run()?;
+/// assert_eq!(report.rows().len(), 2);
+/// println!("{}", report.to_markdown());
+/// if let Some(row) = report.recommend(1e-3) {
+///     println!("good to a millimetre: {}", row.label);
+/// }
+/// # Ok::<(), rustycs::report::StudyError>(())
+/// ```
 #[derive(Clone, Debug)]
 pub struct Report {
     pub(super) name: String,

@@ -6,6 +6,14 @@ use crate::report::watch::Watch;
 use crate::world::World;
 
 /// Where a closed form says that a body is. See [`Study::exact`](crate::report::Study::exact).
+///
+/// ```
+/// use rustycs::report::Exact;
+///
+/// // A wheel of 0.5 m that rolls at 2 m/s, after t seconds.
+/// let wheel = |t: f64| Exact::at([2.0 * t, 0.5]).angle(-2.0 * t / 0.5);
+/// assert_ne!(wheel(1.0), wheel(2.0));
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Exact {
     position: [f64; 2],

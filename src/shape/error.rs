@@ -5,6 +5,15 @@ use core::fmt;
 use crate::shape::{MAX_OUTLINE_POINTS, MAX_SIZE, MAX_VERTICES, MIN_SIZE};
 
 /// An outline or one of its holes.
+///
+/// ```
+/// use rustycs::shape::{Ring, Shape, ShapeError};
+///
+/// let plate = [[0.0, 0.0], [4.0, 0.0], [4.0, 4.0], [0.0, 4.0]];
+/// let holes = [vec![[1.0, 1.0], [2.0, 1.0], [1.0, 2.0]], vec![[3.0, 3.0], [3.5, 3.0]]];
+/// let error = Shape::with_holes(plate, holes).unwrap_err();
+/// assert_eq!(error, ShapeError::OutlineTooShort { ring: Ring::Hole(1), count: 2 });
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Ring {
     /// The outline.
@@ -14,6 +23,16 @@ pub enum Ring {
 }
 
 /// A point of an outline or of a hole, or the edge from there to the next point.
+///
+/// ```
+/// use rustycs::shape::{Ring, RingPlace, Shape, ShapeError};
+///
+/// // Drawn by hand: the line crosses itself.
+/// let drawn = [[0.0, 0.0], [2.0, 2.0], [2.0, 0.0], [0.0, 2.0]];
+/// let Err(ShapeError::OutlineCrosses { edges }) = Shape::concave(drawn) else { panic!() };
+/// let edge = |index| RingPlace { ring: Ring::Outline, index };
+/// assert_eq!(edges, [edge(0), edge(2)]); // mark these two in the editor
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct RingPlace {
     /// Of which outline or hole.
@@ -32,6 +51,16 @@ impl fmt::Display for Ring {
 }
 
 /// Why a shape is refused; its text says what to change.
+///
+/// ```
+/// use rustycs::{Shape, ShapeError};
+///
+/// let arrow = [[0.0, 0.0], [2.0, 1.0], [0.0, 2.0], [1.0, 1.0]];
+/// let error = Shape::polygon(arrow).unwrap_err();
+/// assert_eq!(error, ShapeError::Concave { index: 3 });
+/// assert!(error.to_string().starts_with("the polygon is not convex at point 3: list the points in order"));
+/// assert!(Shape::concave(arrow).is_ok()); // as two convex pieces
+/// ```
 #[non_exhaustive]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum ShapeError {

@@ -7,6 +7,15 @@ use crate::math::Vec2;
 use crate::shape::Shape;
 
 /// What a shape weighs and how hard it is to turn.
+///
+/// ```
+/// use rustycs::Shape;
+///
+/// // Half a metre of a beam, 10 kg/m²: m = 10 · 2 · 0.5, I = m (2² + 0.5²)/12.
+/// let beam = Shape::rectangle(2.0, 0.5).mass_properties(10.0);
+/// assert_eq!(beam.mass, 10.0);
+/// assert!((beam.inertia - 10.0 * 4.25 / 12.0).abs() < 1e-5);
+/// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct MassProperties {
     /// Mass, kg.

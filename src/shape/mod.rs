@@ -5,6 +5,18 @@
 //! Constructors of circles, boxes, capsules and segments take any number; [`Shape::validate`] checks them once, when the body
 //! enters the world, so that nothing in the step has to. What is precomputed here (corners, edge normals) is what detection reads
 //! at every step.
+//!
+//! ```
+//! use rustycs::prelude::*;
+//!
+//! let wheel = Shape::circle(0.3);
+//! let crate_ = Shape::rectangle(1.0, 0.5);
+//! let roof = Shape::polygon([[0.0, 0.0], [4.0, 0.0], [2.0, 1.5]])?;
+//! let hero = Shape::capsule([0.0, -0.5], [0.0, 0.5], 0.3);
+//! let arrow = Shape::concave([[0.0, 0.0], [2.0, 1.0], [0.0, 2.0], [1.0, 1.0]])?; // several
+//! assert!(arrow.iter().chain([&wheel, &crate_, &roof, &hero]).all(|shape| shape.area() > 0.0));
+//! # Ok::<(), ShapeError>(())
+//! ```
 
 mod decomposition;
 mod error;
@@ -62,6 +74,16 @@ pub enum Shape {
 }
 
 /// A disc.
+///
+/// ```
+/// use rustycs::Shape;
+///
+/// let ball = Shape::circle(0.5);
+/// if let Shape::Circle(circle) = ball {
+///     assert_eq!(circle.radius(), 0.5);
+/// }
+/// assert_eq!((ball.radius(), Shape::rectangle(1.0, 1.0).radius()), (Some(0.5), None));
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Circle {
     radius: f32,
@@ -76,6 +98,15 @@ impl Circle {
 }
 
 /// A box: half sizes first, which is all that detection needs of it in the usual case.
+///
+/// ```
+/// use rustycs::Shape;
+///
+/// let crate_ = Shape::rectangle(2.0, 1.0);
+/// if let Shape::Obb(rectangle) | Shape::Aabb(rectangle) = crate_ {
+///     assert_eq!((rectangle.width(), rectangle.height()), (2.0, 1.0)); // for the size of a sprite
+/// }
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[repr(C)]
 pub struct Rectangle {

@@ -13,6 +13,19 @@ const WELD: f64 = 1e-5;
 const MAX_GIVEN: usize = 256;
 
 /// A convex polygon with 3 to 8 corners, about its centroid.
+///
+/// ```
+/// use rustycs::prelude::*;
+///
+/// let mut world = World::new(Settings::default());
+/// let ramp = Shape::polygon([[0.0, 0.0], [6.0, 0.0], [6.0, 3.0]])?;
+/// let Shape::Polygon(polygon) = ramp else { panic!() };
+/// assert_eq!(polygon.centroid_of_input(), Vec2::new(4.0, 1.0));
+/// // Where its points were given:
+/// let ramp = world.add(Body::fixed(ramp).at(polygon.centroid_of_input()))?;
+/// assert!(world.body(ramp).unwrap().contains([5.9, 2.9]));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Polygon {
     pub(super) hull: Hull,

@@ -8,6 +8,15 @@ use crate::shape::hull::Hull;
 use crate::shape::{Rounded, Shape};
 
 /// Where a ray first meets the outline of a shape.
+///
+/// ```
+/// use rustycs::prelude::*;
+///
+/// let wall = Shape::rectangle(1.0, 4.0);
+/// let hit = wall.ray_cast(Pose::at([5.0, 0.0]), [0.0, 0.0], [9.0, 0.0], 1.0).unwrap();
+/// assert!((hit.fraction - 4.5 / 9.0).abs() < 1e-6);
+/// assert_eq!(hit.normal, Vec2::new(-1.0, 0.0)); // light that comes from the left is thrown back to the left
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct OutlineHit {
     /// Part of the ray's translation up to the outline; 0 where the ray starts inside.

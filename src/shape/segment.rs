@@ -8,6 +8,15 @@ use crate::shape::hull::Hull;
 use crate::shape::{MAX_SIZE, MIN_SIZE, ShapeError};
 
 /// A line between two points, without thickness and without mass, about its middle.
+///
+/// ```
+/// use rustycs::prelude::*;
+///
+/// let shelf = Shape::segment([1.0, 2.0], [4.0, 6.0]);
+/// let Shape::Segment(segment) = shelf else { panic!() };
+/// assert_eq!(segment.length(), 5.0);
+/// assert_eq!(segment.centroid_of_input(), Vec2::new(2.5, 4.0)); // where to put it
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Segment {
     core: Hull,

@@ -9,6 +9,16 @@ use crate::store::Slots;
 
 crate::store::id_type! {
     /// Names an attractor of a world.
+    ///
+    /// ```
+    /// use rustycs::prelude::*;
+    ///
+    /// let mut world = World::new(Settings::default());
+    /// let magnet = world.add_attractor(Attractor::local([0.0, 3.0], 50.0, 5.0));
+    /// world.step();
+    /// world.remove_attractor(magnet); // it is switched off
+    /// assert!(world.attractor(magnet).is_none());
+    /// ```
     AttractorId
 }
 
@@ -16,6 +26,20 @@ crate::store::id_type! {
 ///
 /// Within `min_distance` the pull falls off linearly to nothing at the centre, as inside a ring of mass, so
 /// that it never becomes infinite. A negative mass pushes.
+///
+/// ```
+/// use rustycs::prelude::*;
+///
+/// let mut world = World::new(Settings::default());
+/// // A moon 10 m from a planet goes round it at v² = G M/r.
+/// world.add_attractor(Attractor::global([0.0, 0.0], 1000.0)); // G is 1, see `Settings::gravitational_constant`
+/// let moon = world.add(Body::dynamic(Shape::circle(0.5)).at([10.0, 0.0]).velocity([0.0, 10.0]))?;
+/// for _ in 0..377 {
+///     world.step(); // 2π s: once round
+/// }
+/// assert!(world.body(moon).unwrap().position().distance([10.0, 0.0]) < 0.05);
+/// # Ok::<(), BodyError>(())
+/// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Attractor {
     position: Point,
@@ -152,6 +176,13 @@ impl Attractor {
 }
 
 /// Why an attractor was refused: one of its numbers is not one the engine can compute with.
+///
+/// ```
+/// use rustycs::prelude::*;
+///
+/// let error = Attractor::try_new([0.0, 0.0], f32::NAN, None).unwrap_err();
+/// assert!(error.to_string().contains("an attractor cannot have"));
+/// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct AttractorError {
     quantity: &'static str,

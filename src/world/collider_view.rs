@@ -8,6 +8,19 @@ use crate::shape::Shape;
 use crate::world::World;
 
 /// A read-only view of one of the shapes of a body.
+///
+/// ```
+/// use rustycs::prelude::*;
+///
+/// let mut world = World::new(Settings::default());
+/// let handle = Collider::new(Shape::rectangle(0.1, 0.8)).at([0.0, -0.6]);
+/// let hammer = world.add(Body::dynamic(Shape::rectangle(0.6, 0.3)).density(5.0).with(handle))?;
+/// for shape in world.body(hammer).unwrap().colliders() {
+///     let Pose { center, rotation } = shape.pose(); // where to draw it
+///     println!("{:?} at {center}, turned by {:.2}", shape.shape().vertices(), rotation.angle());
+/// }
+/// # Ok::<(), BodyError>(())
+/// ```
 #[derive(Clone, Copy)]
 pub struct ColliderRef<'a> {
     world: &'a World,

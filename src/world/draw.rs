@@ -12,6 +12,22 @@ const LINES_OF_CIRCLE: usize = 24;
 const NORMAL_SHARE: f32 = 0.5;
 
 /// What a line of [`World::draw_lines`] belongs to: choose a colour by it.
+///
+/// ```
+/// use rustycs::prelude::*;
+///
+/// let mut world = World::new(Settings::default());
+/// world.add(Body::dynamic(Shape::rectangle(1.0, 1.0)))?;
+/// world.add(Body::fixed(Shape::circle(3.0)).sensor(true))?;
+/// let (mut solid, mut zones) = (Vec::new(), Vec::new());
+/// world.draw_lines(1.0, |part, from, to| match part {
+///     DrawnPart::Body(_) | DrawnPart::SleepingBody => solid.push([from, to]),
+///     DrawnPart::Sensor => zones.push([from, to]),
+///     _ => {}
+/// });
+/// assert!(solid.len() == 4 && zones.len() > 12);
+/// # Ok::<(), BodyError>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum DrawnPart {

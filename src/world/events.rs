@@ -5,6 +5,22 @@ use crate::joint::{JointError, JointId};
 use crate::math::{Point, Vec2};
 
 /// Two bodies began or ceased to touch.
+///
+/// ```
+/// use rustycs::prelude::*;
+///
+/// let mut world = World::new(Settings::default());
+/// world.add_force(Force::EARTH_GRAVITY);
+/// let floor = world.add(Body::fixed(Shape::rectangle(20.0, 1.0)).at([0.0, -0.5]))?;
+/// let cat = world.add(Body::dynamic(Shape::rectangle(0.6, 0.4)).at([0.0, 1.0]).restitution(0.0))?;
+/// let mut landed = 0;
+/// for _ in 0..60 {
+///     world.step();
+///     landed += world.events().began().iter().filter(|event| event.other(cat) == Some(floor)).count();
+/// }
+/// assert_eq!(landed, 1);
+/// # Ok::<(), BodyError>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct ContactEvent {
@@ -89,6 +105,26 @@ impl HitEvent {
 }
 
 /// A body began or ceased to overlap a sensor.
+///
+/// ```
+/// use rustycs::prelude::*;
+///
+/// let mut world = World::new(Settings::default());
+/// let coin = world.add(Body::fixed(Shape::circle(0.3)).at([3.0, 0.0]).sensor(true))?;
+/// let hero = world.add(Body::dynamic(Shape::rectangle(0.6, 1.2)).velocity([4.0, 0.0]))?;
+/// let mut coins = 0;
+/// for _ in 0..60 {
+///     world.step();
+///     for event in world.take_events().sensor_began() {
+///         if event.body == hero {
+///             world.remove(event.sensor);
+///             coins += 1;
+///         }
+///     }
+/// }
+/// assert!(coins == 1 && world.body(coin).is_none());
+/// # Ok::<(), BodyError>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct SensorEvent {
@@ -111,6 +147,22 @@ pub(in crate::world) fn side_of([a, b]: [BodyId; 2], body: BodyId) -> f32 {
 }
 
 /// A change to a body that was refused, as a game makes them every frame.
+///
+/// ```
+/// use rustycs::prelude::*;
+///
+/// let mut world = World::new(Settings::default());
+/// let ship = world.add(Body::dynamic(Shape::circle(0.5)))?;
+/// # if cfg!(not(debug_assertions)) {
+/// world.body_mut(ship).unwrap().apply_force([1.0 / 0.0, 0.0]); // a debug build panics here
+/// world.step();
+/// for Refusal { body, error, .. } in world.events().refused() {
+///     eprintln!("{body:?}: {error}"); // the force is inf N; give a finite number from -1e18 to 1e18 N
+/// }
+/// # assert_eq!(world.events().refused().len(), 1);
+/// # }
+/// # Ok::<(), BodyError>(())
+/// ```
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Refusal {
@@ -121,6 +173,23 @@ pub struct Refusal {
 }
 
 /// A change to a joint that was refused, as a game makes them every frame.
+///
+/// ```
+/// use rustycs::prelude::*;
+///
+/// let mut world = World::new(Settings::default());
+/// let wheel = world.add(Body::dynamic(Shape::circle(0.5)))?;
+/// let axle = world.add_joint(Joint::revolute(wheel, None).motor(3.0, 40.0))?;
+/// # if cfg!(not(debug_assertions)) {
+/// world.joint_mut(axle).unwrap().set_motor(f32::NAN, 40.0); // a debug build panics here
+/// world.step();
+/// for JointRefusal { joint, error, .. } in world.events().refused_joints() {
+///     eprintln!("{joint:?}: {error}");
+/// }
+/// # assert_eq!(world.events().refused_joints().len(), 1);
+/// # }
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct JointRefusal {
@@ -133,6 +202,25 @@ pub struct JointRefusal {
 /// What happened in the last [`step`](crate::World::step), or in all ticks of the last
 /// [`advance`](crate::World::advance): slices, valid until the next. Each is sorted by tick, and within a tick by the ids of
 /// the bodies, and so the same in every run.
+///
+/// ```
+/// use rustycs::prelude::*;
+///
+/// let mut world = World::new(Settings::default());
+/// world.add_force(Force::EARTH_GRAVITY);
+/// world.add(Body::fixed(Shape::rectangle(20.0, 1.0)).at([0.0, -0.5]))?;
+/// world.add(Body::dynamic(Shape::rectangle(1.0, 1.0)).at([0.0, 4.0]))?;
+/// for _ in 0..60 {
+///     world.step();
+///     for hit in world.events().hits() {
+///         println!("a sound at {}, as loud as {:.1} N s", hit.point, hit.normal_impulse);
+///     }
+///     for event in world.events().ended() {
+///         println!("{:?} and {:?} touch no more", event.a, event.b);
+///     }
+/// }
+/// # Ok::<(), BodyError>(())
+/// ```
 #[derive(Debug, Default)]
 pub struct Events {
     pub(crate) began: Vec<ContactEvent>,

@@ -7,11 +7,39 @@ use crate::math::Vec2;
 
 crate::store::id_type! {
     /// Names a force of a world.
+    ///
+    /// ```
+    /// use rustycs::prelude::*;
+    ///
+    /// let mut world = World::new(Settings::default());
+    /// let gravity = world.add_force(Force::EARTH_GRAVITY);
+    /// let on_the_moon = Force::MOON_GRAVITY;
+    /// world.remove_force(gravity);
+    /// world.add_force(on_the_moon);
+    /// assert!(world.force(gravity).is_none() && world.acceleration() == Vec2::new(0.0, -1.62));
+    /// ```
     ForceId
 }
 
 /// A force that acts everywhere and gives every dynamic body the same acceleration, times its gravity scale.
 /// All forces of a world add up.
+///
+/// ```
+/// use rustycs::prelude::*;
+///
+/// let mut world = World::new(Settings::default());
+/// world.add_force(Force::EARTH_GRAVITY);
+/// let wind = world.add_force(Force::new("wind", [2.0, 0.0])); // m/s²
+/// let leaf = world.add(Body::dynamic(Shape::circle(0.1)))?;
+/// let anvil = world.add(Body::dynamic(Shape::rectangle(1.0, 0.5)).at([5.0, 0.0]).gravity_scale(0.5))?;
+/// for _ in 0..60 {
+///     world.step();
+/// }
+/// assert!(world.body(leaf).unwrap().velocity().distance([2.0, -9.81]) < 1e-4);
+/// assert!(world.body(anvil).unwrap().velocity().distance([1.0, -4.905]) < 1e-4); // half of both
+/// world.remove_force(wind);
+/// # Ok::<(), BodyError>(())
+/// ```
 #[derive(Debug, PartialEq)]
 pub struct Force {
     name: Cow<'static, str>,
@@ -73,6 +101,13 @@ impl Force {
 }
 
 /// Why a force was refused: its acceleration is not a number the engine can compute with.
+///
+/// ```
+/// use rustycs::prelude::*;
+///
+/// let error = Force::try_new("wind", [f32::NAN, 0.0]).unwrap_err();
+/// assert!(error.to_string().contains("wind"));
+/// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct ForceError {
     name: Cow<'static, str>,

@@ -9,6 +9,20 @@ use crate::world::World;
 use crate::world::events::JointRefusal;
 
 /// How far a joint is off what it holds.
+///
+/// ```
+/// use rustycs::prelude::*;
+///
+/// let mut world = World::new(Settings::default());
+/// world.add_force(Force::EARTH_GRAVITY);
+/// let lamp = world.add(Body::dynamic(Shape::circle(0.2)).at([1.0, 0.0]))?;
+/// let rod = world.add_joint(Joint::distance(lamp, None).between([1.0, 0.0], [0.0, 0.0]))?;
+/// for _ in 0..60 {
+///     world.step();
+/// }
+/// assert!(world.joint(rod).unwrap().error().distance < 1e-5); // m, while it swings
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[non_exhaustive]
 pub struct JointGap {
@@ -19,6 +33,20 @@ pub struct JointGap {
 }
 
 /// A joint of a world.
+///
+/// ```
+/// use rustycs::prelude::*;
+///
+/// let mut world = World::new(Settings::default());
+/// world.add_force(Force::EARTH_GRAVITY);
+/// let lamp = world.add(Body::dynamic(Shape::circle(0.2)).mass(3.0))?;
+/// let hook = world.add_joint(Joint::weld(lamp, None))?;
+/// world.step();
+/// let hook = world.joint(hook).unwrap();
+/// assert!((hook.force().length() - 3.0 * 9.81).abs() < 1e-3); // N: it bears the weight
+/// assert_eq!((hook.kind(), hook.body_a(), hook.body_b()), (JointKind::Weld, lamp, None));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Clone, Copy, Debug)]
 pub struct JointRef<'a> {
     world: &'a World,
@@ -139,6 +167,22 @@ impl<'a> JointRef<'a> {
 }
 
 /// A joint of a world, to change it. What changes wakes its bodies.
+///
+/// ```
+/// use rustycs::prelude::*;
+///
+/// let mut world = World::new(Settings::default());
+/// let wheel = world.add(Body::dynamic(Shape::circle(0.5)).mass(1.0))?;
+/// let axle = world.add_joint(Joint::revolute(wheel, None).motor(0.0, 50.0))?;
+/// if let Some(mut axle) = world.joint_mut(axle) {
+///     axle.set_motor(6.0, 50.0); // the pedal
+/// }
+/// for _ in 0..60 {
+///     world.step();
+/// }
+/// assert!((world.body(wheel).unwrap().angular_velocity().abs() - 6.0).abs() < 1e-3);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Debug)]
 pub struct JointMut<'a> {
     world: &'a mut World,

@@ -66,6 +66,22 @@ pub(crate) struct SleepRule {
 }
 
 /// Why a body is awake, see [`BodyRef::why_awake`](crate::BodyRef::why_awake).
+///
+/// ```
+/// use rustycs::prelude::*;
+///
+/// let mut world = World::new(Settings::default());
+/// world.add_force(Force::EARTH_GRAVITY);
+/// world.add(Body::fixed(Shape::rectangle(20.0, 1.0)).at([0.0, -0.5]))?;
+/// let ball = world.add(Body::dynamic(Shape::circle(0.5)).at([0.0, 0.5]).velocity([1.0, 0.0]).angular_velocity(-2.0))?;
+/// for _ in 0..120 {
+///     world.step();
+/// }
+/// let keeps_heap_awake = |body: &BodyRef<'_>| body.why_awake().is_some_and(|why| why != Awake::Others);
+/// let rolling: Vec<_> = world.bodies().filter(|(_, body)| keeps_heap_awake(body)).map(|(id, _)| id).collect();
+/// assert_eq!(rolling, [ball]); // it needs rolling resistance
+/// # Ok::<(), BodyError>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Awake {

@@ -79,6 +79,20 @@ impl Footing {
 }
 
 /// What came of a move.
+///
+/// ```
+/// use rustycs::prelude::*;
+///
+/// let mut world = World::new(Settings::default());
+/// world.add(Body::fixed(Shape::rectangle(20.0, 1.0)).at([0.0, -0.5]))?;
+/// let wall = world.add(Body::fixed(Shape::rectangle(1.0, 4.0)).at([2.0, 2.0]))?;
+/// let mut hero = Mover::new(Character::new(Shape::rectangle(0.6, 1.8)).at([0.0, 0.92]))?;
+/// world.step();
+/// let moved: Moved = hero.move_by(&mut world, [3.0, -0.1]); // m
+/// assert!(moved.is_grounded());
+/// assert!(hero.position().x < 1.2, "the wall {wall:?} stops it");
+/// # Ok::<(), BodyError>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Moved {

@@ -5,6 +5,20 @@ use crate::math::{Point, Vec2};
 use crate::world::{QueryFilter, World};
 
 /// Where a ray met a body.
+///
+/// ```
+/// use rustycs::prelude::*;
+///
+/// let mut world = World::new(Settings::default());
+/// let mirror = world.add(Body::fixed(Shape::rectangle(1.0, 4.0)).at([5.0, 0.0]).angle(0.5))?;
+/// let light = Vec2::new(9.0, 0.0);
+/// let hit: RayHit = world.ray_cast([0.0, 0.0], light).unwrap();
+/// assert_eq!(hit.body, mirror);
+/// let rest = (1.0 - hit.fraction) * light; // what is left of the way is thrown back
+/// let thrown_back = rest - 2.0 * rest.dot(hit.normal) * hit.normal;
+/// assert!(world.ray_cast(hit.point + 1e-3 * hit.normal, thrown_back).is_none());
+/// # Ok::<(), BodyError>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct RayHit {

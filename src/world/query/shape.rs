@@ -15,6 +15,19 @@ const ANY_DISTANCE: f32 = f32::INFINITY;
 const FLAT_WITHIN: f32 = 1e-3;
 
 /// Where a shape that moves meets a body.
+///
+/// ```
+/// use rustycs::prelude::*;
+///
+/// let mut world = World::new(Settings::default());
+/// let wall = world.add(Body::fixed(Shape::rectangle(1.0, 4.0)).at([5.0, 0.0]))?;
+/// // How far can a crate be pushed?
+/// let crate_ = Shape::rectangle(1.0, 1.0);
+/// let hit: ShapeHit = world.shape_cast(&crate_, Pose::default(), [8.0, 0.0], &QueryFilter::new()).unwrap();
+/// assert_eq!((hit.body, hit.normal), (wall, Vec2::new(-1.0, 0.0)));
+/// assert!((hit.fraction * 8.0 - 4.0).abs() < 1e-3);
+/// # Ok::<(), BodyError>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct ShapeHit {
@@ -32,6 +45,18 @@ pub struct ShapeHit {
 }
 
 /// The nearest body.
+///
+/// ```
+/// use rustycs::prelude::*;
+///
+/// let mut world = World::new(Settings::default());
+/// let coin = world.add(Body::fixed(Shape::circle(0.3)).at([2.0, 0.0]))?;
+/// // What lies within reach of a hand, nearest first:
+/// let found: ClosestHit = world.closest([0.0, 0.0], 5.0, &QueryFilter::new()).unwrap();
+/// assert_eq!(found.body, coin);
+/// assert!((found.distance - 1.7).abs() < 1e-6 && found.point.distance([1.7, 0.0]) < 1e-6);
+/// # Ok::<(), BodyError>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct ClosestHit {
