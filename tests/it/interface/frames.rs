@@ -14,6 +14,8 @@ struct Log {
     ended: Vec<ContactEvent>,
     hits: Vec<HitEvent>,
     left: Vec<BodyId>,
+    entered: Vec<SensorEvent>,
+    left_zone: Vec<SensorEvent>,
 }
 
 impl Log {
@@ -21,6 +23,8 @@ impl Log {
         self.began.extend_from_slice(events.began());
         self.ended.extend_from_slice(events.ended());
         self.hits.extend_from_slice(events.hits());
+        self.entered.extend_from_slice(events.sensor_began());
+        self.left_zone.extend_from_slice(events.sensor_ended());
         self.left.extend_from_slice(events.left());
     }
 }
@@ -48,6 +52,7 @@ impl Game {
                 .at([-4.0 + 0.8 * f64::from(i % 10), 2.0 + f64::from(i / 10)]);
             add(&mut world, ball);
         }
+        add(&mut world, Body::fixed(Shape::circle(1.0)).at([0.0, 1.5]).sensor(true));
         let ship = add(&mut world, Body::dynamic(Shape::obb(1.0, 0.5)).at([0.0, 5.0]).mass(2.0));
         let player = Body::dynamic(Shape::obb(0.6, 1.0)).at([-3.0, 0.5]).fixed_rotation(true).mass(1.0);
         let player = add(&mut world, player);
@@ -79,8 +84,9 @@ fn a_game_comes_to_the_same_at_any_frame_rate() {
     for _ in 0..60 * SECONDS {
         stepped.frame(1.0 / 60.0);
     }
-    let Log { hits, left, ended, .. } = &stepped.log;
+    let Log { hits, left, ended, entered, left_zone, .. } = &stepped.log;
     assert!(hits.len() > 50 && !ended.is_empty() && !left.is_empty(), "a dull game");
+    assert!(!entered.is_empty() && !left_zone.is_empty(), "nothing passes the zone");
     for rate in FRAME_RATES {
         let mut game = Game::new();
         for _ in 0..rate * SECONDS {

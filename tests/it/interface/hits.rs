@@ -112,6 +112,32 @@ fn a_blow_from_the_floor_is_what_stops_and_throws_back() {
     }
 }
 
+/// What is struck cannot give way, as the floor bears it: the blow may go to and fro between the three within the tick.
+#[test]
+fn a_blow_on_what_rests_on_the_floor_is_what_the_striking_body_loses() {
+    for restitution in RESTITUTIONS {
+        for (x, shape) in [(0.0, Shape::circle(0.5)), (0.2, Shape::circle(0.5)), (0.1, Shape::obb(0.8, 0.6))]
+        {
+            let mut world = world_with(false, true);
+            add_floor(&mut world, 0.6);
+            let resting = add(&mut world, unit_box(0.0, 0.5).mass(2.0).restitution(restitution));
+            run(&mut world, 1.0);
+            let striking = Body::dynamic(shape).at([x, 2.5]).velocity([0.0, -6.0]).mass(3.0);
+            let striking = add(&mut world, striking.restitution(restitution));
+            let hit = blow_on(&mut world, striking);
+            assert_eq!(hit.other(striking), Some(resting));
+            // It goes on to fall until they meet, and no longer than to the end of the tick that they meet in.
+            let fastest = f64::sqrt(36.0 + 2.0 * G * 1.5);
+            assert!((6.0..=fastest).contains(&f64::from(hit.speed)), "{hit:?}");
+            let blow = f64::from(hit.normal_impulse);
+            assert!(
+                blow > 3.0 * 6.0 / 3.0,
+                "it is as if the box were as heavy as the floor, or gave way: {hit:?}"
+            );
+        }
+    }
+}
+
 /// It begins in the last substep of a tick, which slows the fall down for what is still to go, and is over in the next.
 #[test]
 fn a_blow_that_falls_between_two_ticks_is_told_whole() {
