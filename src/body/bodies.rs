@@ -305,7 +305,7 @@ impl Bodies {
             shape: self.shapes[own as usize],
             center: self.place_of_frame(slot),
             angle: motion.pose.rotation.angle(),
-            velocity: state.velocity.into(),
+            velocity: state.velocity.to_vec2(),
             angular_velocity: state.angular_velocity,
             material: self.records[own].material,
             mass: record.mass_override,

@@ -155,7 +155,7 @@ impl Bodies {
     /// Velocity of the centre of the shape in `slot`, m/s.
     pub(crate) fn velocity_of_shape(&self, slot: u32) -> Vec2 {
         let state = self.state(slot);
-        state.velocity_at(self.arm(slot).into()).into()
+        state.velocity_at(self.arm(slot).into()).to_vec2()
     }
 
     /// Farthest that the outline of the shape in `slot` is from what its body turns about, m, if it moves as the body turns.

@@ -141,7 +141,7 @@ impl ManifoldPoint {
 
     /// Velocity of b against a at the point, m/s, with anchors from their centres of mass.
     pub(crate) fn relative_velocity(&self, a: &BodyState, b: &BodyState) -> Vec2 {
-        (b.velocity_at(self.anchor_b.into()) - a.velocity_at(self.anchor_a.into())).into()
+        (b.velocity_at(self.anchor_b.into()) - a.velocity_at(self.anchor_a.into())).to_vec2()
     }
 }
 

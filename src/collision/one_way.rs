@@ -50,7 +50,7 @@ pub(crate) enum OneWay {
 /// Decides what the contact does, and takes its points away where the body passes.
 pub(super) fn decide(contact: &mut Contact, before: OneWay, bodies: &Bodies) {
     let gap = contact.manifold.points().iter().map(|point| point.separation).fold(f32::INFINITY, f32::min);
-    let [a, b] = contact.colliders.map(|slot| Vec2::from(bodies.state(slot).velocity));
+    let [a, b] = contact.colliders.map(|slot| bodies.state(slot).velocity.to_vec2());
     let bears = match before {
         _ if contact.manifold.points().is_empty() => return contact.one_way = Some(OneWay::Apart),
         // What has slid off another floor of this height came by its end, and is on the surface now.

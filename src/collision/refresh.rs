@@ -205,7 +205,7 @@ impl<'a> Pair<'a> {
     #[inline(always)]
     fn velocity(&self) -> Vec2 {
         let [state_a, state_b] = self.states();
-        let velocity = Vec2::from(state_b.velocity - state_a.velocity);
+        let velocity = (state_b.velocity - state_a.velocity).to_vec2();
         self.arms.map_or(velocity, |[arm_a, arm_b]| {
             velocity + arm_b.perp() * state_b.angular_velocity - arm_a.perp() * state_a.angular_velocity
         })

@@ -67,10 +67,11 @@ impl From<crate::math::Vec2> for LaneVec2<f32> {
     }
 }
 
-impl From<LaneVec2<f32>> for crate::math::Vec2 {
+impl LaneVec2<f32> {
+    /// It as a vector. Not by `From`, which the compiler would tell users of who give something else where a vector is wanted.
     #[inline(always)]
-    fn from(v: LaneVec2<f32>) -> Self {
-        Self::new(v.x, v.y)
+    pub(crate) fn to_vec2(self) -> crate::math::Vec2 {
+        crate::math::Vec2::new(self.x, self.y)
     }
 }
 

@@ -215,7 +215,7 @@ impl Blows {
                 let of_contact = sums.load::<f32>(place);
                 self.of_step.push(Blow {
                     contact: graph.contact_at(at.contact(place)),
-                    on_b: of_contact.on_b.into(),
+                    on_b: of_contact.on_b.to_vec2(),
                     by_point: of_contact.by_point,
                     load_before: of_contact.load_before,
                     first: None,

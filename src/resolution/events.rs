@@ -129,7 +129,7 @@ impl EventScene<'_> {
             // What is still apart may come from another side than it seemed to as the step began.
             _ => {
                 let manifold = manifold_in(colliders, self.bodies, [a, b]);
-                let velocity = (b.velocity - a.velocity).into();
+                let velocity = (b.velocity - a.velocity).to_vec2();
                 let as_step_began = colliders.map(|slot| self.bodies.motions[slot as usize].pose);
                 !is_on_free_side(self.bodies, colliders, &manifold, velocity)
                     && !was_before_links(self.bodies, colliders, &manifold, velocity, as_step_began)
@@ -158,7 +158,7 @@ impl EventScene<'_> {
     /// By how much the speed of a point of one shape against the other is rounded in these states of their bodies, m/s.
     fn rounding(&self, colliders: [u32; 2], states: &[BodyState; 2]) -> f32 {
         let of = |side: usize| {
-            noise_of(states[side].velocity.into())
+            noise_of(states[side].velocity.to_vec2())
                 + 4.0
                     * f32::EPSILON
                     * states[side].angular_velocity.abs()
@@ -174,7 +174,7 @@ impl EventScene<'_> {
         let rim_speeds =
             [0, 1].map(|side| states[side].angular_velocity.abs() * self.bodies.swing(colliders[side]));
         let speed =
-            Vec2::from(states[1].velocity - states[0].velocity).norm_1() + rim_speeds[0] + rim_speeds[1];
+            (states[1].velocity - states[0].velocity).to_vec2().norm_1() + rim_speeds[0] + rim_speeds[1];
         speed * time * self.scheme.substeps as f32
             > self.much_nearer(colliders) * motions[0].thickness.min(motions[1].thickness)
     }
@@ -194,7 +194,7 @@ impl EventScene<'_> {
         let there = after[0].delta_position + after[0].velocity * time;
         let on_b = meeting.collide(restitution, self.bodies.roles.surface_speed(colliders), &mut after);
         let center = self.bodies.center(self.bodies.body_of(colliders[0]));
-        let collision = meeting.report(center + there.into(), on_b);
+        let collision = meeting.report(center + there.to_vec2(), on_b);
         let moved = rows.into_iter().zip(after).zip(moved);
         for ((row, mut after), _) in moved.filter(|&(_, is_moved)| is_moved) {
             let state = &mut self.bodies.states[row as usize];

@@ -76,7 +76,7 @@ impl Kicks {
 
     /// Acceleration of the body of a row, m/s².
     pub(crate) fn acceleration(&self, row: u32) -> Vec2 {
-        self.columns[row as usize / COLUMN].acceleration.load::<f32>(row as usize % COLUMN).into()
+        self.columns[row as usize / COLUMN].acceleration.load::<f32>(row as usize % COLUMN).to_vec2()
     }
 
     /// Angular acceleration of the body of a row, rad/s².
@@ -86,7 +86,7 @@ impl Kicks {
 
     /// What rounding has kept out of the velocity of the body of a row, m/s.
     pub(crate) fn compensation(&self, row: usize) -> Vec2 {
-        self.columns[row / COLUMN].compensation.load::<f32>(row % COLUMN).into()
+        self.columns[row / COLUMN].compensation.load::<f32>(row % COLUMN).to_vec2()
     }
 }
 

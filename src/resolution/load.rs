@@ -5,7 +5,6 @@
 
 use crate::body::Bodies;
 use crate::collision::Contact;
-use crate::math::Vec2;
 use crate::resolution::softness::{DEEP_SHARE, sag};
 
 /// Overlap at rest, as a share of the width of the thinner body, from which an island is solved directly.
@@ -186,7 +185,7 @@ impl Load {
 pub(crate) fn begins_at_rest(contact: &Contact, bodies: &Bodies) -> bool {
     let [a, b] = contact.slots.map(|slot| bodies.state(slot));
     contact.manifold.points().iter().all(|point| point.normal_impulse == 0.0)
-        && Vec2::from(a.velocity) == Vec2::from(b.velocity)
+        && a.velocity.to_vec2() == b.velocity.to_vec2()
         && [a, b].iter().all(|state| state.angular_velocity == 0.0)
 }
 

@@ -30,7 +30,7 @@ pub(crate) fn manifold_in(colliders: [u32; 2], bodies: &Bodies, [a, b]: [&BodySt
     let turned = |state: &BodyState, rotation: Rot| {
         Rot { c: state.delta_rotation.c, s: state.delta_rotation.s } * rotation
     };
-    let mut offset = (pose_b.center - pose_a.center) + Vec2::from(b.delta_position - a.delta_position);
+    let mut offset = (pose_b.center - pose_a.center) + (b.delta_position - a.delta_position).to_vec2();
     let arms = bodies.arms(colliders);
     if let Some(arms) = arms {
         offset += swung(arms[1], b) - swung(arms[0], a);
@@ -51,7 +51,7 @@ pub(crate) fn manifold_in(colliders: [u32; 2], bodies: &Bodies, [a, b]: [&BodySt
 
 /// How far the end of an arm, m, has swung as its body turned within the step.
 fn swung(arm: Vec2, state: &BodyState) -> Vec2 {
-    state.delta_rotation.displacement(arm.into()).into()
+    state.delta_rotation.displacement(arm.into()).to_vec2()
 }
 
 /// The constraint of a contact at a place of the graph with its bodies in the given states, and the separation of its first

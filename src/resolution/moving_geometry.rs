@@ -111,7 +111,7 @@ impl MovingGeometry<f32> {
         // To an end of the face, along a face that meets there.
         let along = |other: usize, end: usize| hull.normals[other].perp().dot(corners[end] - center);
         let [round, flat] = [circle_slot, face_slot].map(|slot| bodies.state(slot));
-        let speed = Vec2::from(round.velocity - flat.velocity).length()
+        let speed = (round.velocity - flat.velocity).to_vec2().length()
             + flat.angular_velocity.abs() * (to_circle + face_arm).length()
             + round.angular_velocity.abs() * circle_arm.length();
         let way = speed * dt;
@@ -317,7 +317,7 @@ mod tests {
             let LaneRot { c, s } = states[side].delta_rotation;
             Rot { c, s } * poses[side].rotation
         });
-        let moved = Vec2::from(states[1].delta_position - states[0].delta_position);
+        let moved = (states[1].delta_position - states[0].delta_position).to_vec2();
         let offset = poses[1].center - poses[0].center + moved;
         let [a, b] = slots.map(|slot| &bodies.shapes[slot]);
         detect_within(a, p, b, q, offset, 0.2).expect("they are near")
@@ -335,7 +335,7 @@ mod tests {
         let point = &geometry.points[loaded];
         let now_point =
             now.points().iter().find(|point| point.feature == feature).expect("it is still there");
-        let far = |one: LaneVec2<f32>, other: Vec2| (Vec2::from(one) - other).length() > 1e-6;
+        let far = |one: LaneVec2<f32>, other: Vec2| (one.to_vec2() - other).length() > 1e-6;
         assert!(!far(geometry.normal, now.normal), "{geometry:?} {now:?}");
         assert!((point.separation - now_point.separation).abs() < 1e-6, "{geometry:?} {now:?}");
         assert!(!far(point.anchor_a, now_point.anchor_a), "{geometry:?} {now:?}");

@@ -358,7 +358,7 @@ impl Solver {
         let bodies = &*tables.bodies;
         self.kicks.accelerate(tables.executor.pool, |row| {
             let slot = bodies.dynamic_in(row)?;
-            let varying = acceleration.at(bodies, slot, bodies.states[row].delta_position.into());
+            let varying = acceleration.at(bodies, slot, bodies.states[row].delta_position.to_vec2());
             let sum = steady(bodies, slot, acceleration) + varying;
             Some(scheme.limits.cut_acceleration(sum, scheme.kick_time()))
         });

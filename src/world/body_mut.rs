@@ -146,8 +146,8 @@ impl<'a> BodyMut<'a> {
         self
     }
 
-    /// Has the forces, torques and impulses given by this view leave the body asleep, which do nothing to it then, and not
-    /// keep it awake: for wind, water, or drag, that act on all bodies for ever.
+    /// Forces, torques and impulses given by this view do not wake the body, and do not keep it awake. While it sleeps they do
+    /// nothing. It is meant for wind, water or drag, which act on all bodies for ever.
     ///
     /// ```
     /// # use rustycs::prelude::*;
@@ -348,7 +348,7 @@ impl<'a> BodyMut<'a> {
             self.wake();
         }
         if let Some(state) = self.state_mut() {
-            state.velocity = (Vec2::from(state.velocity) + impulse * inverse_mass).into();
+            state.velocity = (state.velocity.to_vec2() + impulse * inverse_mass).into();
             state.angular_velocity += angular_impulse * inverse_inertia;
             let slot = self.slot();
             self.world.cut_velocity(slot);
@@ -361,10 +361,10 @@ impl<'a> BodyMut<'a> {
     /// [`advance`](World::advance) is. Forces of several calls add up. Only dynamic bodies respond; a force of 0 does not even
     /// wake them. Refused beyond 10¹⁸ N.
     ///
-    /// The force is held over the whole tick. One that depends on where the body is, such as a spring's or the water's, is
-    /// half a tick late by that, and gains energy without end: give it as an impulse before each tick,
-    /// `apply_impulse(force * tick_seconds)` in [`advance_with`](World::advance_with), which keeps the energy. (Between ticks
-    /// the velocity of what hovers by such impulses is that after a tick of falling: -g·dt/2.)
+    /// The force is held over the whole tick. If it depends on where the body is, as that of a spring or of water does, it
+    /// comes half a tick late and adds energy without end. Use a [spring joint](crate::Joint::distance) in its place, or give an
+    /// impulse before each tick, `apply_impulse(force * tick_seconds)` in [`advance_with`](World::advance_with): that keeps the
+    /// energy. What hovers by such impulses has the velocity -g·dt/2 between ticks: it has fallen for half a tick.
     #[track_caller]
     pub fn apply_force(&mut self, force: impl Into<Vec2>) -> &mut Self {
         let force = force.into();

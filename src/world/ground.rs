@@ -64,7 +64,7 @@ impl World {
                 self.bodies.records.at(slot).is_some_and(|record| record.body_type == BodyType::Kinematic);
             is_kinematic && {
                 let (state, motion) = (self.bodies.state(slot), &self.bodies.motions[slot as usize]);
-                Vec2::from(state.velocity) != Vec2::ZERO
+                state.velocity.to_vec2() != Vec2::ZERO
                     || state.angular_velocity != 0.0
                     || self.bodies.previous_pose(slot) != motion.pose
             }
@@ -132,7 +132,7 @@ impl World {
         let (bodies, dt) = (&self.bodies, self.settings.tick_seconds() as f32);
         let (pose, state) = (bodies.motions[slot as usize].pose, bodies.state(slot));
         let (turn, arm) = (Rot::from_angle(state.angular_velocity * dt), bodies.arm(slot));
-        let moved = Vec2::from(state.velocity) * dt + (turn.rotate(arm) - arm);
+        let moved = state.velocity.to_vec2() * dt + (turn.rotate(arm) - arm);
         let at_end = Pose { center: pose.center + moved, rotation: turn * pose.rotation };
         let shape = &bodies.shapes[slot as usize];
         [pose, at_end].map(|pose| Pose { rotation: shape.rotation_at(pose.rotation), ..pose })

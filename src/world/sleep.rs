@@ -111,7 +111,7 @@ fn is_held(bodies: &Bodies, contacts: &Contacts, joints: &Joints, slot: u32) -> 
 fn stops_by_itself(bodies: &Bodies, slot: u32) -> bool {
     let (forcing, state) = (&bodies.forcings[slot as usize], bodies.state(slot));
     let dampings = [forcing.linear_damping, forcing.angular_damping];
-    let moves = [Vec2::from(state.velocity) != Vec2::ZERO, state.angular_velocity != 0.0];
+    let moves = [state.velocity.to_vec2() != Vec2::ZERO, state.angular_velocity != 0.0];
     let is_damped = dampings.iter().any(|&damping| damping > 0.0);
     let is_slowed = is_damped && dampings.iter().zip(moves).all(|(&damping, moves)| damping > 0.0 || !moves);
     is_slowed || bodies.watches[slot as usize].is_still() && !state.is_moving()

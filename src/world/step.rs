@@ -7,7 +7,7 @@ use crate::body::{Bodies, BodyId, BodyType, Motion, NONE, RestRule, RestWatch};
 use crate::collision::broad_phase::BroadPhase;
 use crate::collision::{AHEAD, Refresh, are_out_of_reach, refresh};
 use crate::compute::{BodyState, Chosen, Executor, GROUND_ROW};
-use crate::math::{Rot, Vec2};
+use crate::math::Rot;
 use crate::resolution::{Loaded, Scheme, SolveTables, StepResidual, TierTables, begins_at_rest, solve};
 use crate::world::World;
 use crate::world::attractor::Field;
@@ -277,7 +277,7 @@ impl World {
                     forcings.get_mut(place).end_step();
                     limits.cut(state);
                     let (slot, motion) = (motions.indices()[place], motions.get_mut(place));
-                    let ahead = Vec2::from(state.velocity) * dt;
+                    let ahead = state.velocity.to_vec2() * dt;
                     if let Some(rule) = rest_rule
                         && watch_for_rest(motion, watches.get_mut(place), state, rule)
                     {
@@ -422,7 +422,7 @@ fn watch_for_rest(motion: &mut Motion, watch: &mut RestWatch, state: &BodyState,
         return false;
     }
     let turn = Rot { c: state.delta_rotation.c, s: state.delta_rotation.s };
-    motion.watch(watch, state.delta_position.into(), turn, rule) && is_dynamic
+    motion.watch(watch, state.delta_position.to_vec2(), turn, rule) && is_dynamic
 }
 
 /// Adds the motion of a step to the pose of a body.
@@ -430,10 +430,10 @@ fn watch_for_rest(motion: &mut Motion, watch: &mut RestWatch, state: &BodyState,
 fn move_on(motion: &mut Motion, state: &mut BodyState) {
     let turn = Rot { c: state.delta_rotation.c, s: state.delta_rotation.s };
     // The world ends there: a place that is farther would be refused when it is given back.
-    motion.pose.center = (motion.pose.center + state.delta_position.into()).within(FARTHEST);
+    motion.pose.center = (motion.pose.center + state.delta_position.to_vec2()).within(FARTHEST);
     motion.pose.rotation = (turn * motion.pose.rotation).normalized();
     // Rotations round in their last digit.
     let swing = if motion.is_round { 0.0 } else { (1.0 - turn.c).abs() + turn.s.abs() + 2.0 * f32::EPSILON };
-    motion.room -= Vec2::from(state.delta_position).norm_1() + swing * motion.extent;
+    motion.room -= state.delta_position.to_vec2().norm_1() + swing * motion.extent;
     state.stand_still();
 }

@@ -33,7 +33,7 @@ impl World {
             let is_finite = motion.pose.center.is_finite()
                 && motion.pose.rotation.c.is_finite()
                 && motion.pose.rotation.s.is_finite()
-                && Vec2::from(state.velocity).is_finite()
+                && state.velocity.to_vec2().is_finite()
                 && state.angular_velocity.is_finite();
             if !is_finite {
                 return Err(format!("body {slot} has a number that is not finite: {motion:?} {state:?}"));
@@ -49,7 +49,7 @@ impl World {
                 }
             }
             let at_rest = BodyState::REST.delta_position;
-            if Vec2::from(state.delta_position) != Vec2::from(at_rest) {
+            if state.delta_position.to_vec2() != at_rest.to_vec2() {
                 return Err(format!("body {slot} has motion that was not added to its pose"));
             }
             for collider in bodies.colliders(slot) {

@@ -249,6 +249,16 @@ fn a_circle_is_seen_through_folders_and_over_several_files() {
 }
 
 /// Every module of the crate root has a floor, and every floor that is built is a module.
+/// To who gives something else where a vector is wanted the compiler lists all that converts into one: nothing of ours alone.
+#[test]
+fn nothing_private_converts_into_a_public_type() {
+    for source in sources() {
+        let is_private = |line: &str| line.starts_with("impl") && line.contains("From<Lane");
+        let leak = source.code().find(|(_, line)| is_private(line));
+        assert!(leak.is_none(), "{}: {leak:?}; make it a method", source.path);
+    }
+}
+
 #[test]
 fn every_module_of_the_crate_root_has_a_floor() {
     for source in sources() {

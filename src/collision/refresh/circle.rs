@@ -65,7 +65,7 @@ impl Pair<'_> {
         }
         // n·(Δx + (1 - R_b⁻¹) r_b - (1 - R_a⁻¹) r_a), of which each term keeps its digits.
         let swung = |half: Rot, anchor: Vec2| -> Vec2 {
-            Vec2::ZERO - Vec2::from(LaneRot { c: half.c, s: -half.s }.displacement(anchor.into()))
+            Vec2::ZERO - LaneRot { c: half.c, s: -half.s }.displacement(anchor.into()).to_vec2()
         };
         let opened = then.normal.dot(moved + swung(half_b, then.anchor_b) - swung(half_a, then.anchor_a));
         let separation = then.separation + self.offset.missing(then.normal) - opened;

@@ -94,11 +94,11 @@ impl ContactBlock {
         const HALF: f32 = 0.5;
         // Nearly all do, so that a point is asked only where one of the two may not.
         let yields_in_full = yields_in_full(HALF * load);
-        contact.manifold.normal = self.columns.normal.load::<f32>(place).into();
+        contact.manifold.normal = self.columns.normal.load::<f32>(place).to_vec2();
         for (index, stored) in contact.manifold.points_mut().iter_mut().enumerate() {
             let point = &self.columns.points[index];
-            stored.anchor_a = point.anchor_a.load::<f32>(place).into();
-            stored.anchor_b = point.anchor_b.load::<f32>(place).into();
+            stored.anchor_a = point.anchor_a.load::<f32>(place).to_vec2();
+            stored.anchor_b = point.anchor_b.load::<f32>(place).to_vec2();
             stored.separation = point.separation.get(place);
             let impulse_before =
                 std::mem::replace(&mut stored.normal_impulse, point.normal_impulse.get(place));

@@ -4,7 +4,6 @@
 use crate::body::Bodies;
 use crate::collision::{Contact, Contacts};
 use crate::compute::BodyState;
-use crate::math::Vec2;
 use crate::resolution::constraint::ContactConstraint;
 use crate::resolution::constraint_graph::{ConstraintGraph, GraphIndex};
 use crate::resolution::direct::newton::Newton;
@@ -94,7 +93,7 @@ impl DirectContact {
         for (index, rows) in of_points.iter_mut().enumerate() {
             let point = &constraint.points[index];
             let separation = constraint.separation(point, sides[0], sides[1]);
-            let anchors = [Vec2::from(point.anchor_a), Vec2::from(point.anchor_b)];
+            let anchors = [point.anchor_a.to_vec2(), point.anchor_b.to_vec2()];
             let moved = (0..2).filter(|&side| self.moves[side]);
             let reach = moved.map(|side| anchors[side].length()).fold(0.0, f32::max);
             let bias = match phase {
@@ -124,9 +123,9 @@ impl DirectContact {
         phase: Phase,
     ) {
         let (point, friction) = (&constraint.points[index], &constraint.frictions[index]);
-        let anchors = [Vec2::from(point.anchor_a), Vec2::from(point.anchor_b)];
+        let anchors = [point.anchor_a.to_vec2(), point.anchor_b.to_vec2()];
         let inverse_inertias = [constraint.inverse_inertia_a, constraint.inverse_inertia_b];
-        let normal = Vec2::from(constraint.normal);
+        let normal = constraint.normal.to_vec2();
         let impulses = [point.normal_impulse, friction.impulse];
         let share = share_of(phase);
         rows[0].bound = Bound::Range([0.0, f64::from(LARGEST_SPEED_CHANGE / point.normal_k)]);

@@ -182,8 +182,8 @@ impl Continuous {
         let motion = &scene.bodies.motions[slot as usize];
         let state = self.state_at(slot, from, scene);
         let extent = Vec2::new(motion.extent, motion.extent);
-        let aabb = Aabb::around(motion.pose.center + state.delta_position.into(), -extent, extent);
-        aabb.swept(Vec2::from(state.velocity) * (scene.h() - from))
+        let aabb = Aabb::around(motion.pose.center + state.delta_position.to_vec2(), -extent, extent);
+        aabb.swept(state.velocity.to_vec2() * (scene.h() - from))
     }
 
     /// Sweeps a traveller against everything near its way, but for the travellers that have done so with it.
@@ -233,12 +233,12 @@ impl Continuous {
             spin: state.angular_velocity,
             arm: arm_in(bodies.arm(slot), state),
         };
-        let moved = Vec2::from(b.delta_position - a.delta_position);
+        let moved = (b.delta_position - a.delta_position).to_vec2();
         let mut offset = (bodies.center(slots[1]) - bodies.center(slots[0])) + moved;
         if let Some(arms) = bodies.arms(slots) {
             offset += (arm_in(arms[1], b) - arms[1]) - (arm_in(arms[0], a) - arms[0]);
         }
-        ([of(slots[0], a), of(slots[1], b)], offset, (b.velocity - a.velocity).into())
+        ([of(slots[0], a), of(slots[1], b)], offset, (b.velocity - a.velocity).to_vec2())
     }
 
     /// Queues the next meeting of two bodies, if it comes within this substep, and later than a time, s, if there is one.
@@ -358,7 +358,7 @@ impl Continuous {
         if slots.into_iter().any(|slot| scene.bodies.is_dynamic(slot) && !scene.bodies.is_awake(slot)) {
             // It wakes in the next step, as its contact begins.
             let there = self.state_at(slots[0], time, scene).delta_position;
-            let center = scene.bodies.center(scene.bodies.body_of(slots[0])) + there.into();
+            let center = scene.bodies.center(scene.bodies.body_of(slots[0])) + there.to_vec2();
             self.note(slots, meeting.report(center, LaneVec2::default()), scene);
             return self.halt(slots, time, scene);
         }

@@ -28,7 +28,6 @@
 //! the looks of a substep are bounded too, and the sweeps take what is left. Nothing where no contact has restitution.
 
 use crate::compute::{self, BodyState, GROUND_ROW};
-use crate::math::Vec2;
 use crate::resolution::blows::Impact;
 use crate::resolution::constraint::ContactConstraint;
 use crate::resolution::constraint_graph::{BlockIndex, GraphIndex};
@@ -148,7 +147,7 @@ impl Impacts {
         let least = scene.scheme.restitution_threshold;
         let mut speeds = [0, 1].map(|index| approaching(&constraint, index, least, &pair));
         if speeds != [None; 2] {
-            let threshold = scene.bounce_threshold(constraint.normal.into(), rows);
+            let threshold = scene.bounce_threshold(constraint.normal.to_vec2(), rows);
             let is_wedged = are_wedged(scene.graph.moved_rows(contact), scene);
             speeds = speeds.map(|speed| speed.filter(|&speed| speed < -threshold && !is_wedged));
         }
@@ -159,7 +158,7 @@ impl Impacts {
         let [a, b] = &pair;
         let gaps = [0, 1].map(|index| constraint.separation(&constraint.points[index], a, b));
         scene.graph.set_pending(contact, [0, 1].map(|index| speeds[index].is_some() && gaps[index] > 0.0));
-        let acceleration = Vec2::from(constraint.normal).dot(scene.acceleration(rows));
+        let acceleration = constraint.normal.to_vec2().dot(scene.acceleration(rows));
         Some(Approach { rows, gaps, speeds, acceleration })
     }
 

@@ -2,7 +2,7 @@
 //! approach speed back, and of a seam, which gives none.
 
 use crate::compute::{BodyState, LaneVec2};
-use crate::math::{Point, Vec2};
+use crate::math::Point;
 use crate::resolution::block::{Row, solve_pair};
 use crate::resolution::blows::Collision;
 use crate::resolution::constraint::ContactConstraint;
@@ -93,14 +93,14 @@ impl Meeting {
     /// What the bodies met with, a having its centre at a place, and what came of it: this impulse on b, N s.
     pub(super) fn report(&self, center_a: Point, on_b: LaneVec2<f32>) -> Collision {
         let points = self.constraint.points.iter().zip(self.speeds);
-        let taking_part = points.filter_map(|(point, speed)| speed.map(|_| Vec2::from(point.anchor_a)));
+        let taking_part = points.filter_map(|(point, speed)| speed.map(|_| point.anchor_a.to_vec2()));
         // One point, or the middle of two.
         let anchor = taking_part.reduce(|first, second| (first + second) * 0.5).unwrap_or_default();
         Collision {
             speed: self.speed(),
             point: center_a + anchor,
-            normal: self.constraint.normal.into(),
-            on_b: on_b.into(),
+            normal: self.constraint.normal.to_vec2(),
+            on_b: on_b.to_vec2(),
         }
     }
 }

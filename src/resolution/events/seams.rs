@@ -225,7 +225,7 @@ fn pass_load_on(pieces: &mut [Piece], next: usize, time: f32, scene: &mut EventS
         scene.graph.set_load(pieces[next].home, met);
         let inverse_mass = [-old.inverse_mass_a, old.inverse_mass_b][pieces[left].circle];
         rest = rest + old.normal * (inverse_mass * (warm_start - goes));
-        scene.blows.note_other(pieces[left].home, (old.normal * (warm_start - goes)).into(), scene.graph);
+        scene.blows.note_other(pieces[left].home, (old.normal * (warm_start - goes)).to_vec2(), scene.graph);
     }
     rest
 }

@@ -33,7 +33,7 @@ impl Traveller {
     pub(super) fn stop(&self, h: f32, kicks: &Kicks, state: &mut BodyState) {
         let Some(there) = self.halted else { return };
         let lost = h - self.from;
-        let (velocity, gained) = (Vec2::from(state.velocity), kicks.acceleration(self.row) * lost);
+        let (velocity, gained) = (state.velocity.to_vec2(), kicks.acceleration(self.row) * lost);
         let velocity = velocity - gained * share_left(velocity.dot(gained), gained.length_squared());
         let (spin, gained) = (state.angular_velocity, kicks.angular_acceleration(self.row) * lost);
         let spin = spin - gained * share_left(spin * gained, gained * gained);
