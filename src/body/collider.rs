@@ -82,8 +82,8 @@ impl Collider {
         }
     }
 
-    /// Place of its centre, m, from the middle of the body's frame, as it is while the angle of the body is 0: from the centre of the
-    /// body's own shape, or from where the points of a body of [pieces](crate::Body::dynamic_pieces) count from.
+    /// Place of its centre in the frame of the body, m, which turns with the body. The frame begins at the centre of the body's own
+    /// shape; of a body of [pieces](crate::Body::dynamic_pieces) it begins where their points count from.
     #[must_use]
     pub fn at(mut self, place: impl Into<Vec2>) -> Self {
         self.at = place.into();

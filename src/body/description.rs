@@ -235,8 +235,8 @@ impl Body {
     ///
     /// It may be of any type and moves as another of that type; it sees bodies of every type, asleep or awake, and other
     /// sensors, as far as [filters](Self::filter) let the two meet. What it overlaps is found at the end of each step, touching
-    /// included. A body that goes through it within a step, or through which it goes, has begun and ended in that step, if it
-    /// was straight on its way and not both are so fast.
+    /// included. A body that passes it within one step is reported as begun and ended in that step, unless it turned off on its
+    /// way, or the sensor is as fast.
     #[must_use]
     pub fn sensor(mut self, is_sensor: bool) -> Self {
         self.role.is_sensor = is_sensor;
@@ -246,8 +246,8 @@ impl Body {
     /// Makes the body a one-way floor: bodies pass that move along this `direction`, and those that come against it are borne.
     /// It is of any length, and turns with the body.
     ///
-    /// What comes near decides for itself: from the free side it is borne until it leaves the surface or slips off the end; from
-    /// below or from the side, or if it began within the floor, it passes until it has left. To let one body drop through, part
+    /// Each body decides for itself. What comes from the free side is borne until it leaves the surface or slips off the end. What
+    /// comes from below or from the side, or began within the floor, passes until it has left. To let one body drop through, part
     /// the two for a moment by [`World::set_collision`](crate::World::set_collision).
     ///
     /// ```

@@ -198,8 +198,8 @@ impl Joint {
         Self::new(JointKind::Wheel, a, b.into())
     }
 
-    /// Pulls `b` back to a pose beside `a` by a spring: to that which it has when the joint is added, or, with
-    /// [`between`](Self::between) or [`local_anchors`](Self::local_anchors), to where both anchors are in one place. Its angle is
+    /// Pulls `b` back to a pose beside `a` by a spring. That is the pose which `b` has when the joint is added; with
+    /// [`between`](Self::between) or [`local_anchors`](Self::local_anchors), the one where both anchors are in one place. Its angle is
     /// changed by [`JointMut::set_rest`](crate::JointMut::set_rest).
     pub fn motor_to(a: BodyId, b: impl Into<Option<BodyId>>) -> Self {
         Self { spring: Some(USUAL_SPRING), ..Self::new(JointKind::Motor, a, b.into()) }
@@ -283,9 +283,9 @@ impl Joint {
         Self { spring: Some(Spring { hertz, damping_ratio }), ..self }
     }
 
-    /// The spring of a wheel along its axis: frequency, Hz, and damping ratio, as of [`spring`](Self::spring): of the wheel against the
-    /// car, of which the wheel has nearly all. A car of mass M on n wheels of mass m each bounces slower, by √(n m / M): one of 900 kg on
-    /// two wheels of 20 kg at 1.5 Hz asks for 7 Hz.
+    /// The spring of a wheel along its axis: frequency, Hz, and damping ratio, as of [`spring`](Self::spring). The frequency is that
+    /// of the wheel, which swings while the car all but rests. A car of mass M on n wheels of mass m each bounces slower, by
+    /// √(n m / M). So for a car of 900 kg on two wheels of 20 kg that is to bounce at 1.5 Hz, give 7 Hz.
     pub fn suspension(self, hertz: f32, damping_ratio: f32) -> Self {
         self.spring(hertz, damping_ratio)
     }

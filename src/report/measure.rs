@@ -203,6 +203,7 @@ impl Invariant {
 /// # Ok::<(), rustycs::report::StudyError>(())
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[non_exhaustive]
 pub struct Invariants {
     /// See [`Measure::EnergyDrift`].
     pub energy_drift: f64,

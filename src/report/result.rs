@@ -27,6 +27,7 @@ const AS_GOOD: f64 = 2.0;
 /// # Ok::<(), rustycs::report::StudyError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct RunTime {
     /// Of the fastest run: what it takes when nothing disturbs.
     pub least: f64,
@@ -58,6 +59,7 @@ pub struct RunTime {
 /// # Ok::<(), rustycs::report::StudyError>(())
 /// ```
 #[derive(Clone, Debug)]
+#[non_exhaustive]
 pub struct Row {
     /// The name the settings came with; `None` for those of the sweep.
     pub name: Option<String>,

@@ -35,7 +35,7 @@ type Watcher<'a> = Box<dyn FnMut(&Progress<'_>) -> ControlFlow<()> + 'a>;
 ///
 /// use std::ops::ControlFlow;
 ///
-/// let shown = Study::new(throw).progress(|&Progress { done, label }| {
+/// let shown = Study::new(throw).progress(|&Progress { done, label, .. }| {
 ///     eprint!("\r{:3.0} % {label}", 100.0 * done);
 ///     ControlFlow::Continue(()) // `Break` where the user has had enough
 /// });
@@ -43,6 +43,7 @@ type Watcher<'a> = Box<dyn FnMut(&Progress<'_>) -> ControlFlow<()> + 'a>;
 /// # Ok::<(), rustycs::report::StudyError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct Progress<'a> {
     /// Part of the work that is done, 0 to 1.
     pub done: f64,

@@ -18,6 +18,7 @@ use crate::shape::{Rounded, Shape};
 /// assert_eq!(hit.normal, Vec2::new(-1.0, 0.0)); // light that comes from the left is thrown back to the left
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct OutlineHit {
     /// Part of the ray's translation up to the outline; 0 where the ray starts inside.
     pub fraction: f32,

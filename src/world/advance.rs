@@ -136,9 +136,9 @@ impl World {
         self.held_forces = held;
     }
 
-    /// How far the time given to [`advance`](Self::advance) is between the last tick and the next, 0 to 1:
-    /// for drawing bodies between the pose before the last tick (0) and the pose now (1), as
-    /// [`BodyRef::interpolated_pose`](crate::BodyRef::interpolated_pose) gives it.
+    /// How far the time that [`advance`](Self::advance) was given has gone from the last tick to the next, 0 to 1. Draw bodies that
+    /// far between their poses before and after the last tick:
+    /// [`interpolated_pose(world.alpha())`](crate::BodyRef::interpolated_pose).
     pub fn alpha(&self) -> f32 {
         ((self.unused_time / self.settings.tick_seconds()) as f32).clamp(0.0, 1.0)
     }

@@ -102,7 +102,7 @@ impl<'a> BodyRef<'a> {
 
     /// Velocity of the centre of mass, m/s.
     pub fn velocity(&self) -> Vec2 {
-        self.state().velocity.into()
+        self.state().velocity.to_vec2()
     }
 
     /// Angular velocity, rad/s, counter-clockwise.
@@ -161,9 +161,9 @@ impl<'a> BodyRef<'a> {
         world.bodies.colliders(self.slot()).map(move |slot| ColliderRef::new(world, slot))
     }
 
-    /// Where the middle of the frame is that its shapes were described in, m: that of its points, if it is made of
-    /// [pieces](crate::Body::dynamic_pieces) and more than one; else the centre of its own shape, which is its
-    /// [position](Self::position) too, if it has no other.
+    /// Where the origin of the frame is in which its shapes were described, m. Of a body of one shape it is the centre of that shape,
+    /// and so its [position](Self::position). Of several shapes it is the centre of the body's own one; of
+    /// [pieces](crate::Body::dynamic_pieces) it is the origin that their points count from.
     pub fn origin(&self) -> Point {
         self.world.bodies.place_of_frame(self.slot())
     }

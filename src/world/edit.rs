@@ -9,9 +9,8 @@ impl World {
     /// Adds a body.
     ///
     /// # Errors
-    /// [`BodyError`], if a number of the description or its shape is NaN, infinite or out of range, or the mass of a dynamic
-    /// body is not within 10⁻¹² to 10¹⁵ kg or its moment of inertia not within 10⁻¹⁸ to 10²⁵ kg m²; the world is as it
-    /// was.
+    /// [`BodyError`], if a number of the description or its shape is NaN, infinite or out of range. A dynamic body must weigh
+    /// 10⁻¹² to 10¹⁵ kg and have a moment of inertia of 10⁻¹⁸ to 10²⁵ kg m². The world is as it was then.
     #[expect(clippy::needless_pass_by_value, reason = "reads as giving the body to the world")]
     pub fn add(&mut self, body: Body) -> Result<BodyId, BodyError> {
         body.validate()?;

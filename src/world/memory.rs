@@ -60,8 +60,8 @@ impl World {
 
     /// Gives up all memory that is not used now; ids stay as they are. The next steps ask for what they need anew.
     ///
-    /// A world does so itself when it has come down to a quarter of its bodies or pairs, from 1024 on, unless the body that
-    /// was added last is one of those left.
+    /// A world of 1024 bodies or pairs or more does so itself when three quarters of them are gone, unless the body that was added
+    /// last is still there.
     #[cold]
     #[inline(never)]
     pub fn shrink_to_fit(&mut self) {

@@ -88,9 +88,9 @@ use crate::world::sleep::{SleepTables, Sleepers};
 
 /// Bodies, forces and attractors that are simulated together.
 ///
-/// A world owns all it needs and shares nothing, but threads where [`Settings::threads`] asks for some: it can be cloned,
-/// sent to another thread, and stepped there with the same result, bit for bit. `clone_from` uses the memory of the world that
-/// is there, and asks for none where that is as large: for rollback.
+/// A world owns all it needs: it can be cloned, sent to another thread, and stepped there with the same result, bit for bit. It
+/// shares nothing but threads, where [`Settings::threads`] asks for some. For rollback there is `clone_from`: it uses the memory
+/// of the world that is overwritten, and allocates nothing if that is large enough.
 ///
 /// ```
 /// use rustycs::prelude::*;

@@ -47,14 +47,14 @@ pub struct Settings {
     pub max_ticks_per_advance: u32,
     /// Substeps per tick, 1 to 256. The error of contacts falls as their number grows. Default 4.
     ///
-    /// How far bodies sag into each other at rest depends on the length of a substep, so that a change of it lifts or lowers
-    /// what stands: ten boxes of 1 m on each other by a centimetre, from 60 to 240 ticks per second. For slow motion, multiply
+    /// Bodies at rest sag into each other by an amount that depends on the length of a substep. A change of it lifts or lowers what
+    /// stands: ten boxes of 1 m on each other by a centimetre, from 60 to 240 ticks per second. For slow motion, multiply
     /// the tick rate by as much as the substeps are divided by: nothing moves then.
     pub substeps: u32,
-    /// Whether islands under great load, heavy bodies on light ones or tall stacks, may be solved
-    /// [directly](crate::Tier::Direct); and whether all take two to eight times as many substeps while, in a heap too large for that,
-    /// heavy bodies would press light ones flat, unless more than 32 joints are awake. [`Counters`](crate::Counters) tell of both.
-    /// Others pay nothing for the first. Default true.
+    /// Whether more is done where loads are great, as with heavy bodies on light ones or tall stacks. Such islands may be solved
+    /// [directly](crate::Tier::Direct); others do not pay for it. In heaps too large for that, the whole world takes two to eight
+    /// times as many substeps while heavy bodies would press light ones flat, unless more than 32 joints are awake.
+    /// [`Counters`](crate::Counters) tell of both. Default true.
     pub adaptive: bool,
     /// Sequential-impulse sweeps over all contacts before the bodies move, per substep, 1 to 1000. Default 1.
     pub iterations: u32,
@@ -93,10 +93,10 @@ pub struct Settings {
     pub restitution_threshold: f32,
     /// Slowest approach that is reported as a [hit](crate::HitEvent), m/s, 0 to 10¹⁸. Default 1.
     pub hit_threshold: f32,
-    /// Whether the impulses of every contact are added up over the tick. Then [`ContactRef::impulse_on`] tells them, and bodies
-    /// that rest on each other report blows that run through them, as through a stack that something falls on, as hits: from
-    /// an impulse of `hit_threshold` times their reduced mass on, beside the load that they bear, and no
-    /// less than a quarter of that. Bodies that meet report their hits either way. It costs 3 to 5 % of a lively step, and up to
+    /// Whether the impulses of every contact are added up over the tick. Then [`ContactRef::impulse_on`] tells them. And bodies that
+    /// rest on each other report a blow that runs through them as a hit, as in a stack that something falls on. What counts is the
+    /// impulse beside the load that they bear: it must be `hit_threshold` times their reduced mass or more, and a quarter of the
+    /// load or more. Bodies that meet report their hits either way. It costs 3 to 5 % of a lively step, and up to
     /// 20 % of one in which all rests and is awake; no bit of a motion depends on it. Default false.
     ///
     /// [`ContactRef::impulse_on`]: crate::world::ContactRef::impulse_on

@@ -85,8 +85,8 @@ impl Character {
         self
     }
 
-    /// How far below it the ground may be, m, for it to stay on it as it walks: down steps as high, and slopes that fall as far in
-    /// a move. 0 for none.
+    /// How far the ground may fall away in a move, m, and the character still stays on it: down a step of this height, or down a
+    /// slope. With 0 it walks off into the air.
     #[must_use]
     pub fn snap(mut self, distance: f32) -> Self {
         self.snap = distance;
