@@ -10,6 +10,8 @@ pub(crate) struct State {
     pub(crate) scene: &'static str,
     pub(crate) seed: u64,
     pub(crate) tick: u64,
+    /// Of the places and velocities of all bodies.
+    pub(crate) hash: u64,
     /// Ticks of the second copy, if there are two.
     pub(crate) other_tick: Option<u64>,
     pub(crate) is_paused: bool,
@@ -37,6 +39,8 @@ pub(crate) struct State {
     pub(crate) zoom: f32,
     /// Width and height of the window, px.
     pub(crate) size: [f32; 2],
+    /// Time of a step, smoothed, s.
+    pub(crate) step_time: f64,
     /// CPU time to draw a frame, s.
     pub(crate) draw_time: f64,
 }
@@ -46,9 +50,11 @@ impl State {
     fn lasting(&self) -> Self {
         Self {
             tick: 0,
+            hash: 0,
             other_tick: None,
             at: None,
             hovered: None,
+            step_time: 0.0,
             draw_time: 0.0,
             zoom: 0.0,
             scroll: 0.0,
@@ -63,7 +69,11 @@ impl fmt::Display for State {
         let yes = |is: bool| if is { "yes" } else { "no" };
         let id = |id: Option<BodyId>| id.map_or_else(|| "-".to_owned(), |id| id.to_bits().to_string());
         let at = self.at.map_or_else(|| "-".to_owned(), |at| format!("{:.2},{:.2}", at.x, at.y));
-        write!(f, "state scene={} seed={} tick={}", self.scene, self.seed, self.tick)?;
+        write!(
+            f,
+            "state scene={} seed={} tick={} hash={:016x}",
+            self.scene, self.seed, self.tick, self.hash
+        )?;
         let other = self.other_tick.map_or_else(|| "-".to_owned(), |tick| tick.to_string());
         write!(f, " other={other} folded={}", yes(self.is_folded))?;
         write!(f, " paused={} speed={} copies={}", yes(self.is_paused), self.speed, self.copies)?;
@@ -78,7 +88,7 @@ impl fmt::Display for State {
             " scroll={:.0} zoom={:.2} size={:.0}x{:.0}",
             self.scroll, self.zoom, self.size[0], self.size[1]
         )?;
-        write!(f, " draw_ms={:.3}", self.draw_time * 1e3)
+        write!(f, " step_ms={:.4} draw_ms={:.3}", self.step_time * 1e3, self.draw_time * 1e3)
     }
 }
 

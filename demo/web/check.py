@@ -1,8 +1,9 @@
 #!/usr/bin/env python3
 """Opens the demo's page in a headless Chromium, as on a desk and as on a phone, presses keys and buttons, and checks
-what the demo says of its state: demo/web/check.py FOLDER [PICTURE.png]
+what the demo says of its state: demo/web/check.py FOLDER [PICTURE.png [DEMO]]
 
-The picture of the phone is saved beside the other, as PICTURE-phone.png.
+The picture of the phone is saved beside the other, as PICTURE-phone.png. With the program DEMO, built for this machine, an
+address is opened there as well, and must come to the same bits.
 
 Speaks the browser's own debugging protocol over a WebSocket; needs nothing but python3 and chromium.
 """
@@ -232,6 +233,21 @@ def check_address(page, base):
     page.wait("one that makes no sense opens the first scene", has(scene="pile"))
 
 
+def check_bits(page, base, demo):
+    """What an address opens runs on to the same state in the browser as in a program."""
+    page.open(base + "#scene=ball_pit&seed=5")
+    page.wait("an address runs on", lambda state: int(state.get("tick", 0)) > 100)
+    page.key(" ", "Space", 32)
+    page.wait("until it is paused", has(paused="yes"))
+    state = page.state
+    command = [demo, "--headless", "--scene", "ball_pit", "--seed", "5", "--ticks", state["tick"]]
+    said = subprocess.run(command, check=True, capture_output=True, text=True).stdout
+    digits, mean = re.search(r"state hash +(\w+)", said)[1], re.search(r"step +([\d.]+) ms", said)[1]
+    assert state["hash"] == digits, (state, said)
+    print(f"  the same bits in both: {state['hash']} after {state['tick']} ticks")
+    print(f"  a step: {state['step_ms']} ms of late in the browser, {mean} ms as a mean here")
+
+
 def check_phone(page, base, picture):
     page.hold_a_phone()
     page.open(base + "#scene=tower")
@@ -280,6 +296,8 @@ def main():
         try:
             check(page, picture)
             check_address(page, base)
+            if len(sys.argv) > 3:
+                check_bits(page, base, sys.argv[3])
             check_phone(page, base, picture)
             assert not page.errors, page.errors
             print("all of it holds")

@@ -288,6 +288,7 @@ impl App {
             scene: self.scene.name,
             seed: self.seed,
             tick: run.world.ticks(),
+            hash: run.world.state_hash(),
             other_tick: self.runs.get(1).map(|other| other.world.ticks()),
             is_paused: self.is_paused,
             speed: SPEEDS[self.speed],
@@ -310,6 +311,7 @@ impl App {
             scroll: self.panel.scroll(),
             zoom: self.camera.scale(),
             size: [screen_width(), screen_height()],
+            step_time: run.gauges.step,
             draw_time: self.draw_time,
         }
     }
