@@ -411,9 +411,11 @@ impl<'a> Pair<'a> {
     fn find_manifold(&self, predicted: PredictedMotion) -> Manifold {
         let PredictedMotion { motion, turning } = predicted;
         let margin = self.near() + motion.length() + turning;
-        let found =
-            self.detect_at(self.offset.near, margin).or_else(|| self.find_beyond_ghosts(motion, margin));
-        let Some(manifold) = found else { return Manifold::default() };
+        let near = self.offset.near;
+        // What is out of reach as the step begins is so until it ends.
+        let Some(found) = self.detect_at(near, margin) else { return Manifold::default() };
+        let exposed = self.exposed(found, near, margin).or_else(|| self.find_beyond_ghosts(motion, margin));
+        let Some(manifold) = exposed else { return Manifold::default() };
         let gap = manifold.points().iter().fold(f32::INFINITY, |gap, point| gap.min(point.separation));
         let closing = predicted.closing(manifold.normal);
         // What is flat has one normal, wherever they meet.
@@ -446,7 +448,6 @@ impl<'a> Pair<'a> {
     /// The manifold of bodies that have met a ghost as the step begins, but come to meet what is exposed within it: as they first
     /// touch, or where they are at its end.
     fn find_beyond_ghosts(&self, motion: Vec2, margin: f32) -> Option<Manifold> {
-        self.bodies.exposures_of(self.colliders)?;
         if let Some(meeting) = self.find_where_they_meet(motion, margin) {
             return Some(meeting);
         }
@@ -458,7 +459,8 @@ impl<'a> Pair<'a> {
 
     /// The manifold after b has advanced by so much, m; separations are those of now along its normal.
     fn find_after(&self, advance: Vec2, margin: f32) -> Option<Manifold> {
-        let mut manifold = self.detect_at(self.offset.near + advance, margin)?;
+        let near = self.offset.near + advance;
+        let mut manifold = self.exposed(self.detect_at(near, margin)?, near, margin)?;
         let closed = manifold.normal.dot(advance);
         for point in manifold.points_mut() {
             point.separation -= closed;
@@ -466,11 +468,15 @@ impl<'a> Pair<'a> {
         Some(manifold)
     }
 
-    /// The manifold where the centre of b is `near` from that of a, and what is missing of it as it is now.
+    /// The manifold where the centre of b is `near` from that of a, and what is missing of it as it is now; ghosts are in it.
     fn detect_at(&self, near: Vec2, margin: f32) -> Option<Manifold> {
         let offset = Offset { near, ..self.offset };
         let detect = if self.is_flat() { detect_flat } else { detect_from };
-        let found = detect(self.shape_a, self.rotation_a, self.shape_b, self.rotation_b, offset, margin)?;
+        detect(self.shape_a, self.rotation_a, self.shape_b, self.rotation_b, offset, margin)
+    }
+
+    /// What is left of a manifold that was found so without ghosts.
+    fn exposed(&self, found: Manifold, near: Vec2, margin: f32) -> Option<Manifold> {
         match self.bodies.exposures_of(self.colliders) {
             None => Some(found),
             Some(exposures) => without_ghosts(

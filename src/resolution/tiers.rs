@@ -142,6 +142,7 @@ pub(crate) struct Tiers {
     hubs: Vec<u32>,
     to_move: Vec<u32>,
     seen: BitSet,
+    large: BitSet,
     begun: BitSet,
     ordered: BitSet,
     place_of_slot: Vec<u32>,
@@ -151,7 +152,7 @@ pub(crate) struct Tiers {
 clone_into_buffers!(Tiers {
     direct, histories
 } scratch {
-    island, found, hubs, to_move, seen, begun, ordered, place_of_slot, first
+    island, found, hubs, to_move, seen, large, begun, ordered, place_of_slot, first
 });
 
 impl Tiers {
@@ -191,6 +192,7 @@ impl Tiers {
         }
         self.histories.resize(tables.bodies.motions.len(), History::default());
         self.seen.clear();
+        self.large.clear();
         if rule.adapts && !loads.begun_at_rest.is_empty() {
             self.begun.clear();
             for &index in &loads.begun_at_rest {
@@ -203,7 +205,10 @@ impl Tiers {
             let load = loads.of_contact[index as usize];
             for slot in tables.slots(index) {
                 let counts = |is_joined: bool| is_joined || !load.is_passing;
-                let is_blow = || !self.seen.contains(slot) && small_island(slot, &tables).is_some_and(counts);
+                let mut is_blow = || {
+                    !self.seen.contains(slot)
+                        && small_island(slot, &tables, &mut self.large).is_some_and(counts)
+                };
                 if load.lasts() || load.counts() && is_blow() {
                     self.decide_island(slot, tick, rule, loads, &mut tables);
                 }
@@ -396,19 +401,30 @@ fn most_in_small_island(is_joined: bool) -> usize {
     if is_joined { SMALL_JOINED_ISLAND } else { SMALL_ISLAND }
 }
 
-/// Whether the body in a slot is in a small island, and if so, whether any of it is joined.
-fn small_island(slot: u32, tables: &TierTables<'_>) -> Option<bool> {
+/// Whether the body in a slot is in a small island, and if so, whether any of it is joined. The bodies that it finds to be in a large one
+/// are told in `large`, so that each of a heap is not looked for again from each of its contacts.
+fn small_island(slot: u32, tables: &TierTables<'_>, large: &mut BitSet) -> Option<bool> {
     let mut island = [slot; SMALL_JOINED_ISLAND];
-    let (mut len, mut next) = (1, 0);
-    while next < len {
+    let (mut len, mut next, mut is_large) = (1, 0, large.contains(slot));
+    while next < len && !is_large {
         for other in tables.neighbours(island[next]) {
             if !island[..len].contains(&other) {
-                *island.get_mut(len)? = other;
+                is_large |= len == island.len() || large.contains(other);
+                if is_large {
+                    break;
+                }
+                island[len] = other;
                 len += 1;
             }
         }
         next += 1;
     }
     let is_joined = island[..len].iter().any(|&slot| tables.joints.hold(slot));
-    (len <= most_in_small_island(is_joined)).then_some(is_joined)
+    let is_small = !is_large && len <= most_in_small_island(is_joined);
+    if !is_small {
+        for &slot in &island[..len] {
+            large.insert(slot);
+        }
+    }
+    is_small.then_some(is_joined)
 }
