@@ -243,7 +243,8 @@ impl Tiers {
             load.add(loads.of_contact[index as usize]);
             is_driven |= contact.slots.into_iter().any(drives);
         });
-        let was_direct = self.island.iter().any(|&slot| tables.graph.is_direct(slot));
+        let direct_count = self.island.iter().filter(|&&slot| tables.graph.is_direct(slot)).count();
+        let was_direct = direct_count > 0;
         // Between walls and what a kinematic body presses on, a blow may have no solution: bodies left a box with a paddle.
         let is_joined = self.is_joined(tables);
         let blows_count = !is_driven && self.island.len() <= most_in_small_island(is_joined);
@@ -252,14 +253,15 @@ impl Tiers {
             (true, false) => load.greatest,
             (false, _) => load.lasting,
         };
-        let history =
-            History::of_island(self.island.iter().map(|&slot| self.histories[slot as usize].at(tick)));
+        let history = self.history(tick, tables);
         let is_hopeless =
             !was_direct && (history.is_given_up() || history.times_dear > 0 && largest <= RETRY_SHARE);
         let is_paused = history.quiet_until > tick;
         let share = if was_direct { CALM_SHARE * DIRECT_SHARE } else { DIRECT_SHARE };
         let is_calm = was_direct && largest <= share;
-        let stays = is_calm && history.calm_steps < CALM_STEPS;
+        // Few that were struck do not have a heap that they fall on solved as they are.
+        let is_mostly_direct = 2 * direct_count >= self.island.len();
+        let stays = is_calm && is_mostly_direct && history.calm_steps < CALM_STEPS;
         let is_asked = rule.adapts && !is_paused && !is_hopeless && (largest > share || stays);
         let overspent = if was_direct && !blows_count { history.overspent_with(largest) } else { 0.0 };
         let is_too_dear = overspent > MOST_OVERSPENT;
@@ -273,25 +275,25 @@ impl Tiers {
         };
         self.give(if is_direct { Tier::Direct } else { Tier::Swept }, calm_steps, overspent, tables);
         if !is_direct {
+            // The next blow may come at any time, and few bodies are soon looked at.
+            let pause = match (is_asked, blows_count) {
+                (true, _) => TOO_LARGE_STEPS,
+                (false, true) => 0,
+                (false, false) => RETRY_STEPS,
+            };
+            let quiet_until = history.quiet_until.max(tick + pause);
             for &slot in &self.island {
-                let of_body = &mut self.histories[slot as usize];
-                // The next blow may come at any time, and few bodies are soon looked at.
-                let pause = if is_asked {
-                    TOO_LARGE_STEPS
-                } else if blows_count {
-                    0
-                } else {
-                    RETRY_STEPS
-                };
-                of_body.quiet_until = history.quiet_until.max(tick + pause);
-                if is_calm {
-                    of_body.times_dear = 0;
-                }
-                if is_too_dear {
-                    of_body.leave_alone(tick);
-                }
+                self.histories[slot as usize].be_swept(tick, quiet_until, [is_calm, is_too_dear]);
             }
         }
+    }
+
+    /// What the island has been through.
+    fn history(&self, tick: u64, tables: &TierTables<'_>) -> History {
+        History::of_island(self.island.iter().map(|&slot| {
+            let history = self.histories[slot as usize].at(tick);
+            if tables.graph.is_direct(slot) { history } else { history.of_swept() }
+        }))
     }
 
     /// Has the island of the body in `slot` solved directly from its first step on, if all of it begins at rest and some

@@ -78,6 +78,11 @@ impl History {
         Self { times_dear, ..self }
     }
 
+    /// What counts of it if the body is swept: how long its island has been calm is told by those that are solved directly.
+    pub(super) fn of_swept(self) -> Self {
+        Self { calm_steps: u8::MAX, ..self }
+    }
+
     /// Whether the direct solve took too much so often that it is not tried again.
     pub(super) fn is_given_up(&self) -> bool {
         self.times_dear == MOST_TIMES_DEAR
@@ -92,8 +97,19 @@ impl History {
         }
     }
 
+    /// Is left to sweeps from `tick` on, and not looked at before `quiet_until`: as it was calm, as the direct solve takes too much, or neither.
+    pub(super) fn be_swept(&mut self, tick: u64, quiet_until: u64, [is_calm, is_too_dear]: [bool; 2]) {
+        self.quiet_until = quiet_until;
+        if is_calm {
+            self.times_dear = 0;
+        }
+        if is_too_dear {
+            self.leave_alone(tick);
+        }
+    }
+
     /// Leaves the island alone for a while, as the direct solve takes too much.
-    pub(super) fn leave_alone(&mut self, tick: u64) {
+    fn leave_alone(&mut self, tick: u64) {
         self.retry_tick = tick + (RETRY_STEPS << self.times_dear);
         self.quiet_until = self.retry_tick;
         self.times_dear = (self.times_dear + 1).min(MOST_TIMES_DEAR);

@@ -83,3 +83,20 @@ fn heaps_of_one_density_are_soon_left_to_sweeps() {
     }
     assert!(direct <= 3 * 30, "solved directly in {direct} of 1800 steps");
 }
+
+/// A few bodies that are struck are solved directly for some steps. What they fall on, and what falls on them, is not for that reason: its
+/// loads are small.
+#[test]
+fn a_heap_is_not_solved_directly_for_what_strikes_it() {
+    let scene = rustycs_scenes::find("pool").expect("it is a scene");
+    for seed in 1..=3 {
+        let mut world = scene.build(seed, Settings::default());
+        let mut most = 0;
+        for _ in 0..120 {
+            world.step();
+            most = most.max(world.profile().counters().direct_bodies);
+        }
+        let count = world.body_count();
+        assert!(most <= count / 4, "seed {seed}: {most} of {count} bodies");
+    }
+}
