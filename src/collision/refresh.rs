@@ -414,8 +414,9 @@ impl<'a> Pair<'a> {
         let near = self.offset.near;
         // What is out of reach as the step begins is so until it ends.
         let Some(found) = self.detect_at(near, margin) else { return Manifold::default() };
-        let exposed = self.exposed(found, near, margin).or_else(|| self.find_beyond_ghosts(motion, margin));
-        let Some(manifold) = exposed else { return Manifold::default() };
+        let Some(manifold) = self.without_ghosts(found, near, margin) else {
+            return self.find_beyond_ghosts(motion, margin).unwrap_or_default();
+        };
         let gap = manifold.points().iter().fold(f32::INFINITY, |gap, point| gap.min(point.separation));
         let closing = predicted.closing(manifold.normal);
         // What is flat has one normal, wherever they meet.
@@ -460,7 +461,7 @@ impl<'a> Pair<'a> {
     /// The manifold after b has advanced by so much, m; separations are those of now along its normal.
     fn find_after(&self, advance: Vec2, margin: f32) -> Option<Manifold> {
         let near = self.offset.near + advance;
-        let mut manifold = self.exposed(self.detect_at(near, margin)?, near, margin)?;
+        let mut manifold = self.without_ghosts(self.detect_at(near, margin)?, near, margin)?;
         let closed = manifold.normal.dot(advance);
         for point in manifold.points_mut() {
             point.separation -= closed;
@@ -475,8 +476,8 @@ impl<'a> Pair<'a> {
         detect(self.shape_a, self.rotation_a, self.shape_b, self.rotation_b, offset, margin)
     }
 
-    /// What is left of a manifold that was found so without ghosts.
-    fn exposed(&self, found: Manifold, near: Vec2, margin: f32) -> Option<Manifold> {
+    /// What is left of a manifold that was found so without what neighbours cover.
+    fn without_ghosts(&self, found: Manifold, near: Vec2, margin: f32) -> Option<Manifold> {
         match self.bodies.exposures_of(self.colliders) {
             None => Some(found),
             Some(exposures) => without_ghosts(

@@ -24,8 +24,8 @@ pub(super) const CALM_SHARE: f32 = 0.7;
 /// the next.
 pub(super) const CALM_STEPS: u8 = 30;
 
-/// A load is heavy if it is great for so many steps, whether its bodies move or not. With half of it, a pit into which heavy balls sink takes
-/// 1.7 times as long; with twice as much, one in forty heaps is 12 mm deep for ten seconds.
+/// A load is heavy if it is great for so many steps, whether its bodies move or not. With half of it, pits into which heavy balls sink take
+/// 1.5 times as many substeps; with twice as much the same, as the balls have sunk in deeper by then.
 const HEAVY_STEPS: u8 = 30;
 
 /// The load of a contact.
@@ -55,8 +55,8 @@ impl ContactLoad {
         self.steps >= LASTING_STEPS
     }
 
-    /// Whether it lasts, or is a blow. Bodies that are deep in each other are pushed apart, which is none: taken for one, crosses that
-    /// are set into each other fly apart.
+    /// Whether it lasts, or is a blow. Bodies that are deep in each other are pushed apart, which is no blow: taken for one, crosses
+    /// that are set into each other fly apart.
     pub(super) fn counts(self) -> bool {
         self.lasts() || self.steps > 0 && !self.is_deep
     }
@@ -72,7 +72,7 @@ pub(crate) struct DirectOutcome {
     pub(crate) is_solved: bool,
 }
 
-/// The contacts under great load, and how direct solves went, found at the end of a step.
+/// The contacts under great load, and how direct solves went, as the last step has found them.
 #[derive(Debug, Default)]
 pub(crate) struct Loads {
     /// By index of a contact.
@@ -88,8 +88,8 @@ pub(crate) struct Loads {
 clone_into_buffers!(Loads { of_contact, great, begun_at_rest, of_direct });
 
 impl Loads {
-    /// Forgets the load of the contact that had an index; makes room for one that begins.
-    pub(crate) fn begin_contact(&mut self, index: u32) {
+    /// Forgets the load of a contact, which begins, or has lost its points; there is room for it then.
+    pub(crate) fn forget_contact(&mut self, index: u32) {
         let end = index as usize + 1;
         self.of_contact.resize(self.of_contact.len().max(end), ContactLoad::default());
         self.of_contact[index as usize] = ContactLoad::default();

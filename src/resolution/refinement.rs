@@ -12,6 +12,7 @@ use crate::collision::Contacts;
 use crate::joint::Joints;
 use crate::resolution::constraint_graph::ConstraintGraph;
 use crate::resolution::load::{CALM_SHARE, CALM_STEPS, ContactLoad, Loads, USUAL_RATE};
+use crate::resolution::softness::DEEP_SHARE;
 use crate::resolution::tiers::TierRule;
 
 /// Substeps are refined where a contact would sag by more than this share of the width of the thinner body, no unit. In piles of bodies
@@ -23,8 +24,8 @@ const LARGEST_SAG: f32 = 0.7;
 /// ten seconds with 4, and 7 mm with this, which takes a third longer.
 const LARGEST_FACTOR: u32 = 8;
 
-/// A body is crushed by one of more than so many times its mass, no unit. Bodies of one kind that are thrown about bear as much at times, and
-/// washers and drums would take 1.6 times as long for nothing. With half of it fewer heaps come to rest.
+/// A body is crushed by one of more than so many times its mass, no unit. With 1, washers and drums take 1.6 times as long for nothing, as bodies of
+/// one kind that are thrown about bear as much at times. With 1000, one in ten heaps of densities 78 : 1 is ten centimetres deep.
 const CRUSHING_RATIO: f32 = 32.0;
 
 /// Substeps that a step may have, asked for or refined.
@@ -71,11 +72,11 @@ impl Refinement {
             *self = Self::default();
             return;
         }
-        let sag = of.largest_sag(rule);
-        let needed = |sag| if of.has_many_joints(sag) { 1 } else { factor_for(sag) };
-        if needed(sag) > self.factor {
-            *self = Self { factor: needed(sag), calm_steps: 0 };
-        } else if needed(sag / CALM_SHARE) < self.factor {
+        let excess = of.largest_excess(rule);
+        let needed = |excess| if of.has_many_joints(excess) { 1 } else { factor_for(excess) };
+        if needed(excess) > self.factor {
+            *self = Self { factor: needed(excess), calm_steps: 0 };
+        } else if needed(excess / CALM_SHARE) < self.factor {
             self.calm_steps += 1;
             if self.calm_steps == CALM_STEPS {
                 *self = Self { factor: self.factor / 2, calm_steps: 0 };
@@ -87,40 +88,39 @@ impl Refinement {
 }
 
 impl Loaded<'_> {
-    /// The largest sag of what is swept over, with as many substeps as are asked for, as a share of the width of the thinner body; infinite
-    /// where a body is crushed.
-    fn largest_sag(&self, rule: TierRule) -> f32 {
+    /// The largest sag of what is swept over, with as many substeps as are asked for, over what it may be, no unit.
+    fn largest_excess(&self, rule: TierRule) -> f32 {
         let Self { loads, graph, .. } = self;
         let is_swept = |index: &u32| graph.home(*index).is_some_and(|home| !home.is_solved_directly());
-        let sags = loads.great.iter().copied().filter(is_swept).filter_map(|index| {
+        let excesses = loads.great.iter().copied().filter(is_swept).filter_map(|index| {
             let load = loads.of_contact[index as usize];
             if self.is_crushing(index, load) {
-                return Some(f32::INFINITY);
+                return Some(load.sag / DEEP_SHARE);
             }
-            load.lasts().then_some(load.sag)
+            load.lasts().then_some(load.sag / LARGEST_SAG)
         });
         // Loads tell those of no more than the usual rate; with more substeps they are less.
-        sags.fold(0.0, f32::max) * rule.substep_rate.min(USUAL_RATE) / rule.substep_rate
+        excesses.fold(0.0, f32::max) * rule.substep_rate.min(USUAL_RATE) / rule.substep_rate
     }
 
-    /// Whether a contact crushes a light body by a heavy one. What is crushed trembles, so that its sag changes all the time.
+    /// Whether a contact crushes a light body by a heavy one: it may sag by [`DEEP_SHARE`] and no more, whether it trembles or not.
     fn is_crushing(&self, index: u32, load: ContactLoad) -> bool {
         let inverse_mass = |slot: u32| self.bodies.motions[slot as usize].inverse_mass;
         let [a, b] = self.contacts[index].colliders.map(inverse_mass);
-        let [heavy, light] = [a.min(b), a.max(b)];
-        load.is_heavy() && heavy > 0.0 && light > CRUSHING_RATIO * heavy
+        let [of_heavy, of_light] = [a.min(b), a.max(b)];
+        load.is_heavy() && of_heavy > 0.0 && of_light > CRUSHING_RATIO * of_heavy
     }
 
-    /// Whether joints forbid what a sag asks for. Asked only where that matters.
-    fn has_many_joints(&self, sag: f32) -> bool {
-        sag > LARGEST_SAG && self.joints.awake(self.bodies).nth(MOST_JOINTS).is_some()
+    /// Whether joints forbid what a sag asks for that is so many times what it may be. Asked only where that matters.
+    fn has_many_joints(&self, excess: f32) -> bool {
+        excess > 1.0 && self.joints.awake(self.bodies).nth(MOST_JOINTS).is_some()
     }
 }
 
-/// How many times as many substeps let a sag, as a share of the thinner body, not be too large.
-fn factor_for(sag: f32) -> u32 {
+/// How many times as many substeps let a sag that is so many times what it may be not be too large.
+fn factor_for(excess: f32) -> u32 {
     let mut factor = 1;
-    while factor < LARGEST_FACTOR && sag > LARGEST_SAG * factor as f32 {
+    while factor < LARGEST_FACTOR && excess > factor as f32 {
         factor *= 2;
     }
     factor
@@ -134,10 +134,10 @@ mod tests {
     #[test]
     fn substeps_are_as_short_as_the_sag_asks_for_and_no_shorter() {
         for step in 1..200 {
-            let sag = 0.01 * step as f32;
-            let factor = factor_for(sag);
-            assert!(sag / factor as f32 <= LARGEST_SAG, "{sag}: {factor}");
-            assert!(factor == 1 || sag / (factor / 2) as f32 > LARGEST_SAG, "{sag}: {factor}");
+            let excess = 0.03 * step as f32;
+            let factor = factor_for(excess);
+            assert!(excess / factor as f32 <= 1.0, "{excess}: {factor}");
+            assert!(factor == 1 || excess / (factor / 2) as f32 > 1.0, "{excess}: {factor}");
         }
         assert_eq!(
             [factor_for(100.0), factor_for(f32::INFINITY), factor_for(f32::NAN)],

@@ -233,8 +233,8 @@ impl Tiers {
         loads: &Loads,
         tables: &mut TierTables<'_>,
     ) {
-        let was_direct = tables.graph.is_direct(slot);
-        if self.seen.contains(slot) || (!was_direct && self.histories[slot as usize].quiet_until > tick) {
+        let is_left_alone = !tables.graph.is_direct(slot) && self.histories[slot as usize].quiet_until > tick;
+        if self.seen.contains(slot) || is_left_alone {
             return;
         }
         let (mut load, mut is_driven, bodies) = (Load::default(), false, tables.bodies);
@@ -243,8 +243,9 @@ impl Tiers {
             load.add(loads.of_contact[index as usize]);
             is_driven |= contact.slots.into_iter().any(drives);
         });
+        // Most of it was. Few that were struck do not have a heap that they fall on solved as they are.
         let direct_count = self.island.iter().filter(|&&slot| tables.graph.is_direct(slot)).count();
-        let was_direct = direct_count > 0;
+        let was_direct = 2 * direct_count >= self.island.len();
         // Between walls and what a kinematic body presses on, a blow may have no solution: bodies left a box with a paddle.
         let is_joined = self.is_joined(tables);
         let blows_count = !is_driven && self.island.len() <= most_in_small_island(is_joined);
@@ -259,9 +260,7 @@ impl Tiers {
         let is_paused = history.quiet_until > tick;
         let share = if was_direct { CALM_SHARE * DIRECT_SHARE } else { DIRECT_SHARE };
         let is_calm = was_direct && largest <= share;
-        // Few that were struck do not have a heap that they fall on solved as they are.
-        let is_mostly_direct = 2 * direct_count >= self.island.len();
-        let stays = is_calm && is_mostly_direct && history.calm_steps < CALM_STEPS;
+        let stays = is_calm && history.calm_steps < CALM_STEPS;
         let is_asked = rule.adapts && !is_paused && !is_hopeless && (largest > share || stays);
         let overspent = if was_direct && !blows_count { history.overspent_with(largest) } else { 0.0 };
         let is_too_dear = overspent > MOST_OVERSPENT;
@@ -281,18 +280,25 @@ impl Tiers {
                 (false, true) => 0,
                 (false, false) => RETRY_STEPS,
             };
-            let quiet_until = history.quiet_until.max(tick + pause);
             for &slot in &self.island {
-                self.histories[slot as usize].be_swept(tick, quiet_until, [is_calm, is_too_dear]);
+                let of_body = &mut self.histories[slot as usize];
+                of_body.quiet_until = history.quiet_until.max(tick + pause);
+                if is_calm {
+                    of_body.times_dear = 0;
+                }
+                if is_too_dear {
+                    of_body.leave_alone(tick);
+                }
             }
         }
     }
 
-    /// What the island has been through.
-    fn history(&self, tick: u64, tables: &TierTables<'_>) -> History {
+    /// What the island has been through, but for what was long ago.
+    fn history(&mut self, tick: u64, tables: &TierTables<'_>) -> History {
         History::of_island(self.island.iter().map(|&slot| {
-            let history = self.histories[slot as usize].at(tick);
-            if tables.graph.is_direct(slot) { history } else { history.of_swept() }
+            let history = &mut self.histories[slot as usize];
+            history.forget_what_was_long_before(tick);
+            if tables.graph.is_direct(slot) { *history } else { history.of_swept() }
         }))
     }
 

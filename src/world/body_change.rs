@@ -110,7 +110,7 @@ impl World {
             let slots = self.contacts[index].slots;
             if slots.iter().any(|&slot| self.bodies.is_dynamic(slot)) {
                 self.contacts.fit_to_bodies(&self.bodies, index, share);
-                self.loads.begin_contact(index);
+                self.loads.forget_contact(index);
                 self.contacts.set_awake(index);
                 if !self.contacts[index].manifold.points().is_empty() {
                     self.graph.enter(&self.contacts, &self.bodies, index);

@@ -131,7 +131,7 @@ impl World {
         let [a, b] = colliders;
         let (friction, restitution) = self.mixed(a, b);
         let index = self.contacts.begin(&mut self.bodies, colliders, friction, restitution);
-        self.loads.begin_contact(index);
+        self.loads.forget_contact(index);
         if self.bodies.is_awake(a) || self.bodies.is_awake(b) {
             self.contacts.set_awake(index);
         }
@@ -181,6 +181,7 @@ impl World {
             }
             if self.contacts[index].manifold.points().is_empty() {
                 self.graph.leave(&self.contacts, index);
+                self.loads.forget_contact(index);
             } else if self.graph.home(index).is_some() {
                 self.graph.sort_in(&self.contacts, index);
             } else {

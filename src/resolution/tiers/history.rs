@@ -13,7 +13,7 @@ pub(super) const RETRY_STEPS: u64 = 10;
 /// heaps of gravel keep an overlap of a millimetre.
 const MOST_TIMES_DEAR: u8 = 4;
 
-/// What bore no great load for so many steps since the island was last looked at is in another place, and may be solved directly again.
+/// What bore no great load for so many steps, after it was to be looked at again, is in another place, and may be solved directly again.
 const FORGOTTEN_STEPS: u64 = 120;
 
 /// Multiplications in a substep, for each body, that the direct solve is worth for each [`DIRECT_SHARE`] that sweeps would let a
@@ -72,15 +72,17 @@ impl History {
         (self.overspent + self.work - worth).max(0.0)
     }
 
-    /// What of it counts at `tick`.
-    pub(super) fn at(self, tick: u64) -> Self {
-        let times_dear = if tick > self.quiet_until + FORGOTTEN_STEPS { 0 } else { self.times_dear };
-        Self { times_dear, ..self }
+    /// Forgets how often the direct solve took too much, if the island has borne nothing for long.
+    pub(super) fn forget_what_was_long_before(&mut self, tick: u64) {
+        if tick > self.quiet_until + FORGOTTEN_STEPS {
+            self.times_dear = 0;
+        }
     }
 
-    /// What counts of it if the body is swept: how long its island has been calm is told by those that are solved directly.
+    /// What counts of it while the body is swept: the rest is of a direct solve that has ended.
     pub(super) fn of_swept(self) -> Self {
-        Self { calm_steps: u8::MAX, ..self }
+        let Self { quiet_until, retry_tick, times_dear, .. } = self;
+        Self { calm_steps: u8::MAX, quiet_until, retry_tick, times_dear, ..Self::default() }
     }
 
     /// Whether the direct solve took too much so often that it is not tried again.
@@ -93,23 +95,12 @@ impl History {
     pub(super) fn is_to_change(&self, tick: u64, tier: Tier) -> bool {
         match tier {
             Tier::Direct => self.calm_steps > 0,
-            Tier::Swept => self.retry_tick + RETRY_STEPS > tick,
-        }
-    }
-
-    /// Is left to sweeps from `tick` on, and not looked at before `quiet_until`: as it was calm, as the direct solve takes too much, or neither.
-    pub(super) fn be_swept(&mut self, tick: u64, quiet_until: u64, [is_calm, is_too_dear]: [bool; 2]) {
-        self.quiet_until = quiet_until;
-        if is_calm {
-            self.times_dear = 0;
-        }
-        if is_too_dear {
-            self.leave_alone(tick);
+            Tier::Swept => !self.is_given_up() && self.retry_tick + RETRY_STEPS > tick,
         }
     }
 
     /// Leaves the island alone for a while, as the direct solve takes too much.
-    fn leave_alone(&mut self, tick: u64) {
+    pub(super) fn leave_alone(&mut self, tick: u64) {
         self.retry_tick = tick + (RETRY_STEPS << self.times_dear);
         self.quiet_until = self.retry_tick;
         self.times_dear = (self.times_dear + 1).min(MOST_TIMES_DEAR);
@@ -159,7 +150,10 @@ mod tests {
             history.leave_alone(1000);
         }
         let end = history.quiet_until + FORGOTTEN_STEPS;
-        assert!(history.at(end).is_given_up() && !history.at(end + 1).is_given_up());
+        history.forget_what_was_long_before(end);
+        assert!(history.is_given_up());
+        history.forget_what_was_long_before(end + 1);
+        assert!(!history.is_given_up());
     }
 
     #[test]
