@@ -24,6 +24,10 @@
 //! one in which it slips. What rests has to stay at rest, so the limits begin high: with the greater of the last normal impulse and that of
 //! the first Newton step, in which all is held.
 //!
+//! Where walls leave a body too little room, no impulses are enough, and what has not lessened the overlap must not be kept as λ₀. So λ₀ is no more
+//! than a multiple of what all bodies of the island can press with, and what is squeezed yields to the rest. Sweeps would wind it up, and
+//! so an island that is squeezed stays here.
+//!
 //! Where bodies are joined, the rows of their joints are rows as well, see [`joint`].
 //!
 //! A substep has two such solves. The one before the move balances half of the forces of the substep and corrects penetration: it says where
@@ -52,7 +56,7 @@ use crate::resolution::direct::joint::DirectJoint;
 use crate::resolution::direct::newton::{Newton, Part};
 use crate::resolution::islands::Connections;
 use crate::resolution::joint::{JointSolver, Phase};
-use crate::resolution::load::DirectOutcome;
+use crate::resolution::load::{DirectOutcome, LoadMeasure};
 
 /// The islands that are solved directly.
 ///
@@ -74,7 +78,10 @@ pub(crate) struct DirectSolver {
 #[derive(Clone, Debug)]
 struct Island {
     part: Part,
+    contacts: Range<usize>,
     joints: Range<usize>,
+    /// The greatest load of the last push, as [`DirectContact::load`] tells it.
+    load: f64,
 }
 
 impl DirectSolver {
@@ -97,6 +104,7 @@ impl DirectSolver {
     ) {
         let Connections { contacts, joints } = connections;
         let (first_mover, first_joint) = (self.states_of_movers.len(), self.joints.len());
+        let first_contact = self.contacts.len();
         let begin = self.newton.end();
         self.mover_of_row.resize(bodies.row_count(), None);
         for &slot in island {
@@ -144,7 +152,8 @@ impl DirectSolver {
             self.mover_of_row[row as usize] = None;
         }
         let part = self.newton.part_from(begin);
-        self.islands.push(Island { part, joints: first_joint..self.joints.len() });
+        let (contacts, joints) = (first_contact..self.contacts.len(), first_joint..self.joints.len());
+        self.islands.push(Island { part, contacts, joints, load: 0.0 });
     }
 
     pub(crate) fn is_empty(&self) -> bool {
@@ -152,13 +161,19 @@ impl DirectSolver {
     }
 
     /// How it went in this step of so many substeps, for the bodies of each island.
-    pub(crate) fn outcomes(&self, bodies: &Bodies, substeps: u32) -> impl Iterator<Item = DirectOutcome> {
-        self.islands.iter().flat_map(move |Island { part, .. }| {
+    pub(crate) fn outcomes(
+        &self,
+        bodies: &Bodies,
+        substeps: u32,
+        measure: LoadMeasure,
+    ) -> impl Iterator<Item = DirectOutcome> {
+        self.islands.iter().flat_map(move |Island { part, load, .. }| {
             let work = part.work_per_mover() / substeps as f32;
             self.states_of_movers[part.movers.clone()].iter().map(move |&row| DirectOutcome {
                 slot: bodies.slot_of_row(row as usize),
                 work,
                 is_solved: !part.is_unsolved,
+                sag: measure.sag(*load as f32),
             })
         })
     }
@@ -200,7 +215,7 @@ impl DirectSolver {
         acted: bool,
     ) {
         let Self { states_of_movers, islands, newton, .. } = self;
-        let Island { part, joints: of_island } = &mut islands[number];
+        let Island { part, joints: of_island, .. } = &mut islands[number];
         for mover in part.movers.clone() {
             newton.free[mover] = velocity_of(&states[states_of_movers[mover] as usize]).map(f64::from);
         }
@@ -239,12 +254,22 @@ impl DirectSolver {
 
     /// Takes the impulses of the first phase out of the velocities when the bodies have moved. What has struck bodies since stays, and what
     /// joints have answered.
-    pub(crate) fn take_back_push(&self, states: &mut [BodyState], joints: &mut JointSolver) {
+    pub(crate) fn take_back_push(&mut self, states: &mut [BodyState], joints: &mut JointSolver) {
+        self.note_loads();
         for (mover, &row) in self.states_of_movers.iter().enumerate() {
             let (free, change) = (self.newton.free[mover], self.change_of(mover, states));
             give([0, 1, 2].map(|axis| free[axis] as f32 + change[axis]), &mut states[row as usize]);
         }
         self.joints.iter().for_each(|joint| joint.take_back(joints));
+    }
+
+    /// Takes note of what the push has loaded each island with.
+    fn note_loads(&mut self) {
+        let Self { contacts, islands, newton, .. } = self;
+        for island in islands {
+            let loads = contacts[island.contacts.clone()].iter().map(|contact| contact.load(&newton.rows));
+            island.load = loads.fold(0.0, f64::max);
+        }
     }
 
     /// Gives the contacts the impulses that were found last.

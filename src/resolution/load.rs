@@ -70,6 +70,9 @@ pub(crate) struct DirectOutcome {
     pub(crate) work: f32,
     /// Whether it solved the island.
     pub(crate) is_solved: bool,
+    /// The overlap that sweeps would leave in the island under what has pushed its bodies apart, as a share of the width of the thinner body:
+    /// beside the load this is what squeezes them.
+    pub(crate) sag: f32,
 }
 
 /// The contacts under great load, and how direct solves went, as the last step has found them.
@@ -137,10 +140,15 @@ impl LoadMeasure {
         Self { dt, usual_rate, factor: if loads_matter { substep_rate / usual_rate } else { 0.0 } }
     }
 
+    /// The overlap that sweeps leave under a load whose k λ is `speed`, m/s: m.
+    pub(crate) fn sag(self, speed: f32) -> f32 {
+        sag(self.factor * speed, self.usual_rate)
+    }
+
     /// Takes note of the load of a contact, whose greatest k λ is `speed`, m/s. Returns whether it counts, or is heavy.
     #[inline(always)]
     pub(crate) fn note_load(self, contact: &Contact, load: &mut ContactLoad, speed: f32) -> bool {
-        let sag = sag(self.factor * speed, self.usual_rate);
+        let sag = self.sag(speed);
         if sag <= CALM_SHARE * DIRECT_SHARE * contact.thickness {
             (load.steps, load.borne_steps) = (0, 0);
             return false;

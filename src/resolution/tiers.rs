@@ -249,12 +249,14 @@ impl Tiers {
         // Between walls and what a kinematic body presses on, a blow may have no solution: bodies left a box with a paddle.
         let is_joined = self.is_joined(tables);
         let blows_count = !is_driven && self.island.len() <= most_in_small_island(is_joined);
+        let history = self.history(tick, tables);
         let largest = match (blows_count, is_joined) {
             (true, true) => load.greatest.max(load.passing),
             (true, false) => load.greatest,
             (false, _) => load.lasting,
         };
-        let history = self.history(tick, tables);
+        // What squeezes bodies is no load, but sweeps would wind one up.
+        let largest = if was_direct { largest.max(history.sag) } else { largest };
         let is_hopeless =
             !was_direct && (history.is_given_up() || history.times_dear > 0 && largest <= RETRY_SHARE);
         let is_paused = history.quiet_until > tick;

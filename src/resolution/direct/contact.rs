@@ -33,6 +33,8 @@ pub(super) struct DirectContact {
     surface_speed: f32,
     /// By how much it yields to what it bears, over k, no unit.
     softness: f64,
+    /// Width of the thinner body, m.
+    thickness: f64,
     /// The first of its rows: two of each point, then that of the spin.
     first_row: usize,
     points: usize,
@@ -66,6 +68,7 @@ impl DirectContact {
             moves: movers.map(|mover| mover.is_some()),
             surface_speed: bodies.roles.surface_speed(contact.colliders).unwrap_or(0.0),
             softness: if joints.connects(contact.slots) { SOFTNESS / mass_ratio } else { 0.0 },
+            thickness: contact.thickness.into(),
             first_row,
             points,
             rolling_moment: arm.map(|_| contact.rolling_moment.into()),
@@ -178,6 +181,12 @@ impl DirectContact {
                 row.jacobian[side][2] = 0.0;
             }
         }
+    }
+
+    /// The greatest k λ of its points under a push, in which half of the load acts, over the width of the thinner body, 1/s.
+    pub(super) fn load(&self, rows: &[Row]) -> f64 {
+        let normals = (0..self.points).map(|point| &rows[self.first_row + 2 * point]);
+        2.0 * normals.map(|row| row.k * row.impulse).fold(0.0, f64::max) / self.thickness
     }
 
     /// By how much a row yields to what it bears, whose speed grows by `k` with a unit of impulse, 1/kg.

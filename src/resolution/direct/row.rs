@@ -122,6 +122,30 @@ impl Row {
         self.previous = self.impulse;
     }
 
+    /// Whether it is along the normal of a contact.
+    pub(super) fn presses(&self) -> bool {
+        matches!(self.bound, Bound::Range([0.0, _])) && !self.is_of_joint
+    }
+
+    /// Whether bodies that overlap are to move apart by it.
+    pub(super) fn pushes_apart(&self) -> bool {
+        self.presses() && self.bias < self.carried
+    }
+
+    /// How fast it goes the way that its impulse is to stop, at these velocities and with nothing pushed apart, m/s. Friction follows.
+    pub(super) fn closing(&self, velocities: &[Triple; 2]) -> f64 {
+        match self.bound {
+            Bound::FrictionOf { .. } => 0.0,
+            Bound::Range(_) if self.presses() => -(self.along(velocities) + self.carried),
+            Bound::Range(_) => self.speed(velocities).abs(),
+        }
+    }
+
+    /// Brings the impulse into its range.
+    pub(super) fn keep_within_range(&mut self) {
+        self.impulse = self.bounded(self.impulse);
+    }
+
     /// The nearest impulse that is within the bounds.
     fn bounded(&self, impulse: f64) -> f64 {
         let [least, greatest] = self.range;

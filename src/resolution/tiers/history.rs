@@ -41,6 +41,8 @@ pub(super) struct History {
     work: f32,
     /// Whether that came to no end.
     was_in_vain: bool,
+    /// The overlap that sweeps would leave under its pushes, as a share of the width of the thinner body.
+    pub(super) sag: f32,
     /// What direct solves have taken beyond their worth, since the island is solved so.
     pub(super) overspent: f32,
 }
@@ -56,13 +58,14 @@ impl History {
             times_dear: one.times_dear.max(other.times_dear),
             work: one.work.max(other.work),
             was_in_vain: one.was_in_vain || other.was_in_vain,
+            sag: one.sag.max(other.sag),
             overspent: one.overspent.max(other.overspent),
         })
     }
 
     /// Takes note of how the direct solve went in the step before `tick`.
     pub(super) fn take_note(&mut self, outcome: &DirectOutcome) {
-        (self.work, self.was_in_vain) = (outcome.work, !outcome.is_solved);
+        (self.work, self.was_in_vain, self.sag) = (outcome.work, !outcome.is_solved, outcome.sag);
     }
 
     /// What direct solves have taken beyond their worth, with that of the last step, in an island that sweeps would let sag by this share
@@ -160,7 +163,7 @@ mod tests {
     fn work_beyond_its_worth_adds_up_and_what_is_in_vain_is_worth_nothing() {
         let mut history = History::default();
         let mut step = |work: f32, is_solved: bool, sag: f32| {
-            history.take_note(&DirectOutcome { slot: 0, work, is_solved });
+            history.take_note(&DirectOutcome { slot: 0, work, is_solved, sag: 0.0 });
             history.overspent = history.overspent_with(sag);
             history.overspent
         };

@@ -133,8 +133,8 @@ fn a_machine_that_falls_on_its_limits_does_not_explode() {
     for _ in 0..150 {
         world.step();
         let energy = world.energy();
-        // What overlaps is lifted, 867 kg by 3 cm with 255 J, of 6 kJ that are left in the end.
-        assert!(energy < 1.05 * least, "{} s: {energy} J of {least} J", world.time());
+        // What overlaps is lifted, 867 kg by 3 cm with 255 J, of 4 to 6 kJ that are left in the end.
+        assert!(energy < least + 255.0, "{} s: {energy} J of {least} J", world.time());
         least = least.min(energy);
     }
 }

@@ -151,6 +151,8 @@ fn what_is_found_satisfies_the_complementarity_conditions_of_every_kind_of_row()
             let row = &mut newton.rows[index];
             row.jacobian = jacobian;
             row.bias = random.random_range(-0.5..0.5);
+            // What is not moved goes past: nothing is pushed apart.
+            row.carried = row.bias;
             row.k = square(1) / masses[mover as usize]
                 + other.map_or(0.0, |other| square(0) / masses[other as usize]);
             leave_unmoved(row, [other, Some(mover)]);
