@@ -7,7 +7,7 @@ use crate::math::Point;
 /// Lengths and places, m; as far as bodies may be.
 const FARTHEST: f64 = 1e12;
 /// Shortest rod, m: below, its direction is lost in rounding.
-const SHORTEST: f64 = 1e-6;
+pub(crate) const SHORTEST: f64 = 1e-6;
 /// Frequencies of springs, Hz: what is stiffer is rigid in every substep that a game can take.
 const HERTZ: [f64; 2] = [1e-6, 1e6];
 /// Beyond this damping ratio a spring is a brake.

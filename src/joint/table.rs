@@ -1,6 +1,7 @@
 //! All joints of a world.
 
 use crate::body::{Bodies, BodyId, NONE};
+use crate::joint::check::SHORTEST;
 use crate::joint::description::Anchors;
 use crate::joint::{Joint, JointId, JointKind};
 use crate::math::{Point, Rot, Vec2, atan2_f64};
@@ -206,7 +207,8 @@ impl Joints {
             && record.description.kind == JointKind::Distance
             && upper.is_infinite()
         {
-            *upper = record.length;
+            // Between anchors in one place it is as short as a rope can be.
+            *upper = record.length.max(SHORTEST);
         }
         if record.description.kind == JointKind::Gear {
             // Base angles are those of a, and of b but for the reference.

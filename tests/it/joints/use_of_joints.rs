@@ -58,6 +58,22 @@ fn a_joint_that_makes_no_sense_is_refused_with_a_sentence_and_nothing_changes() 
     assert_eq!((world.joint_count(), world.state_hash()), (0, before));
 }
 
+/// A rope is as long as its anchors are apart. Between anchors in one place it is 1 µm, which is as short as may be asked for: what is made of it
+/// later is checked again.
+#[test]
+fn a_rope_between_anchors_in_one_place_can_be_changed_as_any() {
+    let mut world = earth();
+    let body = add(&mut world, Body::dynamic(Shape::circle(0.5)));
+    let rope = world.add_joint(Joint::rope(body, None).at([0.0, 0.5])).unwrap();
+    world.joint_mut(rope).unwrap().set_enabled(false);
+    assert!(!world.joint(rope).unwrap().is_enabled());
+    world.joint_mut(rope).unwrap().set_enabled(true);
+    let again = world.joint(rope).unwrap().describe();
+    assert!(world.add_joint(again).is_ok());
+    run(&mut world, 1.0);
+    assert!(world.body(body).unwrap().position().length() < 1e-3, "it hangs on");
+}
+
 /// Limits that leave no place: what they let pass is nowhere.
 const NEVER: std::ops::RangeInclusive<f64> = f64::INFINITY..=f64::INFINITY;
 
