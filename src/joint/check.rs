@@ -1,6 +1,6 @@
 //! Whether a description makes sense.
 
-use crate::joint::description::{Anchors, Motor, Spring};
+use crate::joint::description::{Anchors, ForeignOption, Motor, Spring};
 use crate::joint::{Joint, JointError, JointKind};
 use crate::math::Point;
 
@@ -125,7 +125,11 @@ impl Joint {
     /// Checks that the kind has every option that was given.
     fn validate_options(&self) -> Result<(), JointError> {
         use JointKind::{Distance, Drag, Friction, Motor, Prismatic, Ratchet, Revolute, Weld, Wheel};
-        let options: [(bool, &'static str, &'static [JointKind]); 8] = [
+        if let Some(ForeignOption { name, kinds }) = self.foreign {
+            return Err(JointError::NoSuchOption { kind: self.kind, option: name, kinds });
+        }
+        // A rest of 0 is that of all springs.
+        let options: [(bool, &'static str, &'static [JointKind]); 9] = [
             (self.limits.is_some(), "limits", &[Revolute, Prismatic, Distance, Wheel]),
             (self.motor.is_some(), "motor", &[Revolute, Prismatic, Distance, Wheel, Ratchet]),
             (
@@ -133,6 +137,7 @@ impl Joint {
                 "spring",
                 &[Revolute, Prismatic, Distance, Wheel, Weld, Motor, Drag, Ratchet],
             ),
+            (self.rest != 0.0, "rest of its spring", &[Revolute, Prismatic, Wheel, Motor, Ratchet]),
             (self.axis.is_some(), "axis", &[Prismatic, Wheel]),
             (self.length.is_some(), "length", &[Distance]),
             (self.target.is_some(), "target", &[Drag]),

@@ -136,6 +136,16 @@ pub struct Joint {
     pub(crate) collide_connected: bool,
     pub(crate) enabled: bool,
     pub(crate) user_data: u64,
+    pub(crate) foreign: Option<ForeignOption>,
+}
+
+/// An option whose name is one of other kinds. What it says has a meaning for this kind too, and another one: the longest distance of a rope
+/// would be a limit of an angle.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct ForeignOption {
+    pub(crate) name: &'static str,
+    /// The kinds that have it.
+    pub(crate) kinds: &'static [JointKind],
 }
 
 /// Stiffness of the spring of a motor or drag joint that is not given one: 5 Hz follows a hand within a tenth of a second, and is
@@ -163,7 +173,15 @@ impl Joint {
             collide_connected: false,
             enabled: true,
             user_data: 0,
+            foreign: None,
         }
+    }
+
+    /// Takes note of an option that `kinds` have, if this kind has it not; the first is told of.
+    fn option_of(self, name: &'static str, kinds: &'static [JointKind]) -> Self {
+        let is_foreign = !kinds.contains(&self.kind);
+        let foreign = self.foreign.or(is_foreign.then_some(ForeignOption { name, kinds }));
+        Self { foreign, ..self }
     }
 
     /// A hinge. It takes limits, a motor and a spring, of the angle.
@@ -259,14 +277,14 @@ impl Joint {
         Self { limits: Some([(*range.start()).into(), (*range.end()).into()]), ..self }
     }
 
-    /// How far a wheel may move along the axis, m.
+    /// How far a wheel may move along the axis, m. Other kinds have [`limits`](Self::limits).
     pub fn travel(self, range: RangeInclusive<impl Into<f64> + Copy>) -> Self {
-        self.limits(range)
+        self.option_of("travel", &[JointKind::Wheel]).limits(range)
     }
 
-    /// The longest distance of the anchors, m.
+    /// The longest distance of the anchors of a rope or distance joint, m. Other kinds have [`limits`](Self::limits).
     pub fn max_length(self, length: f32) -> Self {
-        Self { limits: Some([0.0, f64::from(length)]), ..self }
+        self.option_of("greatest length", &[JointKind::Distance]).limits(0.0..=f64::from(length))
     }
 
     /// Drives the angle (rad/s, N m) or the translation (m/s, N) at a speed, with `max` torque or force at most, which may be
@@ -287,11 +305,14 @@ impl Joint {
     /// The spring of a wheel along its axis: frequency, Hz, and damping ratio, as of [`spring`](Self::spring). The frequency is that
     /// of the wheel, which swings while the car all but rests. A car of mass M on n wheels of mass m each bounces slower, by
     /// √(n m / M). So for a car of 900 kg on two wheels of 20 kg that is to bounce at 1.5 Hz, give 7 Hz.
+    ///
+    /// Other kinds have a [`spring`](Self::spring).
     pub fn suspension(self, hertz: f32, damping_ratio: f32) -> Self {
-        self.spring(hertz, damping_ratio)
+        self.option_of("suspension", &[JointKind::Wheel]).spring(hertz, damping_ratio)
     }
 
-    /// Where the spring of the angle (rad) or the translation (m) is at rest. 0 unless said.
+    /// Where the spring of the angle (rad) or the translation (m) is at rest. 0 unless said. The spring of a distance joint is at rest at its
+    /// [`length`](Self::length), that of a drag joint at its [`target`](Self::target), that of a weld where the bodies were joined.
     pub fn rest(self, rest: f64) -> Self {
         Self { rest, ..self }
     }

@@ -36,6 +36,10 @@ fn a_joint_that_makes_no_sense_is_refused_with_a_sentence_and_nothing_changes() 
             Joint::weld(a, b).motor(1.0, 1.0),
             "a weld joint has no motor; leave it out, or take one of these kinds: revolute, prismatic, distance, wheel, ratchet",
         ),
+        (
+            Joint::prismatic(a, b).suspension(4.0, 0.7),
+            "a prismatic joint has no suspension; leave it out, or take one of these kinds: wheel",
+        ),
         (Joint::gear(a, b, 0.0), "the size of the ratio is 0"),
         (Joint::prismatic(a, b).limits(NEVER), "the lower limit is inf m; give a number of 1e12 m or less"),
         (Joint::prismatic(a, b).limits(-f64::INFINITY..=-f64::INFINITY), "the upper limit is -inf m; give"),
@@ -56,6 +60,80 @@ fn a_joint_that_makes_no_sense_is_refused_with_a_sentence_and_nothing_changes() 
         assert!(error.starts_with(sentence), "{error}, expected {sentence}");
     }
     assert_eq!((world.joint_count(), world.state_hash()), (0, before));
+}
+
+/// An option by its name, what gives it, and the kinds that have it.
+type JointOption = (&'static str, fn(Joint) -> Joint, &'static [JointKind]);
+
+/// All options of joints.
+fn options() -> [JointOption; 20] {
+    use JointKind::{Distance, Drag, Friction, Gear, Motor, Prismatic, Ratchet, Revolute, Weld, Wheel};
+    const ALL: &[JointKind] =
+        &[Revolute, Prismatic, Distance, Weld, Wheel, Motor, Drag, Friction, Gear, Ratchet];
+    const SPRINGS: &[JointKind] = &[Revolute, Prismatic, Distance, Wheel, Weld, Motor, Drag, Ratchet];
+    [
+        ("limits", |joint| joint.limits(0.0..=1.0), &[Revolute, Prismatic, Distance, Wheel]),
+        ("travel", |joint| joint.travel(0.0..=1.0), &[Wheel]),
+        ("greatest length", |joint| joint.max_length(1.0), &[Distance]),
+        ("motor", |joint| joint.motor(1.0, 1.0), &[Revolute, Prismatic, Distance, Wheel, Ratchet]),
+        ("spring", |joint| joint.spring(1.0, 1.0), SPRINGS),
+        ("suspension", |joint| joint.suspension(1.0, 1.0), &[Wheel]),
+        ("rest of its spring", |joint| joint.rest(0.5), &[Revolute, Prismatic, Wheel, Motor, Ratchet]),
+        ("axis", |joint| joint.axis([1.0, 0.0]), &[Prismatic, Wheel]),
+        ("length", |joint| joint.length(1.0), &[Distance]),
+        ("target", |joint| joint.target([1.0, 0.0]), &[Drag]),
+        ("greatest force", |joint| joint.max_force(1.0), &[Drag, Motor, Friction]),
+        ("greatest torque", |joint| joint.max_torque(1.0), &[Motor, Friction]),
+        ("place", |joint| joint.at([1.0, 0.0]), ALL),
+        ("anchors", |joint| joint.anchors([1.0, 0.0], [0.0, 1.0]), ALL),
+        ("local anchors", |joint| joint.local_anchors([1.0, 0.0], [0.0, 1.0]), ALL),
+        ("two places", |joint| joint.between([1.0, 0.0], [0.0, 1.0]), ALL),
+        ("strength", |joint| joint.break_at(1.0, 1.0), ALL),
+        ("contact", |joint| joint.collide_connected(true), ALL),
+        ("pause", |joint| joint.enabled(false), ALL),
+        ("number", |joint| joint.user_data(1), ALL),
+    ]
+}
+
+/// Each option on each kind: what a kind has is taken, and what it does not have is refused by its name. A limit of 0 to 1 rad is not what the
+/// greatest length of a hinge would be.
+#[test]
+fn a_joint_takes_the_options_of_its_kind_and_no_others() {
+    let mut world = World::new(Settings::default());
+    let [a, b] = two_boxes(&mut world);
+    let joints = [
+        Joint::revolute(a, b),
+        Joint::prismatic(a, b),
+        Joint::distance(a, b),
+        Joint::rope(a, b),
+        Joint::weld(a, b),
+        Joint::wheel(a, b),
+        Joint::motor_to(a, b),
+        Joint::drag(a, [0.0, 0.0]),
+        Joint::friction(a, b).max_force(1.0).max_torque(1.0),
+        Joint::gear(a, b, 2.0),
+        Joint::ratchet(a, b, 0.1),
+    ];
+    for joint in joints {
+        for (name, give, kinds_that_have_it) in options() {
+            let given = give(joint.clone());
+            match world.add_joint(given) {
+                Ok(id) => {
+                    let kind = world.joint(id).unwrap().kind();
+                    assert!(kinds_that_have_it.contains(&kind), "a {kind} joint takes a {name}");
+                    assert!(world.add_joint(world.joint(id).unwrap().describe()).is_ok());
+                }
+                Err(JointError::NoSuchOption { kind, option, kinds }) => {
+                    assert!(!kinds_that_have_it.contains(&kind), "a {kind} joint takes no {name}");
+                    assert_eq!(option, name, "a {kind} joint");
+                    assert!(kinds.iter().all(|kind| kinds_that_have_it.contains(kind)));
+                    assert_eq!(kinds.len(), kinds_that_have_it.len(), "{name}");
+                }
+                Err(error) => panic!("{name}: {error}"),
+            }
+        }
+    }
+    world.validate().unwrap();
 }
 
 /// A rope is as long as its anchors are apart. Between anchors in one place it is 1 µm, which is as short as may be asked for: what is made of it
