@@ -80,11 +80,16 @@ impl Joint {
             JointKind::Distance => {
                 (["the least length", "the greatest length"], [0.0, SHORTEST], FARTHEST, "m")
             }
-            JointKind::Revolute | JointKind::Ratchet => (limits, any(LARGEST_ANGLE), LARGEST_ANGLE, "rad"),
+            JointKind::Revolute => (limits, any(LARGEST_ANGLE), LARGEST_ANGLE, "rad"),
             _ => (limits, any(FARTHEST), FARTHEST, "m"),
         };
         check(names[0], lower, [least[0], greatest], unit)?;
         check(names[1], upper, [least[1], f64::INFINITY], unit)?;
+        // One that is finite is within what an angle or a place can be.
+        let finite = [lower, upper].into_iter().zip(names).filter(|(limit, _)| limit.is_finite());
+        for (limit, name) in finite {
+            check(name, limit, [-greatest, greatest], unit)?;
+        }
         if lower > upper {
             return Err(JointError::LimitsCrossed { lower, upper });
         }

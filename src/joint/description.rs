@@ -272,7 +272,7 @@ impl Joint {
     }
 
     /// From where to where the angle (rad, of any number of turns), the translation or the distance (m) may go.
-    /// `0.0..=f64::INFINITY` is open at its end.
+    /// `0.0..=f64::INFINITY` is open at its end. Finite limits are within ±10⁹ rad or ±10¹² m.
     pub fn limits(self, range: RangeInclusive<impl Into<f64> + Copy>) -> Self {
         Self { limits: Some([(*range.start()).into(), (*range.end()).into()]), ..self }
     }

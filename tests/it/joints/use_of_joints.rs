@@ -41,6 +41,13 @@ fn a_joint_that_makes_no_sense_is_refused_with_a_sentence_and_nothing_changes() 
             "a prismatic joint has no suspension; leave it out, or take one of these kinds: wheel",
         ),
         (Joint::gear(a, b, 0.0), "the size of the ratio is 0"),
+        (
+            Joint::revolute(a, b).limits(0.0..=1e300),
+            "the upper limit is 1e300 rad; give a finite number from -1e9 to 1e9 rad",
+        ),
+        (Joint::revolute(a, b).limits(-2e9..=0.0), "the lower limit is -2e9 rad; give a finite number"),
+        (Joint::prismatic(a, b).limits(0.0..=1e13), "the upper limit is 1e13 m; give a finite number from"),
+        (Joint::rope(a, b).max_length(1e13), "the greatest length is "),
         (Joint::prismatic(a, b).limits(NEVER), "the lower limit is inf m; give a number of 1e12 m or less"),
         (Joint::prismatic(a, b).limits(-f64::INFINITY..=-f64::INFINITY), "the upper limit is -inf m; give"),
         (
