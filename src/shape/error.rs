@@ -79,6 +79,15 @@ pub enum ShapeError {
         /// Its coordinates, m.
         point: [f32; 2],
     },
+    /// An end of a capsule or a segment has a coordinate that is NaN or infinite.
+    EndNotFinite {
+        /// Of which: `"capsule"` or `"segment"`.
+        what: &'static str,
+        /// Which end: 0 or 1.
+        index: usize,
+        /// Its coordinates, m.
+        point: [f32; 2],
+    },
     /// Fewer than three distinct points.
     TooFewPoints {
         /// How many distinct points there are.
@@ -178,6 +187,9 @@ impl fmt::Display for ShapeError {
             }
             Self::NotFinite { index, point: [x, y] } => {
                 write!(f, "point {index} of the polygon is ({x}, {y}): give it finite coordinates")
+            }
+            Self::EndNotFinite { what, index, point: [x, y] } => {
+                write!(f, "end {index} of the {what} is ({x}, {y}): give it finite coordinates")
             }
             Self::TooFewPoints { count } => {
                 write!(f, "the polygon has {count} distinct points: give at least 3")

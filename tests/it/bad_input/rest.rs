@@ -182,6 +182,35 @@ fn polygons_that_are_none_are_refused() {
     }
 }
 
+/// A place that is none is told as such, and not by a length of 0 m that would follow from it.
+#[test]
+fn points_of_shapes_that_are_no_places_are_named() {
+    type Make = fn([f32; 2]) -> Result<Shape, ShapeError>;
+    let shapes: [(&str, Make); 8] = [
+        ("end 0 of the capsule", |p| valid(Shape::capsule(p, [1.0, 0.0], 0.5))),
+        ("end 1 of the capsule", |p| valid(Shape::capsule([1.0, 0.0], p, 0.5))),
+        ("end 0 of the segment", |p| valid(Shape::segment(p, [1.0, 0.0]))),
+        ("end 1 of the segment", |p| valid(Shape::segment([1.0, 0.0], p))),
+        ("point 1 of the polygon", |p| Shape::polygon([[0.0, 0.0], p, [0.0, 1.0]])),
+        ("point 1 of the polygon", |p| Shape::rounded([[0.0, 0.0], p], 0.5)),
+        ("point 2 of the outline", |p| Ok(Shape::concave([[0.0, 0.0], [1.0, 0.0], p, [0.0, 1.0]])?[0])),
+        ("point 1 of the chain", |p| Ground::chain([[0.0, 0.0], p]).map(|_| Shape::circle(1.0))),
+    ];
+    for (place, make) in shapes {
+        for value in NOT_NUMBERS {
+            for point in [[value, 0.25], [0.25, value], [value, value]] {
+                let [x, y] = point;
+                let text = make(point).unwrap_err().to_string();
+                assert_eq!(text, format!("{place} is ({x}, {y}): give it finite coordinates"));
+            }
+        }
+    }
+}
+
+fn valid(shape: Shape) -> Result<Shape, ShapeError> {
+    shape.validate().map(|()| shape)
+}
+
 /// A polygon too thin to be simulated is refused, by its constructor or when it is added.
 #[test]
 fn a_splinter_is_refused() {
