@@ -50,7 +50,8 @@ impl Ground {
     /// clockwise a hill or an island, which keeps out what is around it.
     ///
     /// # Errors
-    /// As of [`chain`](Self::chain), and fewer than three points.
+    /// As of [`chain`](Self::chain), fewer than three points, and points that all lie on one line, to 1e-5 of its length: such a ring has no
+    /// inside.
     ///
     /// ```
     /// use rustycs::prelude::*;

@@ -170,6 +170,8 @@ pub enum ShapeError {
         /// How many it needs.
         least: usize,
     },
+    /// All points of a ring lie on one line: it has no inside.
+    RingOnALine,
     /// A link of a chain has a length outside [`MIN_SIZE`] to [`MAX_SIZE`]: 0 where two points that follow each other are one.
     ChainLink {
         /// The place of the point it begins at in the list, from 0.
@@ -218,6 +220,10 @@ impl fmt::Display for ShapeError {
             Self::ChainTooShort { count, least } => {
                 write!(f, "the chain has {count} points: give at least {least}")
             }
+            Self::RingOnALine => write!(
+                f,
+                "all points of the ring lie on one line: move one of them off it, or give them to Ground::chain"
+            ),
             Self::ChainLink { index, length } => write!(
                 f,
                 "the link of the chain from point {index} to the next is {length} m long: choose one from {MIN_SIZE} m to \

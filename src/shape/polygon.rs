@@ -171,6 +171,12 @@ fn weld_duplicates(corners: &mut Vec<Corner>, tolerance: f64) {
     }
 }
 
+/// Whether all of some points, m, lie on one line, to 1e-5 of their size.
+pub(super) fn are_on_a_line(points: &[Vec2]) -> bool {
+    let corners: Vec<Corner> = points.iter().enumerate().map(|(i, &p)| Corner::new(i, p)).collect();
+    lie_on_a_line(&corners, WELD * size_of(&corners))
+}
+
 fn lie_on_a_line(corners: &[Corner], tolerance: f64) -> bool {
     let first = corners[0];
     let farthest = corners

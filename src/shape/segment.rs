@@ -5,6 +5,7 @@
 
 use crate::math::Vec2;
 use crate::shape::hull::Hull;
+use crate::shape::polygon::are_on_a_line;
 use crate::shape::{MAX_SIZE, MIN_SIZE, ShapeError};
 
 /// A line between two points, without thickness and without mass, about its middle.
@@ -53,8 +54,8 @@ impl Segment {
     /// The links of a chain through some points, m; of a ring, which ends where it begins, if it is one.
     ///
     /// # Errors
-    /// Refuses coordinates that are not finite, fewer than two points, or three of a ring, and links whose length is outside
-    /// [`MIN_SIZE`] to [`MAX_SIZE`].
+    /// Refuses coordinates that are not finite, fewer than two points, or three of a ring, links whose length is outside
+    /// [`MIN_SIZE`] to [`MAX_SIZE`], and rings all on one line.
     pub(crate) fn chain(points: &[Vec2], is_ring: bool) -> Result<Vec<Self>, ShapeError> {
         let count = points.len();
         if let Some(index) = points.iter().position(|point| !point.is_finite()) {
@@ -79,7 +80,11 @@ impl Segment {
             }
             Ok(segment)
         });
-        links.collect()
+        let links = links.collect::<Result<Vec<_>, _>>()?;
+        if is_ring && are_on_a_line(points) {
+            return Err(ShapeError::RingOnALine);
+        }
+        Ok(links)
     }
 
     /// Its two ends, m from its middle: where it begins, and where it goes.
@@ -223,5 +228,13 @@ mod tests {
         assert!(twice.starts_with("the link of the chain from point 1 to the next is 0 m long"), "{twice}");
         let closed = chain(&[[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 0.0]], true);
         assert!(closed.starts_with("the link of the chain from point 3 to the next is 0 m long"), "{closed}");
+        let flat = chain(&[[0.0, 0.0], [1.0, 0.5], [4.0, 2.0], [3.0, 1.5]], true);
+        assert!(
+            flat.starts_with("all points of the ring lie on one line: move one of them off it"),
+            "{flat}"
+        );
+        // A figure of eight goes round as much one way as the other, and yet round something.
+        let eight = [[0.0, 0.0], [1.0, 1.0], [1.0, 0.0], [0.0, 1.0]].map(Vec2::from);
+        assert!(Segment::chain(&eight, true).is_ok());
     }
 }

@@ -205,6 +205,9 @@ fn points_of_shapes_that_are_no_places_are_named() {
             }
         }
     }
+    let ring = |points: [[f32; 2]; 4]| Ground::ring(points).map(|_| ());
+    assert_refused("a ring on a line", "ring", |_, _| ring([0.0, 1.0, 3.0, 2.0].map(|x| [x, 2.0 * x])).err());
+    assert_eq!(ring([[0.0, 0.0], [1.0, 0.0], [3.0, 0.0], [2.0, 0.01]]), Ok(()));
 }
 
 fn valid(shape: Shape) -> Result<Shape, ShapeError> {
