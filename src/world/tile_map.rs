@@ -83,8 +83,7 @@ impl TileMap {
     /// material is; the map is in no world then.
     pub fn add_to(&mut self, world: &mut World) -> Result<(), BodyError> {
         self.remove_from(world);
-        check_tile_size(self.tile_size)?;
-        check_place(self.corner)?;
+        self.check()?;
         self.is_added = true;
         for chunk in 0..self.chunks.len() {
             if let Err(error) = self.make(world, chunk) {
@@ -103,12 +102,17 @@ impl TileMap {
         self.is_added = false;
     }
 
-    /// Makes a tile, by its column and row, solid or not, in the world that the map was added to: what rests on its chunk
-    /// wakes. Returns whether that changed anything: not a tile that was so, or is beyond the map.
+    /// Makes a tile solid or empty. The tile is given by its column and row.
+    ///
+    /// `world` is the one that the map was [added](Self::add_to) to. The body of the tile's chunk is made anew there, and what rests on that
+    /// chunk wakes. A map that is in no world changes too, and shows the change once it is added.
+    ///
+    /// Returns whether the tile has changed. It has not if it was so before, or if it lies beyond the map.
     ///
     /// # Errors
-    /// [`BodyError`], as of [`add_to`](Self::add_to), which would have been met there. The tile is as it was.
+    /// [`BodyError`], if the size of the tiles or the corner of the map is one that [`add_to`](Self::add_to) refuses. The tile stays as it was.
     pub fn set(&mut self, world: &mut World, tile: [usize; 2], is_solid: bool) -> Result<bool, BodyError> {
+        self.check()?;
         let Some(index) = self.index_of(tile).filter(|&index| self.solid[index] != is_solid) else {
             return Ok(false);
         };
@@ -150,6 +154,12 @@ impl TileMap {
     /// The bodies that it consists of, one for each chunk that has solid tiles.
     pub fn bodies(&self) -> impl Iterator<Item = BodyId> {
         self.chunks.iter().filter_map(|chunk| *chunk)
+    }
+
+    /// Checks what all tiles share.
+    fn check(&self) -> Result<(), BodyError> {
+        check_tile_size(self.tile_size)?;
+        check_place(self.corner)
     }
 
     fn index_of(&self, [x, y]: [usize; 2]) -> Option<usize> {

@@ -111,6 +111,26 @@ fn a_bad_size_of_tiles_is_told_as_such() {
     assert!(nowhere.to_string().contains("x of the position"), "{nowhere}");
 }
 
+/// A map that no world takes is not edited either, before it is added and after it was refused.
+#[test]
+fn a_map_of_a_bad_size_takes_no_edit() {
+    let mut world = World::new(Settings::default());
+    for size in [0.0, f32::NAN, f32::INFINITY] {
+        let mut map = TileMap::new(&[false; 4], 2, size);
+        for _ in 0..2 {
+            let text = map.set(&mut world, [0, 1], true).unwrap_err().to_string();
+            assert!(text.contains(&format!("the size of a tile is {size} m: choose")), "{size}: {text}");
+            assert!(!map.is_solid([0, 1]) && map.add_to(&mut world).is_err());
+        }
+    }
+    let mut nowhere = TileMap::new(&[false; 4], 2, 1.0).at([f64::NAN, 0.0]);
+    assert!(nowhere.set(&mut world, [0, 1], true).is_err());
+    let mut map = TileMap::new(&[false; 4], 2, 1.0);
+    assert_eq!(map.set(&mut world, [0, 1], true), Ok(true), "before it is added");
+    map.add_to(&mut world).unwrap();
+    assert_eq!(world.bodies().count(), 1);
+}
+
 #[test]
 fn a_map_that_cannot_be_is_refused_as_a_whole() {
     let mut world = World::new(Settings::default());
