@@ -75,7 +75,7 @@ pub struct StageReport {
     pub ran: bool,
     /// How many things it worked on: moved boxes, contacts, bodies, ...
     pub count: usize,
-    /// How long it took, s; `None` without a clock.
+    /// How long it took, s; `None` without a clock. It is finite and not negative, whatever the [`Clock`] tells.
     pub seconds: Option<f64>,
 }
 
@@ -99,13 +99,26 @@ pub struct StageReport {
 pub struct Clock(Arc<dyn Fn() -> f64 + Send + Sync>);
 
 impl Clock {
-    /// A clock that is read by calling a function. If it panics, so does the step, in the middle: the world is to be dropped.
+    /// A clock that is read by calling a function.
+    ///
+    /// A stage took no time if the function went backwards meanwhile, or if the difference of its two readings is NaN or infinite. So all
+    /// times of a [`Profile`] are finite, and none is negative.
+    ///
+    /// If the function panics, the step panics in the middle. The world cannot be stepped again, nor can a clone that is made of it afterwards.
+    /// Drop both, and go on with a clone from before.
     pub fn new(seconds: impl Fn() -> f64 + Send + Sync + 'static) -> Self {
         Self(Arc::new(seconds))
     }
 
     fn seconds(&self) -> f64 {
         (self.0)()
+    }
+
+    /// How much later it is now than at a reading of before, s: 0 if the clock went backwards or tells no number.
+    fn seconds_since(&self, start: f64) -> f64 {
+        let passed = self.seconds() - start;
+        // NaN is not above 0.
+        if passed > 0.0 && passed.is_finite() { passed } else { 0.0 }
     }
 }
 
@@ -194,7 +207,8 @@ impl Profile {
     /// How long the stages took together, s; `None` without a clock.
     pub fn seconds(&self) -> Option<f64> {
         self.clock.as_ref()?;
-        Some(self.stages.iter().filter_map(|stage| stage.seconds).sum())
+        let sum: f64 = self.stages.iter().filter_map(|stage| stage.seconds).sum();
+        Some(sum.min(f64::MAX))
     }
 
     /// How much there was.
@@ -211,6 +225,6 @@ impl Profile {
         }
         let start = self.clock.as_ref().map(Clock::seconds);
         work();
-        report.seconds = self.clock.as_ref().zip(start).map(|(clock, start)| clock.seconds() - start);
+        report.seconds = self.clock.as_ref().zip(start).map(|(clock, start)| clock.seconds_since(start));
     }
 }

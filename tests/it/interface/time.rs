@@ -165,6 +165,40 @@ fn a_clock_may_keep_what_it_counts_from() {
     assert_eq!(world.state_hash(), clone.state_hash());
 }
 
+/// A clock is the caller's function, which may tell anything. Of every pair of readings no time has passed.
+#[test]
+fn a_clock_that_tells_no_time_gives_times_of_zero() {
+    for readings in [
+        [f64::NAN, 1.0],
+        [1.0, f64::NAN],
+        [f64::NAN, f64::NAN],
+        [0.0, f64::INFINITY],
+        [f64::INFINITY, f64::INFINITY],
+        [f64::NEG_INFINITY, 0.0],
+        [f64::MIN, f64::MAX],
+        [2.0, 1.0],
+        [1.0, 1.0],
+    ] {
+        let mut world = earth();
+        add(&mut world, Body::dynamic(Shape::circle(0.5)));
+        let reads = AtomicU32::new(0);
+        let clock = move || readings[reads.fetch_add(1, Ordering::Relaxed) as usize % 2];
+        world.set_clock(Clock::new(clock));
+        world.step();
+        assert_eq!(world.profile().seconds(), Some(0.0), "{readings:?}");
+        for (stage, report) in world.profile().stages() {
+            assert_eq!(report.seconds, Some(0.0), "{readings:?}: {}", stage.name());
+        }
+    }
+    // Two stages of the longest time there is make no infinite one.
+    let mut world = earth();
+    add(&mut world, Body::dynamic(Shape::circle(0.5)));
+    let reads = AtomicU32::new(0);
+    world.set_clock(Clock::new(move || f64::MAX * f64::from(reads.fetch_add(1, Ordering::Relaxed) % 2)));
+    world.step();
+    assert_eq!(world.profile().seconds(), Some(f64::MAX));
+}
+
 fn broken_clock() -> f64 {
     panic!("the clock stands still")
 }
