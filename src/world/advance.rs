@@ -72,7 +72,8 @@ impl World {
     /// [Advances](Self::advance), and calls `after_tick` after each tick: for what goes by where bodies are now, as a
     /// [`Mover`](crate::Mover) on a lift does, and for what answers to the events of the tick.
     ///
-    /// A force given there acts for the next tick. The events are those of the ticks of this call so far.
+    /// A force given there acts for the next tick. The [events](Self::events) there are those of all ticks of this call so far, and not of the
+    /// last alone: those of the last have its number, `event.tick == world.ticks()`.
     ///
     /// ```
     /// # use rustycs::prelude::*;

@@ -30,6 +30,8 @@ pub struct ContactEvent {
     pub b: BodyId,
     /// Which of their shapes.
     pub colliders: [ColliderId; 2],
+    /// The tick in which it happened: what [`World::ticks`](crate::World::ticks) was at the end of it, so 1 for the first.
+    pub tick: u64,
 }
 
 impl ContactEvent {
@@ -84,6 +86,8 @@ pub struct HitEvent {
     pub normal_impulse: f32,
     /// Impulse of friction over the tick, N s, on b along the normal turned left, and its opposite on a.
     pub tangent_impulse: f32,
+    /// The tick in which it happened: what [`World::ticks`](crate::World::ticks) was at the end of it, so 1 for the first.
+    pub tick: u64,
 }
 
 impl HitEvent {
@@ -134,6 +138,8 @@ pub struct SensorEvent {
     pub collider: ColliderId,
     /// The body, which may be a sensor too. The id of one that was removed meanwhile is stale.
     pub body: BodyId,
+    /// The tick in which it happened: what [`World::ticks`](crate::World::ticks) was at the end of it, so 1 for the first.
+    pub tick: u64,
 }
 
 /// The other of two bodies, if `body` is one of them.
@@ -202,6 +208,9 @@ pub struct JointRefusal {
 /// What happened in the last [`step`](crate::World::step), or in all ticks of the last
 /// [`advance`](crate::World::advance): slices, valid until the next. Each is sorted by tick, and within a tick by the ids of
 /// the bodies, and so the same in every run.
+///
+/// Which of two events in different slices came first is told by their `tick`. A body that began and ceased to overlap a sensor in one tick began
+/// first. What ended by an edit between two ticks has the number of the later one.
 ///
 /// ```
 /// use rustycs::prelude::*;
@@ -364,9 +373,14 @@ impl Events {
         self.removed_joints.append(&mut self.joints_removed_by_edit);
     }
 
-    /// Brings the events of the current tick into an order that does not depend on how it was computed.
-    pub(crate) fn sort(&mut self) {
+    /// Brings the events of the current tick into an order that does not depend on how it was computed, and gives them its number.
+    pub(crate) fn end_tick(&mut self, tick: u64) {
         let [began, ended, hits, sensor_began, sensor_ended] = self.tick_begins;
+        self.began[began..].iter_mut().for_each(|event| event.tick = tick);
+        self.ended[ended..].iter_mut().for_each(|event| event.tick = tick);
+        self.hits[hits..].iter_mut().for_each(|event| event.tick = tick);
+        self.sensor_began[sensor_began..].iter_mut().for_each(|event| event.tick = tick);
+        self.sensor_ended[sensor_ended..].iter_mut().for_each(|event| event.tick = tick);
         self.began[began..].sort_unstable_by_key(|event| (event.a, event.b, event.colliders));
         self.ended[ended..].sort_unstable_by_key(|event| (event.a, event.b, event.colliders));
         self.hits[hits..].sort_unstable_by_key(|event| (event.a, event.b, event.colliders));

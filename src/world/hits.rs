@@ -71,7 +71,7 @@ impl World {
             contact.is_touching = is_touching;
             let ([a, b], colliders) = self.ids_of(index);
             let changed = if is_touching { &mut self.events.began } else { &mut self.events.ended };
-            changed.push(ContactEvent { a, b, colliders });
+            changed.push(ContactEvent { a, b, colliders, tick: 0 });
         }
         self.contacts.clear_changing(changing);
     }
@@ -133,6 +133,7 @@ impl World {
             normal,
             normal_impulse: on_b.dot(normal),
             tangent_impulse: on_b.dot(normal.perp()),
+            tick: 0,
         }
     }
 }

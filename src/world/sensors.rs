@@ -56,7 +56,7 @@ impl Sensors {
     /// Reports what of the overlaps found now is new, and what is gone; goes on with those of now.
     fn report(&mut self, events: &mut Events) {
         let (before, now) = (&self.overlaps, &self.found);
-        let event = |&(sensor, collider, body): &Overlap| SensorEvent { sensor, collider, body };
+        let event = |&(sensor, collider, body): &Overlap| SensorEvent { sensor, collider, body, tick: 0 };
         let is_new = |overlap: &&Overlap| before.binary_search(overlap).is_err();
         let is_gone = |overlap: &&Overlap| now.binary_search(overlap).is_err();
         events.sensor_began.extend(now.iter().filter(is_new).map(event));

@@ -71,7 +71,7 @@ impl World {
         self.break_joints();
         self.stop_those_that_arrived();
         profile.run_stage(Stage::Sensors, self.sensor_work(), || self.find_sensor_overlaps());
-        self.events.sort();
+        self.events.end_tick(self.ticks + 1);
         let resting = if sleep::is_due(self.ticks, self.settings.tick_rate) { self.resting } else { 0 };
         profile.run_stage(Stage::Sleep, resting, || self.put_to_sleep());
         self.pool.end_step(at_work);

@@ -2,7 +2,7 @@
 
 use rustycs::prelude::*;
 
-use crate::support::{add, assert_near, assert_relative, place, velocity};
+use crate::support::{add, assert_near, assert_relative, earth_with, place, velocity};
 
 const FRAME_RATES: [u32; 5] = [20, 30, 60, 75, 144];
 const SECONDS: u32 = 4;
@@ -193,6 +193,53 @@ fn a_force_given_before_each_tick_is_that_of_the_tick() {
     world.advance(0.5 / 60.0);
     assert_relative(velocity(&world, ship)[0], 4.5, 1e-7, "of the frame");
     assert_eq!(velocity(&world, ship)[1], 4.0);
+}
+
+/// Of a ball that bounces through a zone, in frames of eight ticks: each event has the number of its tick, and so all can be put in order.
+#[test]
+fn events_of_one_frame_can_be_ordered_by_their_ticks() {
+    let mut world = earth_with(Settings { hit_threshold: 0.1, ..Settings::default() });
+    add(&mut world, Body::fixed(Shape::rectangle(9.0, 1.0)).at([0.0, -0.5]).restitution(1.0));
+    add(&mut world, Body::fixed(Shape::rectangle(9.0, 0.1)).at([0.0, 0.5]).sensor(true));
+    add(&mut world, Body::dynamic(Shape::circle(0.1)).at([0.0, 1.0]).restitution(1.0));
+    let mut stepped = world.clone();
+    let listed = |events: &Events| {
+        let contacts =
+            |name, events: &[ContactEvent]| events.iter().map(move |event| (event.tick, name)).collect();
+        let sensors =
+            |name, events: &[SensorEvent]| events.iter().map(move |event| (event.tick, name)).collect();
+        let all: [Vec<(u64, &str)>; 5] = [
+            contacts("touches", events.began()),
+            contacts("parts", events.ended()),
+            sensors("enters", events.sensor_began()),
+            sensors("leaves", events.sensor_ended()),
+            events.hits().iter().map(|hit| (hit.tick, "hits")).collect(),
+        ];
+        let mut all = all.concat();
+        all.sort_unstable();
+        all
+    };
+    let (mut of_frames, mut of_steps) = (Vec::new(), Vec::new());
+    for _ in 0..20 {
+        assert_eq!(
+            world.advance_then(8.0 / 60.0, |world| {
+                let last = world.ticks();
+                assert!(listed(world.events()).iter().all(|&(tick, _)| tick > last - 8 && tick <= last));
+            }),
+            8
+        );
+        of_frames.extend(listed(world.events()));
+        for _ in 0..8 {
+            stepped.step();
+            let events = listed(stepped.events());
+            assert!(events.iter().all(|&(tick, _)| tick == stepped.ticks()), "{events:?}");
+            of_steps.extend(events);
+        }
+    }
+    assert_eq!(of_frames, of_steps);
+    let in_one_frame =
+        of_frames.windows(2).filter(|pair| pair[0].0 < pair[1].0 && pair[0].0 / 8 == pair[1].0 / 8);
+    assert!(in_one_frame.count() > 5, "{of_frames:?}");
 }
 
 #[test]
