@@ -267,7 +267,12 @@ impl Settings {
     }
 
     /// What the solver needs to know for a step that computes with so many bodies or contacts after each other.
-    pub(crate) fn scheme(&self, substeps: u32, sizes: impl Iterator<Item = usize>) -> Scheme {
+    pub(crate) fn scheme(
+        &self,
+        substeps: u32,
+        fitted_kernels: bool,
+        sizes: impl Iterator<Item = usize>,
+    ) -> Scheme {
         Scheme {
             dt: self.tick_seconds() as f32,
             substeps,
@@ -287,7 +292,7 @@ impl Settings {
             asked: if self.sum_impulses { Asked::ALL } else { Asked::meeting_from(self.hit_threshold) },
             limits: self.speed_limits(),
             width: self.lanes.width_for(sizes),
-            fitted_kernels: true,
+            fitted_kernels,
         }
     }
 }

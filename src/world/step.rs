@@ -8,7 +8,7 @@ use crate::collision::broad_phase::BroadPhase;
 use crate::collision::{AHEAD, Refresh, are_out_of_reach, refresh};
 use crate::compute::{BodyState, Chosen, Executor, GROUND_ROW};
 use crate::math::Rot;
-use crate::resolution::{Loaded, Scheme, SolveTables, StepResidual, TierTables, begins_at_rest, solve};
+use crate::resolution::{Loaded, SolveTables, StepResidual, TierTables, begins_at_rest, solve};
 use crate::world::World;
 use crate::world::attractor::Field;
 use crate::world::profile::{Counters, Stage};
@@ -244,8 +244,8 @@ impl World {
             gravitational_constant: settings.gravitational_constant,
         };
         let substeps = self.refinement.substeps(settings.substeps);
-        let scheme = settings.scheme(substeps, graph.sizes().chain([bodies.awake_count()]));
-        let scheme = Scheme { fitted_kernels: self.fits_kernels, ..scheme };
+        let sizes = graph.sizes().chain([bodies.awake_count()]);
+        let scheme = settings.scheme(substeps, self.fits_kernels, sizes);
         let (last, now) = (self.impulses_of.replace(scheme.substep_time()), scheme.substep_time());
         if let Some(last) = last.filter(|&last| last != now) {
             self.rescaling.rescale(contacts, bodies, &field, [last, now]);
