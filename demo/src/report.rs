@@ -5,13 +5,11 @@ use std::fmt;
 use rustycs::{BodyId, Vec2};
 
 /// What there is to say about the window.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct State {
     pub(crate) scene: &'static str,
     pub(crate) seed: u64,
     pub(crate) tick: u64,
-    /// Of the places and velocities of all bodies.
-    pub(crate) hash: u64,
     /// Ticks of the second copy, if there are two.
     pub(crate) other_tick: Option<u64>,
     pub(crate) is_paused: bool,
@@ -50,7 +48,6 @@ impl State {
     fn lasting(&self) -> Self {
         Self {
             tick: 0,
-            hash: 0,
             other_tick: None,
             at: None,
             hovered: None,
@@ -63,32 +60,35 @@ impl State {
     }
 }
 
+/// A state, with the hash of the places and velocities of all bodies, which takes a look at each.
+struct Line<'a> {
+    state: &'a State,
+    hash: u64,
+}
+
 /// `state` and words with values, in one line.
-impl fmt::Display for State {
+impl fmt::Display for Line<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { state, hash } = self;
         let yes = |is: bool| if is { "yes" } else { "no" };
         let id = |id: Option<BodyId>| id.map_or_else(|| "-".to_owned(), |id| id.to_bits().to_string());
-        let at = self.at.map_or_else(|| "-".to_owned(), |at| format!("{:.2},{:.2}", at.x, at.y));
-        write!(
-            f,
-            "state scene={} seed={} tick={} hash={:016x}",
-            self.scene, self.seed, self.tick, self.hash
-        )?;
-        let other = self.other_tick.map_or_else(|| "-".to_owned(), |tick| tick.to_string());
-        write!(f, " other={other} folded={}", yes(self.is_folded))?;
-        write!(f, " paused={} speed={} copies={}", yes(self.is_paused), self.speed, self.copies)?;
-        write!(f, " scheme={} substeps={}", self.scheme, self.substeps)?;
-        write!(f, " bodies={} attractors={}", self.bodies, self.attractors)?;
-        write!(f, " held={} selected={}", id(self.held), id(self.selected))?;
-        write!(f, " follows={} hovered={}", id(self.follows), id(self.hovered))?;
-        write!(f, " at={at} tool={} tab={} help={}", self.tool, self.tab, yes(self.shows_help))?;
-        write!(f, " edits={} overlays={}", self.edits, self.overlays)?;
+        let at = state.at.map_or_else(|| "-".to_owned(), |at| format!("{:.2},{:.2}", at.x, at.y));
+        write!(f, "state scene={} seed={} tick={} hash={:016x}", state.scene, state.seed, state.tick, hash)?;
+        let other = state.other_tick.map_or_else(|| "-".to_owned(), |tick| tick.to_string());
+        write!(f, " other={other} folded={}", yes(state.is_folded))?;
+        write!(f, " paused={} speed={} copies={}", yes(state.is_paused), state.speed, state.copies)?;
+        write!(f, " scheme={} substeps={}", state.scheme, state.substeps)?;
+        write!(f, " bodies={} attractors={}", state.bodies, state.attractors)?;
+        write!(f, " held={} selected={}", id(state.held), id(state.selected))?;
+        write!(f, " follows={} hovered={}", id(state.follows), id(state.hovered))?;
+        write!(f, " at={at} tool={} tab={} help={}", state.tool, state.tab, yes(state.shows_help))?;
+        write!(f, " edits={} overlays={}", state.edits, state.overlays)?;
         write!(
             f,
             " scroll={:.0} zoom={:.2} size={:.0}x{:.0}",
-            self.scroll, self.zoom, self.size[0], self.size[1]
+            state.scroll, state.zoom, state.size[0], state.size[1]
         )?;
-        write!(f, " step_ms={:.4} draw_ms={:.3}", self.step_time * 1e3, self.draw_time * 1e3)
+        write!(f, " step_ms={:.4} draw_ms={:.3}", state.step_time * 1e3, state.draw_time * 1e3)
     }
 }
 
@@ -102,23 +102,43 @@ pub(crate) struct Reporter {
 }
 
 impl Reporter {
-    /// Looks at the state at a time, s.
-    pub(crate) fn observe(&mut self, state: State, now: f64) {
+    /// Looks at the state at a time, s. The hash is computed only where a line is written.
+    pub(crate) fn observe(&mut self, state: State, now: f64, hash: impl FnOnce() -> u64) {
         let is_new = self
             .last
             .as_ref()
             .is_none_or(|(last, then)| now - then >= INTERVAL || last.lasting() != state.lasting());
         if is_new {
-            say(&state);
+            say(&state, hash());
             self.last = Some((state, now));
         }
     }
 }
 
 /// A line on the standard output, or in the console of the page.
-pub(crate) fn say(state: &State) {
+pub(crate) fn say(state: &State, hash: u64) {
+    let line = Line { state, hash };
     #[cfg(target_family = "wasm")]
-    macroquad::miniquad::info!("{}", state);
+    macroquad::miniquad::info!("{}", line);
     #[cfg(not(target_family = "wasm"))]
-    println!("{state}");
+    println!("{line}");
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_hash_is_computed_only_where_a_line_is_written() {
+        let (mut reporter, mut hashes) = (Reporter::default(), 0);
+        for frame in 0..150_u32 {
+            let state = State { tick: frame.into(), is_paused: frame >= 100, ..State::default() };
+            reporter.observe(state, f64::from(frame) / 60.0, || {
+                hashes += 1;
+                0
+            });
+        }
+        // At 0 s, at 1 s, as it is paused after 100 frames, and no more until a second later.
+        assert_eq!(hashes, 3);
+    }
 }

@@ -64,11 +64,11 @@ async fn show_frames(cli: Cli) {
         frames += 1;
         // A page has no command line: it always reports.
         if cli.report || cfg!(target_family = "wasm") {
-            reporter.observe(app.state(), get_time());
+            reporter.observe(app.state(), get_time(), || app.hash());
         }
         if cli.frames == Some(frames) {
             if cli.report {
-                report::say(&app.state());
+                report::say(&app.state(), app.hash());
             }
             if let Some(path) = &cli.screenshot {
                 save_screen(path);

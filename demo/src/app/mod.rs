@@ -277,6 +277,11 @@ impl App {
         &self.runs[copy]
     }
 
+    /// The hash of the places and velocities of all bodies of the first copy.
+    pub(crate) fn hash(&self) -> u64 {
+        self.runs[0].world.state_hash()
+    }
+
     /// What there is to say about the app from outside.
     pub(crate) fn state(&self) -> State {
         let run = &self.runs[0];
@@ -288,7 +293,6 @@ impl App {
             scene: self.scene.name,
             seed: self.seed,
             tick: run.world.ticks(),
-            hash: run.world.state_hash(),
             other_tick: self.runs.get(1).map(|other| other.world.ticks()),
             is_paused: self.is_paused,
             speed: SPEEDS[self.speed],
