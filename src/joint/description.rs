@@ -96,9 +96,9 @@ pub(crate) enum Anchors {
 
 /// The description of a joint between two bodies, or a body and the world.
 ///
-/// Where `b` is `None`, the body `a` is joined to the world. Angle and translation are those of `b` (or the world) as seen
-/// from `a`, and both are 0 where the bodies are when the joint is added. The bodies do not touch each other unless
-/// [`collide_connected`](Self::collide_connected) says so.
+/// Where `b` is `None`, the body `a` is joined to the world. Angle and translation are those of `b` (or the world) as seen from `a`. The
+/// angle is 0 as the bodies are when the joint is added, and the translation is 0 where the two anchors are at one place. The bodies do
+/// not touch each other unless [`collide_connected`](Self::collide_connected) says so.
 ///
 /// ```
 /// use rustycs::prelude::*;
@@ -265,8 +265,10 @@ impl Joint {
         Self { anchors: Anchors::Between(a.into(), b.into()), ..self }
     }
 
-    /// The axis along which a prismatic or wheel joint slides, in the frame of the world when the joint is added; it turns with
-    /// `a`. Its length does not matter. Along x unless said; of wheels, along y.
+    /// The direction along which a prismatic or wheel joint slides. Its length does not matter.
+    ///
+    /// It is given in the frame of the world, as `a` is turned when the joint is added. From then on it is fixed to `a` and turns with it.
+    /// Unless said it is the x axis of the world, and for a wheel the y axis.
     pub fn axis(self, axis: impl Into<Vec2>) -> Self {
         Self { axis: Some(axis.into()), ..self }
     }
@@ -287,11 +289,13 @@ impl Joint {
         self.option_of("greatest length", &[JointKind::Distance]).limits(0.0..=f64::from(length))
     }
 
-    /// Drives the angle (rad/s, N m) or the translation (m/s, N) at a speed, with `max` torque or force at most, which may be
-    /// infinite.
+    /// Drives the angle at a speed in rad/s with a torque of at most `max`, N m; or the translation or distance at a speed in m/s with a force
+    /// of at most `max`, N. `max` may be infinite. The angle is driven of revolute, wheel and ratchet joints, the translation of prismatic
+    /// ones.
     ///
-    /// Angle and translation are those of `b`, or of the world, as seen from `a`. So where `b` is the world a positive speed turns
-    /// `a` clockwise; name the world first by a fixed body, or give a negative speed, for the other way round.
+    /// A positive speed turns `b` counter-clockwise as seen from `a`, or moves `b` along the axis. Where `b` is the world it is `a` that moves,
+    /// and it moves the other way: a positive speed turns it clockwise. To turn a body counter-clockwise against the world, give a negative
+    /// speed. Or add a fixed body and give that as `a`, and the body as `b`.
     pub fn motor(self, speed: f32, max: f32) -> Self {
         Self { motor: Some(Motor { speed, max }), ..self }
     }

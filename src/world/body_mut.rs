@@ -164,7 +164,8 @@ impl<'a> BodyMut<'a> {
         self
     }
 
-    /// Puts the centre of mass at `center`, m.
+    /// Puts the centre of mass at `center`, m. The velocity stays as it is, and nothing on the way is met. A kinematic body that is to push and
+    /// carry what it meets is [moved](Self::move_to).
     ///
     /// # Errors
     /// [`BodyError`], if a coordinate is not finite or beyond 10¹² m.
@@ -263,8 +264,11 @@ impl<'a> BodyMut<'a> {
         self.world.cut_velocity(slot);
     }
 
-    /// Moves a kinematic body to `pose` within the next tick, where it stops, with the velocity that this takes: what it
-    /// meets on the way is pushed, and what stands on it goes along. Called before each tick it follows a path.
+    /// Moves a kinematic body to `pose` within the next tick. It pushes what it meets on the way, and takes along what stands on it. Called
+    /// before each tick it follows a path.
+    ///
+    /// [`velocity`](BodyRef::velocity) is what the way takes until the tick is over. Then the body stops and its velocity is 0, so that it is 0
+    /// whenever it is read after a step.
     ///
     /// Faster than [`Settings::max_speed`](crate::Settings::max_speed) it is late. It takes the shorter way round. Refused where
     /// the pose is none, as by [`set_pose`](Self::set_pose), or the body is not kinematic.

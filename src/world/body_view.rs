@@ -101,6 +101,10 @@ impl<'a> BodyRef<'a> {
     }
 
     /// Velocity of the centre of mass, m/s.
+    ///
+    /// Of a kinematic body it is the velocity that it was told. A body that is put somewhere, as by
+    /// [`set_position`](crate::BodyMut::set_position), keeps the velocity it had: a kinematic one at rest that is put elsewhere in every tick
+    /// has velocity 0 all the time. One that is [moved to](crate::BodyMut::move_to) a pose has a velocity within the tick, and 0 after it.
     pub fn velocity(&self) -> Vec2 {
         self.state().velocity.to_vec2()
     }

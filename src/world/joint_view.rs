@@ -114,15 +114,20 @@ impl<'a> JointRef<'a> {
         (b - a).normalized_or_zero()
     }
 
-    /// How far `b` has slid along the axis, or, of a joint without one, how far the anchors are apart, m.
+    /// Where the anchor of `b` is from the anchor of `a`, m.
+    ///
+    /// Of a prismatic or wheel joint it is the way along the axis, with its sign: positive where `b` is ahead of `a`. Of all other kinds it is
+    /// the distance of the two anchors, which is never negative.
     pub fn translation(&self) -> f64 {
         let [a, b] = self.anchors();
         let (axis, gap) = (self.direction(), [b.x - a.x, b.y - a.y]);
         f64::from(axis.x) * gap[0] + f64::from(axis.y) * gap[1]
     }
 
-    /// How fast the joint moves: of a prismatic, distance or drag joint how fast its [`translation`](Self::translation) grows,
-    /// m/s; of others its [`angular_speed`](Self::angular_speed), rad/s.
+    /// How fast the joint moves.
+    ///
+    /// Of prismatic, distance and drag joints it is how fast the [`translation`](Self::translation) grows, m/s. Of all other kinds, wheels too,
+    /// it is the [`angular_speed`](Self::angular_speed), rad/s. So it is the speed that a [motor](Joint::motor) of the joint drives.
     pub fn speed(&self) -> f64 {
         if !matches!(self.kind(), JointKind::Prismatic | JointKind::Distance | JointKind::Drag) {
             return self.angular_speed();
@@ -149,7 +154,10 @@ impl<'a> JointRef<'a> {
         self.record().state.torque
     }
 
-    /// How far it is off what it holds, after the last step.
+    /// How far it is off what it holds, after the last step in which it acted.
+    ///
+    /// It acts in a step if it is enabled and one of its bodies is dynamic and awake. So a joint whose bodies have both been made fixed or
+    /// kinematic since shows no new gap, however far they are set apart.
     pub fn error(&self) -> JointGap {
         let state = &self.record().state;
         JointGap { distance: state.gap, angle: state.angle_gap }

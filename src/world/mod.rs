@@ -90,7 +90,7 @@ use crate::world::sleep::{SleepTables, Sleepers};
 ///
 /// A world owns all it needs: it can be cloned, sent to another thread, and stepped there with the same result, bit for bit. It
 /// shares nothing but threads, where [`Settings::threads`] asks for some. For rollback there is `clone_from`: it uses the memory
-/// of the world that is overwritten, and allocates nothing if that is large enough.
+/// of the world that is overwritten, and allocates nothing if that is large enough. It also makes a world whole whose step panicked.
 ///
 /// ```
 /// use rustycs::prelude::*;
@@ -195,8 +195,8 @@ impl Default for World {
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[non_exhaustive]
 pub struct StepError {
-    /// Deepest overlap of two bodies, m, along the normals of their manifolds. These are found as a step begins: of bodies that turn or pass
-    /// each other fast it may be of places, and along a normal, that they have left.
+    /// Deepest overlap of two bodies at the end of the step, m. It is measured at the points and along the normal of their contact, which are
+    /// found as the step begins. Bodies that turn or pass each other fast may have left these by then: for them it may be too large or too small.
     pub penetration: f32,
     /// Largest speed with which two touching points still approach each other, m/s.
     pub velocity_residual: f32,

@@ -51,10 +51,16 @@ pub struct Settings {
     /// stands: ten boxes of 1 m on each other by a centimetre, from 60 to 240 ticks per second. For slow motion, multiply
     /// the tick rate by as much as the substeps are divided by: nothing moves then.
     pub substeps: u32,
-    /// Whether more is done where loads are great, as with heavy bodies on light ones or tall stacks. Such islands may be solved
-    /// [directly](crate::Tier::Direct); others do not pay for it. In heaps too large for that, the whole world takes two to eight
-    /// times as many substeps while heavy bodies would press light ones flat, unless more than 32 joints are awake.
-    /// [`Counters`](crate::Counters) tell of both. Default true.
+    /// Whether more is done where loads are great, as with heavy bodies on light ones or in tall stacks. Default true.
+    ///
+    /// Two things are done, each where it is needed:
+    /// - An island may be solved [directly](crate::Tier::Direct), if that is little work. Other islands do not pay for it.
+    /// - The whole world takes two, four or eight times as many substeps, while heavy bodies would press light ones flat in an island that
+    ///   is swept. It does not where more than 32 joints are awake, and never takes more than 256.
+    ///
+    /// The two do not exclude each other. An island that is solved directly asks for no more substeps, but takes them as all do while another
+    /// asks. [`Counters`](crate::Counters) tell of both. Neither is done without [`split_kick`](Self::split_kick), or where
+    /// [`position_correction`](Self::position_correction) is a projection.
     pub adaptive: bool,
     /// Sequential-impulse sweeps over all contacts before the bodies move, per substep, 1 to 1000. Default 1.
     pub iterations: u32,

@@ -37,8 +37,9 @@ impl World {
     /// ```
     ///
     /// # Panics
-    /// If a step of this world has panicked before, as it may where a [`Clock`](crate::Clock) does: the panic is passed on,
-    /// threads rest, and the world, halfway through a step, can be looked at but not stepped.
+    /// If a step of this world has panicked before, as it does where a [`Clock`](crate::Clock) panics. The panic is passed on, and threads rest.
+    /// The world is left halfway through a step: it can be looked at, but not stepped, and its profile is empty and without a clock. A clone
+    /// that is made of it then is the same. A clone from before can be stepped.
     pub fn step(&mut self) {
         self.events.clear();
         self.tick();

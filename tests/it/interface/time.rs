@@ -216,6 +216,7 @@ fn a_panic_in_a_step_is_passed_on_and_the_world_is_not_stepped_again() {
     assert_eq!(message_of(&mut world), "the clock stands still");
     assert_eq!(message_of(&mut world), "an earlier step of this world panicked halfway");
     assert_eq!(world.body(ball).unwrap().position(), Vec2::ZERO);
+    assert_eq!(message_of(&mut world.clone()), "an earlier step of this world panicked halfway");
     let mut world = before;
     world.step();
     assert_eq!(world.ticks(), 1);

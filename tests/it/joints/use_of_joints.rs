@@ -193,6 +193,48 @@ fn a_joint_rests_while_its_bodies_are_fixed() {
     assert!((turned - 0.5).abs() < 1e-3, "it hangs at its limit: {turned}");
 }
 
+/// What a joint is off by is found where it acts: none of its bodies being dynamic, it does not, and tells what it was.
+#[test]
+fn a_joint_between_bodies_that_it_does_not_move_tells_no_new_gap() {
+    let mut world = earth();
+    let [a, b] = two_boxes(&mut world);
+    let weld = world.add_joint(Joint::weld(a, b)).unwrap();
+    run(&mut world, 0.1);
+    world.body_mut(a).unwrap().set_body_type(BodyType::Fixed).unwrap();
+    world.body_mut(b).unwrap().set_body_type(BodyType::Kinematic).unwrap();
+    let before = world.joint(weld).unwrap().error();
+    world.body_mut(b).unwrap().set_position([5.0, 0.0]).unwrap();
+    run(&mut world, 0.1);
+    assert_eq!(world.joint(weld).unwrap().error(), before);
+    let [on_a, on_b] = world.joint(weld).unwrap().anchors();
+    assert!(before.distance < 1e-6 && on_a.distance(on_b) > 4.0);
+}
+
+/// The motor turns b, or the world, counter-clockwise as seen from a; it moves b, or the world, along the axis.
+#[test]
+fn a_motor_moves_the_second_body_ahead_and_the_first_one_back() {
+    let body = || Body::dynamic(Shape::rectangle(1.0, 1.0));
+    for (second, sign) in [(false, -1.0), (true, 1.0)] {
+        let mut world = World::new(Settings::default());
+        let (wall, moved) = (add(&mut world, Body::fixed(Shape::circle(0.1))), add(&mut world, body()));
+        let slid = add(&mut world, body().at([9.0, 0.0]));
+        let ends = |body| if second { (wall, Some(body)) } else { (body, None) };
+        let (a, b) = ends(moved);
+        let hinge = world.add_joint(Joint::revolute(a, b).at([0.0, 0.0]).motor(2.0, f32::INFINITY)).unwrap();
+        let (a, b) = ends(slid);
+        let slide = Joint::prismatic(a, b).at([9.0, 0.0]).axis([0.0, 1.0]).motor(2.0, f32::INFINITY);
+        let slide = world.add_joint(slide).unwrap();
+        run(&mut world, 0.5);
+        assert!((world.body(moved).unwrap().angular_velocity() - sign * 2.0).abs() < 1e-3);
+        assert!((world.body(slid).unwrap().velocity().y - sign * 2.0).abs() < 1e-3);
+        let [hinge, slide] = [hinge, slide].map(|joint| world.joint(joint).unwrap());
+        assert!((hinge.speed() - 2.0).abs() < 1e-3 && hinge.angle() > 0.9 && hinge.translation() < 1e-5);
+        assert!(
+            (slide.speed() - 2.0).abs() < 1e-3 && slide.translation() > 0.9 && slide.angle().abs() < 1e-5
+        );
+    }
+}
+
 #[test]
 fn joined_bodies_do_not_touch_unless_told_and_do_when_parted() {
     for (collides, touch) in [(false, false), (true, true)] {
