@@ -160,7 +160,7 @@ impl DirectSolver {
         self.islands.is_empty()
     }
 
-    /// How it went in this step of so many substeps, for the bodies of each island.
+    /// How it went in this step, of so many substeps that were asked for, for the bodies of each island.
     pub(crate) fn outcomes(
         &self,
         bodies: &Bodies,

@@ -66,7 +66,8 @@ impl ContactLoad {
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct DirectOutcome {
     pub(crate) slot: u32,
-    /// Multiplications that factorizations took in a substep, for each body of the island, on average.
+    /// Multiplications that factorizations and sweeps took in a substep that was asked for, for each body of the island, on average. Finer
+    /// substeps take as many times more.
     pub(crate) work: f32,
     /// Whether it solved the island.
     pub(crate) is_solved: bool,

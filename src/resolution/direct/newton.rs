@@ -24,6 +24,9 @@ const MOST_TRIES: usize = 20;
 /// Sweeps over an island that Newton's method did not solve. Fewer leave more small piles awake.
 const SWEEPS: usize = 20;
 
+/// Multiplications and divisions of a row in a sweep: six for its speed, three for what it wants, six to push and six to move two bodies.
+const WORK_OF_ROW: u64 = 21;
+
 /// For so many Newton steps the limits of friction follow the normal impulses, each time that all is balanced with those from before. Then they
 /// are held, so that the steps end. With half as many, gears jam: teeth stick to flanks that press no longer. With half as many again, a car
 /// on stones takes half as long again, and gears run no better.
@@ -70,15 +73,15 @@ pub(super) struct Part {
     /// Whether Newton's method failed in this step. It would fail in the substeps to come too, at the price of thirty factorizations, so
     /// the rows are swept over until the step ends.
     pub(super) is_unsolved: bool,
-    /// Multiplications of a factorization, and how many of these there have been in this step.
+    /// Multiplications of a factorization, and of all factorizations and sweeps in this step.
     work_of_factorization: u64,
-    factorizations: u32,
+    work: u64,
 }
 
 impl Part {
-    /// Multiplications that factorizations have taken in this step, for each mover.
+    /// Multiplications that the solve has taken in this step, for each mover.
     pub(super) fn work_per_mover(&self) -> f32 {
-        self.work_of_factorization as f32 * self.factorizations as f32 / self.movers.len() as f32
+        self.work as f32 / self.movers.len() as f32
     }
 }
 
@@ -143,7 +146,7 @@ impl Newton {
         let ease = (STIFF_MASS / self.mass_ratio(movers.clone())).min(1.0);
         let compliance = (COMPLIANCE * ease).max(LEAST_COMPLIANCE);
         let work_of_factorization = work_of_factorization(&self.leftmost[movers.clone()]);
-        Part { movers, pairs, rows, compliance, is_unsolved: false, work_of_factorization, factorizations: 0 }
+        Part { movers, pairs, rows, compliance, is_unsolved: false, work_of_factorization, work: 0 }
     }
 
     /// The mass of these movers together, in units of the lightest.
@@ -280,7 +283,8 @@ impl Newton {
 
     /// The fall-back where bodies collide in a heap that Newton's method does not come to grips with: sweeps over the
     /// rows, one at a time, but for friction, which goes by the speed from before the row that it follows.
-    fn sweep(&mut self, part: &Part) {
+    fn sweep(&mut self, part: &mut Part) {
+        part.work += (SWEEPS * part.rows.len()) as u64 * WORK_OF_ROW;
         for _ in 0..SWEEPS {
             let mut speed_before = None;
             for number in part.pairs.clone() {
@@ -403,7 +407,7 @@ impl Newton {
         self.factorized = part.movers.clone();
         self.assemble(part);
         self.matrix.factorize();
-        part.factorizations += 1;
+        part.work += part.work_of_factorization;
     }
 
     /// H, of the rows that take part.
