@@ -53,8 +53,8 @@ pub(crate) struct BlockMarks {
     pub(crate) found_anew: Marks,
     /// Those whose impulses are added up over the step.
     pub(crate) asked: Marks,
-    /// At the end of the step: those under great load.
-    pub(crate) greatly_loaded: Marks,
+    /// At the end of the step: those with a notable load, see [`load`](crate::resolution::load).
+    pub(crate) notably_loaded: Marks,
     /// At the end of the step: those that may have begun or ceased to touch.
     pub(crate) changing: Marks,
 }

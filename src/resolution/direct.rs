@@ -173,7 +173,7 @@ impl DirectSolver {
                 slot: bodies.slot_of_row(row as usize),
                 work,
                 is_solved: !part.is_unsolved,
-                sag: measure.sag(*load as f32),
+                sag_share: measure.sag(*load as f32),
             })
         })
     }

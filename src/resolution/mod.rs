@@ -43,7 +43,7 @@ pub(crate) use islands::{Connections, Islands, find_island};
 pub(crate) use kernel::work_of_a_substep;
 pub(crate) use load::{Loads, begins_at_rest};
 pub(crate) use rates::Rescaling;
-pub(crate) use refinement::{Loaded, MOST_SUBSTEPS, Refinement};
+pub(crate) use refinement::{MOST_SUBSTEPS, Refinement, RefinementTables};
 pub(crate) use scheme::Scheme;
 pub(crate) use solver::{Acceleration, SolveTables, Solver, solve};
 pub use tier::Tier;

@@ -1,5 +1,6 @@
-//! How many substeps a step takes: as many as are asked for, or two, four or eight times as many, up to 256, where those would let heavy
-//! bodies press light ones flat.
+//! How many substeps a step takes: as many as are asked for, or two, four or eight times as many where those would let heavy bodies press light
+//! ones flat. There are at most 256: where that leaves no room for the factor, it is the largest whole one that fits, which may be another number,
+//! such as 3 where 80 are asked for.
 //!
 //! The overlap that sweeps leave under a load is in proportion to the length of a substep, see [`sag`]. So the loads of the last step
 //! say how short the substeps of the next have to be. What is solved directly does not sag. All islands take as many substeps, as their
@@ -28,7 +29,7 @@ const LARGEST_FACTOR: u32 = 8;
 /// one kind that are thrown about bear as much at times. With 1000, one in ten heaps of densities 78 : 1 is ten centimetres deep.
 const CRUSHING_RATIO: f32 = 32.0;
 
-/// Substeps that a step may have, asked for or refined.
+/// Substeps that a step may have, asked for or refined. Settings that ask for more are refused.
 pub(crate) const MOST_SUBSTEPS: u32 = 256;
 
 /// Where more joints are awake, substeps are not refined: with 90 of them in a heap of 335 bodies they take three quarters of a step, and this
@@ -38,7 +39,7 @@ const MOST_JOINTS: usize = 32;
 /// How much finer substeps are than asked for.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Refinement {
-    /// Substeps for one that is asked for.
+    /// Substeps for one that is asked for: a power of two, up to [`LARGEST_FACTOR`].
     factor: u32,
     /// For how many steps in a row half of that would have been enough.
     calm_steps: u8,
@@ -50,9 +51,9 @@ impl Default for Refinement {
     }
 }
 
-/// What loads and joints are told from.
+/// The tables that say how fine substeps have to be.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Loaded<'a> {
+pub(crate) struct RefinementTables<'a> {
     pub(crate) loads: &'a Loads,
     pub(crate) contacts: &'a Contacts,
     pub(crate) graph: &'a ConstraintGraph,
@@ -66,14 +67,14 @@ impl Refinement {
         asked * self.factor.min(MOST_SUBSTEPS / asked)
     }
 
-    /// Decides for the next step, from the loads of the last.
-    pub(crate) fn decide(&mut self, rule: TierRule, of: Loaded<'_>) {
+    /// Decides for the next step, from the loads of the last: for more substeps at once, for half as many after [`CALM_STEPS`].
+    pub(crate) fn decide(&mut self, rule: TierRule, tables: RefinementTables<'_>) {
         if !rule.adapts {
             *self = Self::default();
             return;
         }
-        let excess = of.largest_excess(rule);
-        let needed = |excess| if of.has_many_joints(excess) { 1 } else { factor_for(excess) };
+        let excess = tables.largest_excess(rule);
+        let needed = |excess| if tables.has_many_joints(excess) { 1 } else { factor_for(excess) };
         if needed(excess) > self.factor {
             *self = Self { factor: needed(excess), calm_steps: 0 };
         } else if needed(excess / CALM_SHARE) < self.factor {
@@ -87,19 +88,20 @@ impl Refinement {
     }
 }
 
-impl Loaded<'_> {
-    /// The largest sag of what is swept over, with as many substeps as are asked for, over what it may be, no unit.
+impl RefinementTables<'_> {
+    /// The excess of a contact is the sag that sweeps would leave with as many substeps as are asked for, over the sag that it may have, no unit.
+    /// This is the largest of what is swept over.
     fn largest_excess(&self, rule: TierRule) -> f32 {
         let Self { loads, graph, .. } = self;
         let is_swept = |index: &u32| graph.home(*index).is_some_and(|home| !home.is_solved_directly());
-        let excesses = loads.great.iter().copied().filter(is_swept).filter_map(|index| {
+        let excesses = loads.notable.iter().copied().filter(is_swept).filter_map(|index| {
             let load = loads.of_contact[index as usize];
             if self.is_crushing(index, load) {
-                return Some(load.sag / DEEP_SHARE);
+                return Some(load.sag_share / DEEP_SHARE);
             }
-            load.lasts().then_some(load.sag / LARGEST_SAG)
+            load.lasts().then_some(load.sag_share / LARGEST_SAG)
         });
-        // Loads tell those of no more than the usual rate; with more substeps they are less.
+        // They are computed for no more than the usual rate, see `LoadMeasure`; at a higher one the sag is less.
         excesses.fold(0.0, f32::max) * rule.substep_rate.min(USUAL_RATE) / rule.substep_rate
     }
 
@@ -111,13 +113,13 @@ impl Loaded<'_> {
         load.is_heavy() && of_heavy > 0.0 && of_light > CRUSHING_RATIO * of_heavy
     }
 
-    /// Whether joints forbid what a sag asks for that is so many times what it may be. Asked only where that matters.
+    /// Whether there are too many joints for what this excess asks for. They are counted only if it asks for something.
     fn has_many_joints(&self, excess: f32) -> bool {
         excess > 1.0 && self.joints.awake(self.bodies).nth(MOST_JOINTS).is_some()
     }
 }
 
-/// How many times as many substeps let a sag that is so many times what it may be not be too large.
+/// The least factor that makes up for an excess, as the sag is in proportion to the length of a substep.
 fn factor_for(excess: f32) -> u32 {
     let mut factor = 1;
     while factor < LARGEST_FACTOR && excess > factor as f32 {

@@ -388,7 +388,7 @@ impl Solver {
         self.rolling.finish(contacts);
         self.direct.finish(contacts);
         let measure = LoadMeasure::new(scheme.adapts, scheme.dt, scheme.substeps, scheme.refinement);
-        loads.of_direct.extend(self.direct.outcomes(bodies, scheme.substeps / scheme.refinement, measure));
+        loads.outcomes.extend(self.direct.outcomes(bodies, scheme.substeps / scheme.refinement, measure));
         let residual = graph.finish(*executor, &bodies.states, contacts, measure, loads);
         let motions = Chosen::new(&mut bodies.motions, &bodies.awake);
         executor.pool.run((rows, motions), COMPENSATION_COST, |(rows, mut motions)| {

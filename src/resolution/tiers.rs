@@ -1,31 +1,38 @@
-//! Which islands are solved directly, and which by sweeps: sweeps are enough for nearly all.
+//! Which islands are solved directly, and which by sweeps: sweeps are enough for nearly all. Decided at the start of each step, from what the
+//! last one noted of loads, see [`load`](super::load), which says what a load is that lasts, or is a blow.
 //!
 //! What sweeps leave wrong at rest is known beforehand: until the load has lasted, a contact sags under the impulse λ of a substep to where
 //! the bias makes up for half of the compliance, which is 14 % of k λ (see [`sag`]). Where that is more than an eightieth
 //! of the thinner body, in a contact whose bodies hardly move against each other, for a few steps, the island is solved
-//! directly, if that is little work. In a small island one step is enough: that is a blow. It ends
-//! when the load does, or when the direct solve takes more than it is worth, as in heaps in which contacts come and go: that is tried
-//! again later, if much would sag. Only the state decides, never a clock: a clone is solved as its original.
+//! directly, if that is little work. In a small island one step is enough: that is a blow.
+//!
+//! The island goes back to sweeps
+//! - when its load has been small for [`CALM_STEPS`] steps in a row;
+//! - at once when the direct solve has taken more than it is worth, as in heaps in which contacts come and go, or would be too much work.
+//!
+//! Then it has a cooldown, in which it is not looked at. What took too much is tried again only if much would sag.
 //!
 //! A heap of great weight that begins at rest is solved directly from its first step on: its loads have yet to build up,
 //! and it would fall meanwhile.
 //!
-//! Islands without such a contact are never looked at.
+//! Only the state decides, never wall time: a clone is solved as its original. Islands without a notable load are never looked at.
 
 mod history;
+mod tables;
 
-use crate::body::{Bodies, NONE};
-use crate::collision::{Contact, Contacts};
-use crate::joint::Joints;
-use crate::resolution::constraint_graph::ConstraintGraph;
+pub(crate) use tables::TierTables;
+
+use crate::body::NONE;
+use crate::collision::Contact;
 use crate::resolution::direct::work_of_factorization;
-use crate::resolution::islands::{Connections, Islands, find_island};
+use crate::resolution::islands::{Islands, find_island};
 use crate::resolution::load::{
-    CALM_SHARE, CALM_STEPS, DIRECT_SHARE, LASTING_STEPS, Load, Loads, USUAL_RATE, begins_at_rest,
+    CALM_SHARE, CALM_STEPS, ContactLoad, DIRECT_SHARE, IslandLoad, LASTING_STEPS, Loads, USUAL_RATE,
+    begins_at_rest,
 };
 use crate::resolution::softness::sag;
 use crate::resolution::tier::Tier;
-use crate::resolution::tiers::history::{History, MOST_OVERSPENT, RETRY_STEPS};
+use crate::resolution::tiers::history::{History, IslandHistory, MOST_OVERSPENT, RETRY_STEPS};
 use crate::store::BitSet;
 
 /// Islands whose factorization takes more multiplications than this are not solved directly: a step of the world would be
@@ -36,27 +43,31 @@ const LARGEST_FACTORIZATION: u64 = 100_000;
 /// fewer.
 const LARGEST_DIRECT_ISLAND: usize = 256;
 
-/// An island of no more bodies is solved directly also in the steps after a blow. Swept, what is struck is pressed in, and throws back
-/// what strikes it: at an eighth of its speed where masses are equal, at half where they are 10 : 1. Larger islands are struck all
-/// the time.
+/// Nor those of more bodies of which any are joined: larger ones are swept. With two dozen, heaps of ragdolls, which go to and fro between
+/// both tiers, come to rest later: one of six moves after ten seconds. With four, a car with a stone under each wheel is swept.
+const LARGEST_DIRECT_JOINED_ISLAND: usize = 8;
+
+/// An island of no more bodies is small: it is solved directly also in the steps after a blow. Swept, what is struck is pressed in, and throws
+/// back what strikes it: at an eighth of its speed where masses are equal, at half where they are 10 : 1. Larger islands are struck all
+/// the time: with sixteen, a step of boxes on lifts takes twice as long.
 const SMALL_ISLAND: usize = 4;
 
-/// The same where any of them are joined: then loads between bodies that pass each other count too, and larger islands are swept. With
-/// two dozen, heaps of ragdolls, which go to and fro between both, come to rest later: one of six moves after ten seconds. With four, a
-/// car with a stone under each wheel is swept.
-const SMALL_JOINED_ISLAND: usize = 8;
+/// The same where any of them are joined: blows count in all joined islands that may be solved directly, also between bodies that pass each
+/// other.
+const SMALL_JOINED_ISLAND: usize = LARGEST_DIRECT_JOINED_ISLAND;
 
-/// For how many steps an island counts as calm already, as it comes to be solved directly before its loads have lasted: it stays so
-/// until they would, and no longer if they are little.
+/// For how many steps an island counts as calm already when it comes to be solved directly, by a blow or as it begins at rest, and no load
+/// lasts yet. If it stays calm it is solved so in the first step and in `CALM_STEPS - CALM_AT_FIRST` more, `LASTING_STEPS + 2` in all. So it is
+/// kept by a load that begins in one of the first three, as that lasts when they are over, and no longer if there is none.
+/// Two steps less leave none to spare, and no case of stacks, structures or heaps was found that they break.
 const CALM_AT_FIRST: u8 = CALM_STEPS - LASTING_STEPS - 1;
 
-/// An island that is too much work is left alone for so many steps. To find it every ten steps, and to order it, takes 7 % of
+/// The cooldown of an island that is too much work. To find it every ten steps, and to order it, takes 7 % of
 /// the step of a drum; a heap that comes apart waits for no longer than two seconds.
 const TOO_LARGE_STEPS: u64 = 120;
 
-/// What the direct solve took too much for is not solved so again unless a contact sags by more than this share of the width of
-/// the thinner body, no unit: it would be lifted out of its sag, and fall back. Where it is tried again all the same, piles
-/// at rest move again and card houses of five levels fall.
+/// What the direct solve took too much for is not solved so again unless the sag share of a contact is above this, no unit: it would be lifted
+/// out of its sag, and fall back. Where it is tried again all the same, piles at rest move again and card houses of five levels fall.
 const RETRY_SHARE: f32 = 0.05;
 
 /// A body that touches more others is a hub: ordered as any other, a plate on 200 balls takes 1.5 times as long.
@@ -74,58 +85,10 @@ pub(crate) struct TierRule {
 }
 
 impl TierRule {
-    /// The overlap that sweeps would leave in a contact, until the load has lasted, under the weight of `mass`, kg, whose k is `k`, 1/kg,
-    /// m.
-    fn sag_under(&self, mass: f32, k: f32) -> f32 {
+    /// The sag share of a contact under the weight of `mass`, kg; `k_over_width`, 1/(kg m), is its k over the width of the thinner body.
+    fn sag_share_under(&self, mass: f32, k_over_width: f32) -> f32 {
         let rate = self.substep_rate.min(USUAL_RATE);
-        sag(k * mass * self.acceleration / rate, rate)
-    }
-}
-
-/// The tables that a change of tier changes.
-#[derive(Debug)]
-pub(crate) struct TierTables<'a> {
-    pub(crate) bodies: &'a Bodies,
-    pub(crate) contacts: &'a mut Contacts,
-    pub(crate) graph: &'a mut ConstraintGraph,
-    pub(crate) joints: &'a Joints,
-}
-
-impl TierTables<'_> {
-    fn moves(&self, slot: u32) -> bool {
-        self.bodies.is_dynamic(slot) && self.bodies.is_awake(slot)
-    }
-
-    /// The bodies of a contact that are moved by it; none if it has ended since it was told of.
-    fn slots(&self, index: u32) -> impl Iterator<Item = u32> + use<> {
-        let slots = self.contacts.get(index).map_or([NONE; 2], |contact| contact.slots);
-        slots.map(|slot| (slot != NONE && self.moves(slot)).then_some(slot)).into_iter().flatten()
-    }
-
-    /// Velocity that a unit of impulse through both centres gives the bodies of a contact, 1/kg.
-    fn inverse_mass(&self, contact: &Contact) -> f32 {
-        contact.slots.iter().map(|&slot| self.bodies.motions[slot as usize].inverse_mass).sum()
-    }
-
-    fn connections(&self) -> Connections<'_> {
-        Connections { contacts: self.contacts, joints: self.joints }
-    }
-
-    /// The bodies that the one in `slot` touches, and that contacts move.
-    fn touching(&self, slot: u32) -> impl Iterator<Item = u32> {
-        let has_points = |index: &u32| !self.contacts[*index].manifold.points().is_empty();
-        let touching = self.contacts.of_body(self.bodies, slot).filter(has_points);
-        touching.map(move |index| self.contacts[index].other(slot)).filter(|&other| self.moves(other))
-    }
-
-    /// Those that joints join it to.
-    fn joined(&self, slot: u32) -> impl Iterator<Item = u32> {
-        let joined = self.joints.of_body(slot).map(move |index| self.joints.all[index].other(slot));
-        joined.filter(|&other| other != NONE && self.moves(other))
-    }
-
-    fn neighbours(&self, slot: u32) -> impl Iterator<Item = u32> {
-        self.touching(slot).chain(self.joined(slot))
+        sag(k_over_width * mass * self.acceleration / rate, rate)
     }
 }
 
@@ -141,11 +104,16 @@ pub(crate) struct Tiers {
     found: Vec<u32>,
     hubs: Vec<u32>,
     to_move: Vec<u32>,
+    /// Bodies whose island was decided for in this step.
     seen: BitSet,
+    /// Bodies that were found to be in an island that is not small.
     large: BitSet,
+    /// Bodies of the islands that may begin at rest.
     begun: BitSet,
     ordered: BitSet,
+    /// By slot, the row of the matrix.
     place_of_slot: Vec<u32>,
+    /// By row of the matrix, its first column.
     first: Vec<u32>,
 }
 
@@ -180,13 +148,13 @@ impl Tiers {
         }
     }
 
-    /// Decides for the next step, from the contacts under great load that the last one found.
+    /// Decides for the next step, from what the last one noted.
     pub(crate) fn decide(&mut self, tick: u64, rule: TierRule, loads: &Loads, mut tables: TierTables<'_>) {
         self.direct.clear();
-        for outcome in &loads.of_direct {
+        for outcome in &loads.outcomes {
             self.histories[outcome.slot as usize].take_note(outcome);
         }
-        let has_work = !(loads.great.is_empty() && loads.begun_at_rest.is_empty());
+        let has_work = !(loads.notable.is_empty() && loads.begun_at_rest.is_empty());
         if !has_work && !tables.graph.solves_directly() {
             return;
         }
@@ -201,15 +169,10 @@ impl Tiers {
                 }
             }
         }
-        for &index in &loads.great {
+        for &index in &loads.notable {
             let load = loads.of_contact[index as usize];
             for slot in tables.slots(index) {
-                let counts = |is_joined: bool| is_joined || !load.is_passing;
-                let mut is_blow = || {
-                    !self.seen.contains(slot)
-                        && small_island(slot, &tables, &mut self.large).is_some_and(counts)
-                };
-                if load.lasts() || load.counts() && is_blow() {
+                if load.lasts() || load.lasts_or_is_blow() && self.may_blow_count(slot, load, &tables) {
                     self.decide_island(slot, tick, rule, loads, &mut tables);
                 }
             }
@@ -224,6 +187,14 @@ impl Tiers {
         }
     }
 
+    /// Whether a blow to the body in `slot` may be a reason to solve its island directly. [`Self::decide_island`] has the last word: only there it is
+    /// known whether a kinematic body drives the island.
+    fn may_blow_count(&mut self, slot: u32, blow: ContactLoad, tables: &TierTables<'_>) -> bool {
+        !self.seen.contains(slot)
+            && small_island(slot, tables, &mut self.large)
+                .is_some_and(|is_joined| is_joined || !blow.is_passing())
+    }
+
     /// Decides for the island of the body in `slot`, if that was not done yet.
     fn decide_island(
         &mut self,
@@ -233,74 +204,84 @@ impl Tiers {
         loads: &Loads,
         tables: &mut TierTables<'_>,
     ) {
-        let is_left_alone = !tables.graph.is_direct(slot) && self.histories[slot as usize].quiet_until > tick;
+        let is_left_alone =
+            !tables.graph.is_direct(slot) && self.histories[slot as usize].cooldown_end > tick;
         if self.seen.contains(slot) || is_left_alone {
             return;
         }
-        let (mut load, mut is_driven, bodies) = (Load::default(), false, tables.bodies);
-        let drives = |slot| !bodies.is_dynamic(slot) && bodies.state(slot).is_moving();
-        self.find_island(slot, tables, |index, contact| {
-            load.add(loads.of_contact[index as usize]);
-            is_driven |= contact.slots.into_iter().any(drives);
-        });
+        let (load, is_driven) = self.find_loaded_island(slot, loads, tables);
         // Most of it was. Few that were struck do not have a heap that they fall on solved as they are.
         let direct_count = self.island.iter().filter(|&&slot| tables.graph.is_direct(slot)).count();
         let was_direct = 2 * direct_count >= self.island.len();
         // Between walls and what a kinematic body presses on, a blow may have no solution: bodies left a box with a paddle.
-        let is_joined = self.is_joined(tables);
+        let is_joined = tables.is_joined(&self.island);
         let blows_count = !is_driven && self.island.len() <= most_in_small_island(is_joined);
         let history = self.history(tick, tables);
-        let largest = match (blows_count, is_joined) {
-            (true, true) => load.greatest.max(load.passing),
-            (true, false) => load.greatest,
+        let of_contacts = match (blows_count, is_joined) {
+            (true, true) => load.still.max(load.passing),
+            (true, false) => load.still,
             (false, _) => load.lasting,
         };
         // What squeezes bodies is no load, but sweeps would wind one up.
-        let largest = if was_direct { largest.max(history.sag) } else { largest };
+        let largest = if was_direct { of_contacts.max(history.direct.sag_share) } else { of_contacts };
         let is_hopeless =
             !was_direct && (history.is_given_up() || history.times_dear > 0 && largest <= RETRY_SHARE);
-        let is_paused = history.quiet_until > tick;
+        let is_cooling = history.cooldown_end > tick;
         let share = if was_direct { CALM_SHARE * DIRECT_SHARE } else { DIRECT_SHARE };
         let is_calm = was_direct && largest <= share;
-        let stays = is_calm && history.calm_steps < CALM_STEPS;
-        let is_asked = rule.adapts && !is_paused && !is_hopeless && (largest > share || stays);
-        let overspent = if was_direct && !blows_count { history.overspent_with(largest) } else { 0.0 };
+        let stays = is_calm && history.direct.calm_steps < CALM_STEPS;
+        let is_asked = rule.adapts && !is_cooling && !is_hopeless && (largest > share || stays);
+        let overspent = if was_direct && !blows_count { history.direct.overspent_with(largest) } else { 0.0 };
         let is_too_dear = overspent > MOST_OVERSPENT;
-        let is_direct = is_asked && !is_too_dear && self.can_be_direct(tables);
-        let calm_steps = if is_calm {
-            history.calm_steps.saturating_add(1)
-        } else if load.lasting <= share {
-            CALM_AT_FIRST
+        if is_asked && !is_too_dear && self.can_be_direct(tables) {
+            let calm_steps = if is_calm {
+                history.direct.calm_steps + 1
+            } else if load.lasting <= share {
+                CALM_AT_FIRST
+            } else {
+                0
+            };
+            self.solve_directly(calm_steps, overspent, tables);
+            return;
+        }
+        let cooldown = if is_too_dear {
+            Cooldown::AfterTooDear
         } else {
-            0
-        };
-        self.give(if is_direct { Tier::Direct } else { Tier::Swept }, calm_steps, overspent, tables);
-        if !is_direct {
-            // The next blow may come at any time, and few bodies are soon looked at.
-            let pause = match (is_asked, blows_count) {
+            let steps = match (is_asked, blows_count) {
                 (true, _) => TOO_LARGE_STEPS,
+                // The next blow may come at any time, and few bodies are soon looked at.
                 (false, true) => 0,
                 (false, false) => RETRY_STEPS,
             };
-            for &slot in &self.island {
-                let of_body = &mut self.histories[slot as usize];
-                of_body.quiet_until = history.quiet_until.max(tick + pause);
-                if is_calm {
-                    of_body.times_dear = 0;
-                }
-                if is_too_dear {
-                    of_body.leave_alone(tick);
-                }
-            }
-        }
+            Cooldown::Until(history.cooldown_end.max(tick + steps))
+        };
+        self.sweep(tick, cooldown, is_calm, tables);
+    }
+
+    /// Finds the island of the body in `slot`. Returns its load, and whether a kinematic body that moves touches it.
+    fn find_loaded_island(
+        &mut self,
+        slot: u32,
+        loads: &Loads,
+        tables: &TierTables<'_>,
+    ) -> (IslandLoad, bool) {
+        let (mut load, mut is_driven, bodies) = (IslandLoad::default(), false, tables.bodies);
+        let drives = |slot| !bodies.is_dynamic(slot) && bodies.state(slot).is_moving();
+        let look_at = |index: u32, contact: &Contact| {
+            load.add(loads.of_contact[index as usize]);
+            is_driven |= contact.slots.into_iter().any(drives);
+        };
+        self.island.clear();
+        find_island(slot, bodies, tables.connections(), &mut self.seen, &mut self.island, look_at);
+        (load, is_driven)
     }
 
     /// What the island has been through, but for what was long ago.
-    fn history(&mut self, tick: u64, tables: &TierTables<'_>) -> History {
-        History::of_island(self.island.iter().map(|&slot| {
+    fn history(&mut self, tick: u64, tables: &TierTables<'_>) -> IslandHistory {
+        IslandHistory::of_bodies(self.island.iter().map(|&slot| {
             let history = &mut self.histories[slot as usize];
             history.forget_what_was_long_before(tick);
-            if tables.graph.is_direct(slot) { *history } else { history.of_swept() }
+            (*history, tables.graph.tier(slot))
         }))
     }
 
@@ -326,35 +307,49 @@ impl Tiers {
         );
         let mass =
             self.island.iter().map(|&slot| tables.bodies.motions[slot as usize].inverse_mass.recip()).sum();
-        let may_sag = rule.sag_under(mass, softest) > DIRECT_SHARE;
+        let may_sag = rule.sag_share_under(mass, softest) > DIRECT_SHARE;
         if begins && may_sag && self.can_be_direct(tables) {
             for &slot in &self.island {
                 self.seen.insert(slot);
             }
-            self.give(Tier::Direct, CALM_AT_FIRST, 0.0, tables);
+            self.solve_directly(CALM_AT_FIRST, 0.0, tables);
         }
     }
 
-    /// Finds the island of the body in `slot`, and looks at its contacts.
-    fn find_island(&mut self, slot: u32, tables: &TierTables<'_>, look_at: impl FnMut(u32, &Contact)) {
-        self.island.clear();
-        find_island(slot, tables.bodies, tables.connections(), &mut self.seen, &mut self.island, look_at);
+    /// Has the island solved directly, its bodies in the order of the matrix.
+    fn solve_directly(&mut self, calm_steps: u8, overspent: f32, tables: &mut TierTables<'_>) {
+        for &slot in &self.island {
+            let of_body = &mut self.histories[slot as usize].direct;
+            (of_body.calm_steps, of_body.overspent) = (calm_steps, overspent);
+        }
+        self.set_tier(Tier::Direct, tables);
+        self.direct.push(&self.island);
     }
 
-    /// Gives the island a tier, and its bodies what it has been through.
-    fn give(&mut self, tier: Tier, calm_steps: u8, overspent: f32, tables: &mut TierTables<'_>) {
+    /// Has the island swept, and not looked at while it cools down.
+    fn sweep(&mut self, tick: u64, cooldown: Cooldown, is_calm: bool, tables: &mut TierTables<'_>) {
+        self.set_tier(Tier::Swept, tables);
         for &slot in &self.island {
             let of_body = &mut self.histories[slot as usize];
-            (of_body.calm_steps, of_body.overspent) = (calm_steps, overspent);
+            if is_calm {
+                of_body.times_dear = 0;
+            }
+            match cooldown {
+                Cooldown::Until(end) => of_body.cooldown_end = end,
+                Cooldown::AfterTooDear => of_body.leave_alone(tick),
+            }
+        }
+    }
+
+    /// Gives the bodies of the island a tier, and their contacts a new home in the graph.
+    fn set_tier(&mut self, tier: Tier, tables: &mut TierTables<'_>) {
+        for &slot in &self.island {
             if tables.graph.set_tier(slot, tier) {
                 self.to_move.extend(tables.contacts.of_body(tables.bodies, slot));
             }
         }
         for index in self.to_move.drain(..) {
             tables.graph.rehome(tables.contacts, tables.bodies, index);
-        }
-        if tier == Tier::Direct {
-            self.direct.push(&self.island);
         }
     }
 
@@ -380,14 +375,10 @@ impl Tiers {
         self.island.extend(&self.hubs);
     }
 
-    /// Whether a joint holds any body of the island.
-    fn is_joined(&self, tables: &TierTables<'_>) -> bool {
-        self.island.iter().any(|&slot| tables.joints.hold(slot))
-    }
-
     /// Whether the island can be solved directly; then it is in the order of the matrix. It has to be small enough.
     fn can_be_direct(&mut self, tables: &TierTables<'_>) -> bool {
-        let most = if self.is_joined(tables) { SMALL_JOINED_ISLAND } else { LARGEST_DIRECT_ISLAND };
+        let is_joined = tables.is_joined(&self.island);
+        let most = if is_joined { LARGEST_DIRECT_JOINED_ISLAND } else { LARGEST_DIRECT_ISLAND };
         if self.island.len() > most {
             return false;
         }
@@ -406,13 +397,22 @@ impl Tiers {
     }
 }
 
+/// How long an island that is left to sweeps is not looked at.
+#[derive(Clone, Copy, Debug)]
+enum Cooldown {
+    /// Until this tick.
+    Until(u64),
+    /// As [`History::leave_alone`] says, for longer each time. It takes the place of every other, also of a longer one.
+    AfterTooDear,
+}
+
 /// The most bodies of a small island.
 fn most_in_small_island(is_joined: bool) -> usize {
     if is_joined { SMALL_JOINED_ISLAND } else { SMALL_ISLAND }
 }
 
-/// Whether the body in a slot is in a small island, and if so, whether any of it is joined. The bodies that it finds to be in a large one
-/// are told in `large`, so that each of a heap is not looked for again from each of its contacts.
+/// Whether any body is joined in the island of the body in a slot; none if the island is not small. The bodies that it finds to be in a large
+/// one are added to `large`, so that each of a heap is not looked for again from each of its contacts.
 fn small_island(slot: u32, tables: &TierTables<'_>, large: &mut BitSet) -> Option<bool> {
     let mut island = [slot; SMALL_JOINED_ISLAND];
     let (mut len, mut next, mut is_large) = (1, 0, large.contains(slot));
@@ -429,7 +429,7 @@ fn small_island(slot: u32, tables: &TierTables<'_>, large: &mut BitSet) -> Optio
         }
         next += 1;
     }
-    let is_joined = island[..len].iter().any(|&slot| tables.joints.hold(slot));
+    let is_joined = tables.is_joined(&island[..len]);
     let is_small = !is_large && len <= most_in_small_island(is_joined);
     if !is_small {
         for &slot in &island[..len] {

@@ -8,7 +8,7 @@ use crate::collision::broad_phase::BroadPhase;
 use crate::collision::{AHEAD, Refresh, are_out_of_reach, refresh};
 use crate::compute::{BodyState, Chosen, Executor, GROUND_ROW};
 use crate::math::Rot;
-use crate::resolution::{Loaded, SolveTables, StepResidual, TierTables, begins_at_rest, solve};
+use crate::resolution::{RefinementTables, SolveTables, StepResidual, TierTables, begins_at_rest, solve};
 use crate::world::World;
 use crate::world::attractor::Field;
 use crate::world::profile::{Counters, Stage};
@@ -237,7 +237,7 @@ impl World {
         let mixes = settings.mixes();
         let Self { bodies, contacts, joints, graph, loads, pool, broad_phase, .. } = self;
         self.tiers.decide(self.ticks, rule, loads, TierTables { bodies, contacts, graph, joints });
-        self.refinement.decide(rule, Loaded { loads, contacts, graph, joints, bodies });
+        self.refinement.decide(rule, RefinementTables { loads, contacts, graph, joints, bodies });
         loads.clear();
         let field = Field {
             uniform: self.acceleration,

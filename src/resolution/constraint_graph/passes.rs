@@ -65,7 +65,7 @@ impl ConstraintGraph {
         for colour in self.colours.iter().filter(|colour| !colour.is_empty()) {
             for (number, block) in colour.blocks.all().1.iter().enumerate() {
                 let indices = &colour.contacts[number * COLUMN..];
-                block.marks.greatly_loaded.for_each(|place| loads.great.push(indices[place]));
+                block.marks.notably_loaded.for_each(|place| loads.notable.push(indices[place]));
                 block.marks.changing.for_each(|place| contacts.note_change(indices[place]));
             }
         }
@@ -246,8 +246,8 @@ fn write_back(
         let contact = contacts.get_mut(place);
         let load = residuals.load.get(place);
         block.write_back(place, contact, load, measure.dt);
-        let counts = measure.note_load(contact, loads.get_mut(place), load);
-        block.marks.greatly_loaded.set(place, counts);
+        let is_notable = measure.note_load(contact, loads.get_mut(place), load);
+        block.marks.notably_loaded.set(place, is_notable);
         let touches = contact.has_bounced || residuals.touching.get(place);
         debug_assert_eq!(touches, contact.has_touched());
         block.marks.changing.set(place, touches != contact.is_touching);
