@@ -114,7 +114,7 @@ impl World {
         if contact.is_touching {
             let [a, b] = contact.slots.map(|slot| self.id_of(slot));
             let colliders = contact.colliders.map(|slot| self.collider_id(slot));
-            self.events.ended_by_edit.push(ContactEvent { a, b, colliders, tick: 0 });
+            self.events.ended_by_edit.push(ContactEvent { a, b, colliders, tick: self.next_tick() });
         }
     }
 

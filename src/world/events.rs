@@ -373,14 +373,9 @@ impl Events {
         self.removed_joints.append(&mut self.joints_removed_by_edit);
     }
 
-    /// Brings the events of the current tick into an order that does not depend on how it was computed, and gives them its number.
-    pub(crate) fn end_tick(&mut self, tick: u64) {
+    /// Brings the events of the current tick into an order that does not depend on how it was computed.
+    pub(crate) fn sort(&mut self) {
         let [began, ended, hits, sensor_began, sensor_ended] = self.tick_begins;
-        self.began[began..].iter_mut().for_each(|event| event.tick = tick);
-        self.ended[ended..].iter_mut().for_each(|event| event.tick = tick);
-        self.hits[hits..].iter_mut().for_each(|event| event.tick = tick);
-        self.sensor_began[sensor_began..].iter_mut().for_each(|event| event.tick = tick);
-        self.sensor_ended[sensor_ended..].iter_mut().for_each(|event| event.tick = tick);
         self.began[began..].sort_unstable_by_key(|event| (event.a, event.b, event.colliders));
         self.ended[ended..].sort_unstable_by_key(|event| (event.a, event.b, event.colliders));
         self.hits[hits..].sort_unstable_by_key(|event| (event.a, event.b, event.colliders));

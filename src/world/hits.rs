@@ -61,7 +61,7 @@ impl World {
                 self.solver.blows.leave(&blow, &self.contacts);
             }
         }
-        let changing = self.contacts.take_changing();
+        let (changing, tick) = (self.contacts.take_changing(), self.next_tick());
         for &index in &changing {
             let contact = &mut self.contacts[index];
             let is_touching = contact.has_touched();
@@ -71,7 +71,7 @@ impl World {
             contact.is_touching = is_touching;
             let ([a, b], colliders) = self.ids_of(index);
             let changed = if is_touching { &mut self.events.began } else { &mut self.events.ended };
-            changed.push(ContactEvent { a, b, colliders, tick: 0 });
+            changed.push(ContactEvent { a, b, colliders, tick });
         }
         self.contacts.clear_changing(changing);
     }
@@ -133,7 +133,7 @@ impl World {
             normal,
             normal_impulse: on_b.dot(normal),
             tangent_impulse: on_b.dot(normal.perp()),
-            tick: 0,
+            tick: self.next_tick(),
         }
     }
 }

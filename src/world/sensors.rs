@@ -53,10 +53,10 @@ impl Sensors {
         (self.found, self.passed) = (Vec::new(), Vec::new());
     }
 
-    /// Reports what of the overlaps found now is new, and what is gone; goes on with those of now.
-    fn report(&mut self, events: &mut Events) {
+    /// Reports what of the overlaps found now, in this tick, is new, and what is gone; goes on with those of now.
+    fn report(&mut self, tick: u64, events: &mut Events) {
         let (before, now) = (&self.overlaps, &self.found);
-        let event = |&(sensor, collider, body): &Overlap| SensorEvent { sensor, collider, body, tick: 0 };
+        let event = |&(sensor, collider, body): &Overlap| SensorEvent { sensor, collider, body, tick };
         let is_new = |overlap: &&Overlap| before.binary_search(overlap).is_err();
         let is_gone = |overlap: &&Overlap| now.binary_search(overlap).is_err();
         events.sensor_began.extend(now.iter().filter(is_new).map(event));
@@ -121,7 +121,7 @@ impl World {
             self.find_passed(&mut passed);
         }
         (sensors.found, sensors.passed) = (found, passed);
-        sensors.report(&mut self.events);
+        sensors.report(self.next_tick(), &mut self.events);
         self.sensors = sensors;
     }
 

@@ -72,7 +72,7 @@ impl World {
         self.break_joints();
         self.stop_those_that_arrived();
         profile.run_stage(Stage::Sensors, self.sensor_work(), || self.find_sensor_overlaps());
-        self.events.end_tick(self.ticks + 1);
+        self.events.sort();
         let resting = if sleep::is_due(self.ticks, self.settings.tick_rate) { self.resting } else { 0 };
         profile.run_stage(Stage::Sleep, resting, || self.put_to_sleep());
         self.pool.end_step(at_work);
@@ -228,6 +228,11 @@ impl World {
                 self.loads.begun_at_rest.push(index);
             }
         }
+    }
+
+    /// The number of the tick under way, or between two of the one to come: what [`ticks`](Self::ticks) will be at its end.
+    pub(in crate::world) fn next_tick(&self) -> u64 {
+        self.ticks + 1
     }
 
     /// The substep loop.

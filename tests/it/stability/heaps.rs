@@ -51,14 +51,20 @@ fn a_step_takes_more_substeps_only_while_a_heap_needs_them() {
     assert_eq!(substeps(&world), asked, "the heap is gone");
 }
 
-/// Eighty boxes of one density, in a pool of 8 m.
-fn pool_of_boxes(seed: u64) -> World {
+/// A pit 8 m wide.
+fn pit() -> World {
     let mut world = World::default();
     world.add_force(Force::EARTH_GRAVITY);
     world.add(Body::fixed(Shape::aabb(8.0, 1.0)).at([0.0, -0.5])).unwrap();
     for side in [-1.0, 1.0] {
         world.add(Body::fixed(Shape::aabb(1.0, 20.0)).at([side * 4.5, 10.0])).unwrap();
     }
+    world
+}
+
+/// Eighty boxes of one density in it.
+fn pit_of_boxes(seed: u64) -> World {
+    let mut world = pit();
     let mut chance = Chance(seed);
     for index in 0..80 {
         let [column, row] = [index % 8, index / 8].map(f64::from);
@@ -75,7 +81,7 @@ fn pool_of_boxes(seed: u64) -> World {
 fn heaps_of_one_density_are_soon_left_to_sweeps() {
     let mut direct = 0;
     for seed in 1..=3 {
-        let mut world = pool_of_boxes(seed);
+        let mut world = pit_of_boxes(seed);
         for _ in 0..600 {
             world.step();
             direct += usize::from(world.profile().counters().direct_bodies > 40);
@@ -101,14 +107,9 @@ fn a_heap_is_not_solved_directly_for_what_strikes_it() {
     }
 }
 
-/// A hundred discs and boxes in a pit, of masses up to 1000 : 1 for their size.
+/// A hundred discs and boxes in it, of densities up to 1000 : 1.
 fn pit_of_all_masses(seed: u64) -> World {
-    let mut world = World::default();
-    world.add_force(Force::EARTH_GRAVITY);
-    world.add(Body::fixed(Shape::aabb(20.0, 1.0)).at([0.0, -0.5])).unwrap();
-    for side in [-1.0, 1.0] {
-        world.add(Body::fixed(Shape::aabb(1.0, 30.0)).at([side * 4.0, 15.0])).unwrap();
-    }
+    let mut world = pit();
     let mut chance = Chance(seed);
     for index in 0..100 {
         let half = chance.between(0.08, 0.4) as f32;
@@ -126,7 +127,7 @@ fn pit_of_all_masses(seed: u64) -> World {
 }
 
 /// Where substeps are refined, a direct solve takes as many times as long, and where it comes to no end its sweeps count too: a heap that is still
-/// moving is left to sweeps within a few steps. It was so solved for one step in eight, of 25 ms each.
+/// moving is left to sweeps within three steps, and tried four times. It was solved so for nearly half of all steps.
 #[test]
 fn heaps_of_all_masses_are_soon_left_to_refined_sweeps() {
     let (mut direct, mut refined) = (0, 0);
@@ -140,5 +141,5 @@ fn heaps_of_all_masses_are_soon_left_to_refined_sweeps() {
         }
     }
     assert!(refined > 900, "refined in {refined} of 1800 steps");
-    assert!(50 * direct <= refined, "solved directly in {direct} of {refined} steps");
+    assert!(direct <= 4 * 4 * 3, "solved directly in {direct} of {refined} steps");
 }
