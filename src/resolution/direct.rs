@@ -30,7 +30,7 @@
 //!
 //! Where bodies are joined, the rows of their joints are rows as well, see [`joint`].
 //!
-//! A substep has two such solves. The one before the move balances half of the forces of the substep and corrects penetration: it says where
+//! A substep has two such solves, each repeated where joints answer to it. The one before the move balances half of the forces of the substep and corrects penetration: it says where
 //! bodies go. Its impulses are then taken back: a correction is no speed, and the bodies are no longer where they acted. The one after the
 //! move finds the impulses under all the forces.
 //!

@@ -10,6 +10,9 @@
 //! - it is **heavy** if it was great for [`HEAVY_STEPS`] steps in a row, still or passing, and would leave the bodies deep in each other;
 //! - it is **notable** if it is any of the last three.
 //!
+//! Bodies are **squeezed** where walls leave them too little room: what pushes them apart in the direct solve grows, and lessens no overlap. No
+//! contact bears that when the push is over, so it is told of the island, in [`DirectOutcome::sag_share`].
+//!
 //! Contacts without a great load cost one comparison.
 
 use crate::body::Bodies;

@@ -1,21 +1,23 @@
 //! Which islands are solved directly, and which by sweeps: sweeps are enough for nearly all. Decided at the start of each step, from what the
 //! last one noted of loads, see [`load`](super::load), which says what a load is that lasts, or is a blow.
 //!
-//! What sweeps leave wrong at rest is known beforehand: until the load has lasted, a contact sags under the impulse λ of a substep to where
-//! the bias makes up for half of the compliance, which is 14 % of k λ (see [`sag`]). Where that is more than an eightieth
+//! What sweeps leave wrong at rest is known beforehand: under a load that is new to it a contact sags to where its bias makes up for what it
+//! yields, 14 % of k λ in half a substep (see [`sag`]). Where that is more than an eightieth
 //! of the thinner body, in a contact whose bodies hardly move against each other, for a few steps, the island is solved
 //! directly, if that is little work. In a small island one step is enough: that is a blow.
 //!
 //! The island goes back to sweeps
-//! - when its load has been small for [`CALM_STEPS`] steps in a row;
-//! - at once when the direct solve has taken more than it is worth, as in heaps in which contacts come and go, or would be too much work.
+//! - when its load has been small for [`CALM_STEPS`] steps in a row, and nothing squeezes its bodies;
+//! - at once when the direct solve has taken more than it is worth, as in heaps in which contacts come and go, or would be too much work. A small
+//!   island never has.
 //!
 //! Then it has a cooldown, in which it is not looked at. What took too much is tried again only if much would sag.
 //!
 //! A heap of great weight that begins at rest is solved directly from its first step on: its loads have yet to build up,
 //! and it would fall meanwhile.
 //!
-//! Only the state decides, never wall time: a clone is solved as its original. Islands without a notable load are never looked at.
+//! Only the state decides, never wall time: a clone is solved as its original. Swept islands in which no load lasts, and none is a
+//! blow to a small one, are never looked at.
 
 mod history;
 mod tables;
@@ -210,7 +212,7 @@ impl Tiers {
             return;
         }
         let (load, is_driven) = self.find_loaded_island(slot, loads, tables);
-        // Most of it was. Few that were struck do not have a heap that they fall on solved as they are.
+        // At least half of it was: a heap is not solved directly because a few bodies that were, as they were struck, fall on it.
         let direct_count = self.island.iter().filter(|&&slot| tables.graph.is_direct(slot)).count();
         let was_direct = 2 * direct_count >= self.island.len();
         // Between walls and what a kinematic body presses on, a blow may have no solution: bodies left a box with a paddle.
@@ -222,7 +224,7 @@ impl Tiers {
             (true, false) => load.still,
             (false, _) => load.lasting,
         };
-        // What squeezes bodies is no load, but sweeps would wind one up.
+        // What squeezes bodies is no load of their contacts here, but sweeps would wind one up.
         let largest = if was_direct { of_contacts.max(history.direct.sag_share) } else { of_contacts };
         let is_hopeless =
             !was_direct && (history.is_given_up() || history.times_dear > 0 && largest <= RETRY_SHARE);

@@ -111,7 +111,7 @@ impl DirectContact {
             rows[0].bias += f64::from(bias);
             if is_pending[index] {
                 // It is not to touch yet. With no Jacobian any positive speed says that it parts.
-                (rows[0].jacobian, rows[0].bias, rows[0].carried) = ([[0.0; 3]; 2], 1.0, 1.0);
+                (rows[0].jacobian, rows[0].bias, rows[0].carried) = ([[0.0; 3]; 2], 1.0, 0.0);
             }
         }
     }

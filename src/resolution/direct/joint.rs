@@ -63,6 +63,6 @@ impl DirectJoint {
 
     /// Takes it back.
     pub(super) fn take_back(&self, joints: &mut JointSolver) {
-        self.of_joint.clone().for_each(|of_joint| joints.hand_over(of_joint, 0.0));
+        joints.take_back(self.of_joint.clone());
     }
 }

@@ -70,7 +70,7 @@ pub(super) struct Part {
     pairs: Range<usize>,
     rows: Range<usize>,
     compliance: f64,
-    /// Whether Newton's method failed in this step. It would fail in the substeps to come too, at the price of thirty factorizations, so
+    /// Whether Newton's method failed in this step. It would fail in the substeps to come too, at the price of thirty factorizations in each stage, so
     /// the rows are swept over until the step ends.
     pub(super) is_unsolved: bool,
     /// Multiplications of a factorization, and of all factorizations and sweeps in this step.
@@ -179,17 +179,19 @@ impl Newton {
         }
     }
 
-    /// All that an island can press with, N s: its mass times how fast its rows close without impulses, [`LEVERAGE`] times. What is more
-    /// holds nothing up: walls that close on a body wind it up, and the body would be shot away when it finds a way out.
+    /// All that an island can press with, N s: its mass times how fast its rows close without impulses, and what its motors have left, [`LEVERAGE`]
+    /// times. What is more holds nothing up: walls that close on a body wind it up, and the body would be shot away when it finds a way out.
     fn greatest_load(&self, part: &Part) -> f64 {
         let mass: f64 = self.masses[part.movers.clone()].iter().map(|&[mass, ..]| mass).sum();
-        let mut closing = 0.0_f64;
+        let (mut closing, mut driving) = (0.0_f64, 0.0);
         for pair in &self.pairs[part.pairs.clone()] {
             let velocities = pair.of(&self.free);
-            let rows = self.rows[pair.rows.clone()].iter();
-            closing = rows.map(|row| row.closing(&velocities)).fold(closing, f64::max);
+            for row in &self.rows[pair.rows.clone()] {
+                closing = closing.max(row.closing(&velocities));
+                driving += row.driving();
+            }
         }
-        LEVERAGE * mass * closing
+        LEVERAGE * (mass * closing + mass.sqrt() * driving)
     }
 
     /// Lets no row press with more than this, N s, and friction follow.
@@ -235,7 +237,7 @@ impl Newton {
         }
     }
 
-    /// Makes the impulses of the last substep less, if to begin with them would add energy,
+    /// Makes the impulses to begin with less, if they would add energy,
     ///
     /// ```text
     /// E(λ) = ½ λᵀ J M⁻¹ Jᵀ λ + λᵀ u₀ > 0,

@@ -10,7 +10,7 @@ pub(super) const TOLERANCE: f64 = 1e-5;
 /// change would yield to the whole load there, and a stack of 200 swing by half a metre per second. `f64` has digits for little less.
 pub(super) const LEAST_COMPLIANCE: f64 = 1e-6;
 
-/// Rows whose bias is below this are held in the first Newton step, m/s: where those of wide gaps are held too,
+/// Rows whose bias, but for how what is not moved goes past, is below this are held in the first Newton step, m/s: where those of wide gaps are held too,
 /// or none, more islands are not solved.
 const HELD: f64 = 0.1;
 
@@ -141,6 +141,19 @@ impl Row {
         }
     }
 
+    /// How much harder a motor can still drive, as an impulse by the root of the mass that it drives, kg^½ m/s; 0 of one without a bound, and
+    /// of what is no motor.
+    pub(super) fn driving(&self) -> f64 {
+        match self.bound {
+            Bound::Range([least, greatest])
+                if self.is_of_joint && least.is_finite() && greatest.is_finite() =>
+            {
+                least.abs().max(greatest) * self.k.sqrt()
+            }
+            _ => 0.0,
+        }
+    }
+
     /// Brings the impulse into its range.
     pub(super) fn keep_within_range(&mut self) {
         self.impulse = self.bounded(self.impulse);
@@ -222,7 +235,7 @@ impl Row {
     /// Whether the first Newton step takes the row for one that yields, whatever its impulse.
     pub(super) fn is_held(&self) -> bool {
         // What can bear nothing else does not yield.
-        self.bias < HELD && self.range[0] < self.range[1]
+        self.bias - self.carried < HELD && self.range[0] < self.range[1]
     }
 
     /// Takes up what a step from where it has responded will add.

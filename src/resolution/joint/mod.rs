@@ -133,6 +133,22 @@ impl JointSolver {
         row.handed = impulse;
     }
 
+    /// Takes back what was handed over to these rows of a joint, as the push ends: its bodies have it no more.
+    pub(super) fn take_back(&mut self, rows: Range<u32>) {
+        let rows = &mut self.rows[rows.start as usize..rows.end as usize];
+        for row in rows.iter_mut() {
+            row.impulse -= row.handed;
+            row.taken_back = std::mem::take(&mut row.handed);
+            row.spare = row.taken_back.abs();
+        }
+        for first in 0..rows.len() {
+            if rows[first].heads_pair {
+                let [x, y] = [first, first + 1].map(|row| rows[row].taken_back);
+                rows[first..first + 2].iter_mut().for_each(|row| row.spare = (x * x + y * y).sqrt());
+            }
+        }
+    }
+
     /// Reads where the bodies are, before anything strikes them in this substep: what strikes moves them too.
     pub(super) fn begin_substep(&mut self, states: &[BodyState]) {
         for body in &mut self.bodies {

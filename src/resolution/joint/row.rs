@@ -100,6 +100,9 @@ pub(super) struct Row {
     pub(super) pushed: f64,
     /// What of the impulse the direct solve has handed over.
     pub(super) handed: f64,
+    /// What of the push it has taken back: so much more is left of the force for the relax. Of a vector its length is `spare`.
+    pub(super) taken_back: f64,
+    pub(super) spare: f64,
     /// Scratch: an impulse to go back to, or to compare with.
     pub(super) kept: f64,
     /// Scratch: the impulse before gaps were closed.
@@ -138,6 +141,8 @@ impl Row {
             impulse: 0.0,
             pushed: 0.0,
             handed: 0.0,
+            taken_back: 0.0,
+            spare: 0.0,
             kept: 0.0,
             unclosed: 0.0,
             load_before: 0.0,
@@ -166,13 +171,13 @@ impl Row {
             self.softness = MOTOR_SOFTNESS * self.k;
         }
         if phase == Phase::Push {
-            self.pushed = 0.0;
+            (self.pushed, self.taken_back, self.spare) = (0.0, 0.0, 0.0);
             self.impulse = self.load * times.kick;
             if let Role::Spring { k, c, rest, .. } = self.role {
                 self.soften(k, c, rest, times);
             }
         } else if let Role::Spring { .. } = self.role {
-            self.impulse = self.pushed;
+            self.impulse = self.pushed + 2.0 * self.taken_back;
             return;
         } else {
             // A limit that was left bears nothing.
@@ -201,7 +206,10 @@ impl Row {
     fn bounds(&self, times: Times) -> [f64; 2] {
         match self.role {
             Role::Rigid | Role::Limits(_) => [f64::NEG_INFINITY, f64::INFINITY],
-            Role::Spring { max, .. } | Role::Speed { max, .. } => [-max * times.kick, max * times.kick],
+            Role::Spring { max, .. } | Role::Speed { max, .. } => {
+                let most = max * times.kick + self.spare;
+                [-most, most]
+            }
         }
     }
 

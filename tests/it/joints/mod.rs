@@ -7,5 +7,6 @@ mod kinds;
 mod loads;
 mod machines;
 mod pendulums;
+mod stalled;
 mod stones;
 mod use_of_joints;

@@ -245,3 +245,18 @@ fn the_fall_back_sweeps_satisfy_a_row_by_itself() {
     newton.solve(&mut part);
     assert_eq!((newton.rows[0].impulse, newton.sought[0][0]), (2.0, 0.0));
 }
+
+/// A lift that goes down at 1 m/s takes the floor away from what rests on it as little as one that stands.
+#[test]
+fn what_rests_is_held_whatever_the_ground_does() {
+    let resting = |carried: f64| {
+        let mut row = Row::new(Bound::AT_LEAST_ZERO);
+        (row.bias, row.carried) = (carried, carried);
+        row.set_range(0.0);
+        row
+    };
+    assert!([0.0, 1.0, -1.0].into_iter().all(|carried| resting(carried).is_held()));
+    let mut apart = resting(1.0);
+    apart.bias += 1.0;
+    assert!(!apart.is_held(), "it may close at 1 m/s");
+}
