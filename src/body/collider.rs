@@ -142,7 +142,7 @@ impl Collider {
     #[must_use]
     pub fn one_way(mut self, direction: impl Into<Vec2>) -> Self {
         let direction = direction.into();
-        self.role.one_way = Own::Set(Some(direction.normalized().unwrap_or(direction)));
+        self.role.one_way = Own::Set(Some(direction.direction().unwrap_or(direction)));
         self
     }
 

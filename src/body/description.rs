@@ -260,7 +260,7 @@ impl Body {
     pub fn one_way(mut self, direction: impl Into<Vec2>) -> Self {
         let direction = direction.into();
         // What has no direction is refused when it is added.
-        self.role.one_way = Some(direction.normalized().unwrap_or(direction));
+        self.role.one_way = Some(direction.direction().unwrap_or(direction));
         self
     }
 

@@ -55,7 +55,7 @@ impl Joint {
             }
         }
         if let Some(axis) = self.axis
-            && axis.normalized().is_none_or(|axis| !axis.is_finite())
+            && axis.direction().is_none()
         {
             return Err(JointError::NoAxis);
         }

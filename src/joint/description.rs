@@ -120,6 +120,8 @@ pub struct Joint {
     pub(crate) anchors: Anchors,
     pub(crate) axis: Option<Vec2>,
     pub(crate) limits: Option<[f64; 2]>,
+    /// Of a rope whose limits are not told: that it becomes as long as its anchors are apart when it is added.
+    pub(crate) is_as_long_as_now: bool,
     pub(crate) motor: Option<Motor>,
     pub(crate) spring: Option<Spring>,
     /// Of a distance joint: the length, or the rest of its spring, m; `None` for the distance of the anchors.
@@ -161,6 +163,7 @@ impl Joint {
             anchors: Anchors::Centers,
             axis: None,
             limits: None,
+            is_as_long_as_now: false,
             motor: None,
             spring: None,
             length: None,
@@ -194,15 +197,16 @@ impl Joint {
         Self::new(JointKind::Prismatic, a, b.into())
     }
 
-    /// A rod between two anchors; with a spring or limits, a spring, or a rope between a shortest and a longest
-    /// length. It takes a motor, of the distance.
+    /// A rod between two anchors, of fixed [`length`](Self::length). With a spring it is a spring instead, with limits a rope between a shortest
+    /// and a longest length, with a motor what that drives; and it may have all three.
     pub fn distance(a: BodyId, b: impl Into<Option<BodyId>>) -> Self {
         Self::new(JointKind::Distance, a, b.into())
     }
 
-    /// A rope between two anchors, as long as they are apart unless [`max_length`](Self::max_length) says otherwise.
+    /// A rope between two anchors, as long as they are apart unless [`max_length`](Self::max_length) says otherwise: a joint of the kind
+    /// [`Distance`](JointKind::Distance) with limits.
     pub fn rope(a: BodyId, b: impl Into<Option<BodyId>>) -> Self {
-        Self { limits: Some([0.0, f64::INFINITY]), ..Self::distance(a, b) }
+        Self { is_as_long_as_now: true, ..Self::distance(a, b) }
     }
 
     /// Two bodies as one; with a spring, a soft one.
@@ -211,7 +215,8 @@ impl Joint {
     }
 
     /// A wheel `b` on a car `a`: it slides along an [axis](Self::axis) of `a`, and turns. It takes a
-    /// [`suspension`](Self::suspension) and a [`travel`](Self::travel), along the axis, and a motor, of the angle.
+    /// [`suspension`](Self::suspension) and a [`travel`](Self::travel), along the axis, and a motor, of the angle. `spring` and `limits` are other
+    /// names of these two; [`rest`](Self::rest) is where along the axis its spring is at rest.
     pub fn wheel(a: BodyId, b: impl Into<Option<BodyId>>) -> Self {
         Self::new(JointKind::Wheel, a, b.into())
     }
@@ -230,17 +235,19 @@ impl Joint {
     }
 
     /// Resists motion of two bodies against each other with [`max_force`](Self::max_force) and
-    /// [`max_torque`](Self::max_torque) at most, of which it needs one: as on a table that is seen from above.
+    /// [`max_torque`](Self::max_torque) at most, of which it needs one: as on a table that is seen from above. The force acts at its anchors.
     pub fn friction(a: BodyId, b: impl Into<Option<BodyId>>) -> Self {
         Self::new(JointKind::Friction, a, b.into())
     }
 
-    /// Couples the angles of two bodies, each held by a joint of its own: `a` turns by `-ratio` times what `b` turns.
+    /// Couples the angles of two bodies, each held by a joint of its own: `a` turns by `-ratio` times what `b` turns. The size of `ratio` is
+    /// from 10⁻⁶ to 10⁶. Where its anchors are does not matter.
     pub fn gear(a: BodyId, b: BodyId, ratio: f64) -> Self {
         Self { ratio, ..Self::new(JointKind::Gear, a, Some(b)) }
     }
 
-    /// A hinge that turns to greater angles only, and back no farther than to the last multiple of `tooth`, rad.
+    /// A hinge that turns to greater angles only, and back no farther than to the last multiple of `tooth`, rad, from 10⁻⁶ to 10⁶. It takes
+    /// a motor, and a spring with its rest, of the angle.
     pub fn ratchet(a: BodyId, b: impl Into<Option<BodyId>>, tooth: f64) -> Self {
         Self { ratio: tooth, ..Self::new(JointKind::Ratchet, a, b.into()) }
     }
@@ -274,7 +281,8 @@ impl Joint {
     }
 
     /// From where to where the angle (rad, of any number of turns), the translation or the distance (m) may go.
-    /// `0.0..=f64::INFINITY` is open at its end. Finite limits are within ±10⁹ rad or ±10¹² m.
+    /// `0.0..=f64::INFINITY` is open at its end. Finite limits are within ±10⁹ rad or ±10¹² m; of a distance joint they are 0 m or more,
+    /// and the upper one at least 10⁻⁶ m. They are for revolute, prismatic, distance and wheel joints.
     pub fn limits(self, range: RangeInclusive<impl Into<f64> + Copy>) -> Self {
         Self { limits: Some([(*range.start()).into(), (*range.end()).into()]), ..self }
     }
@@ -290,8 +298,8 @@ impl Joint {
     }
 
     /// Drives the angle at a speed in rad/s with a torque of at most `max`, N m; or the translation or distance at a speed in m/s with a force
-    /// of at most `max`, N. `max` may be infinite. The angle is driven of revolute, wheel and ratchet joints, the translation of prismatic
-    /// ones.
+    /// of at most `max`, N. `max` may be infinite; the speed is within ±10⁹. The angle is driven of revolute, wheel and ratchet joints, the
+    /// translation of prismatic ones, the distance of distance joints.
     ///
     /// A positive speed turns `b` counter-clockwise as seen from `a`, or moves `b` along the axis. Where `b` is the world it is `a` that moves,
     /// and it moves the other way: a positive speed turns it clockwise. To turn a body counter-clockwise against the world, give a negative
@@ -300,8 +308,9 @@ impl Joint {
         Self { motor: Some(Motor { speed, max }), ..self }
     }
 
-    /// A spring by its frequency, Hz, and damping ratio: 0 swings for ever, 1 comes to rest soonest. The frequency is that of
-    /// the two masses on it, or their moments of inertia, about their centres; other joints slow it.
+    /// A spring by its frequency, from 10⁻⁶ to 10⁶ Hz, and damping ratio, from 0, which swings for ever, by 1, which comes to rest soonest,
+    /// to 10⁶. The frequency is that of the two masses on it, or their moments of inertia, about their centres; other joints slow it. All kinds
+    /// but friction joints and gears take one.
     pub fn spring(self, hertz: f32, damping_ratio: f32) -> Self {
         Self { spring: Some(Spring { hertz, damping_ratio }), ..self }
     }
@@ -315,7 +324,7 @@ impl Joint {
         self.option_of("suspension", &[JointKind::Wheel]).spring(hertz, damping_ratio)
     }
 
-    /// Where the spring of the angle (rad) or the translation (m) is at rest. 0 unless said. The spring of a distance joint is at rest at its
+    /// Where the spring of the angle (rad) or the translation (m) is at rest, within ±10⁹. 0 unless said. The spring of a distance joint is at rest at its
     /// [`length`](Self::length), that of a drag joint at its [`target`](Self::target), that of a weld where the bodies were joined.
     pub fn rest(self, rest: f64) -> Self {
         Self { rest, ..self }

@@ -187,7 +187,7 @@ impl Joints {
         };
         let usual =
             if description.kind == JointKind::Wheel { Vec2::new(0.0, 1.0) } else { Vec2::new(1.0, 0.0) };
-        let axis = description.axis.unwrap_or(usual).normalized_or_zero();
+        let axis = description.axis.unwrap_or(usual).direction().unwrap_or(usual);
         let angles = [pose_a.rotation, pose_b.map_or(Rot::IDENTITY, |pose| pose.rotation)]
             .map(|rotation| atan2_f64(f64::from(rotation.s), f64::from(rotation.c)));
         let mut record = JointRecord {
@@ -203,12 +203,9 @@ impl Joints {
         };
         let [place_a, place_b] = record.anchors(bodies);
         record.length = record.description.length.map_or(place_a.distance(place_b), f64::from);
-        if let Some([_, upper]) = &mut record.description.limits
-            && record.description.kind == JointKind::Distance
-            && upper.is_infinite()
-        {
+        if std::mem::take(&mut record.description.is_as_long_as_now) && record.description.limits.is_none() {
             // Between anchors in one place it is as short as a rope can be.
-            *upper = record.length.max(SHORTEST);
+            record.description.limits = Some([0.0, record.length.max(SHORTEST)]);
         }
         if record.description.kind == JointKind::Gear {
             // Base angles are those of a, and of b but for the reference.

@@ -127,6 +127,12 @@ impl Vec2 {
         }
     }
 
+    /// The vector of length 1 in the same direction, whatever its length; `None` where it has none, or one that is not finite.
+    pub(crate) fn direction(self) -> Option<Self> {
+        let size = self.x.abs().max(self.y.abs());
+        self.normalized().or_else(|| Self::new(self.x / size, self.y / size).normalized())
+    }
+
     /// [`normalized`](Self::normalized), or the vector of length 0 where the direction is lost.
     #[must_use]
     pub fn normalized_or_zero(self) -> Self {

@@ -71,7 +71,7 @@ impl<'a> ColliderMut<'a> {
     /// # Errors
     /// [`BodyError`], if the direction is not finite or has no length.
     pub fn set_one_way(&mut self, direction: impl Into<Option<Vec2>>) -> Result<(), BodyError> {
-        let direction = direction.into().map(|direction| direction.normalized().unwrap_or(direction));
+        let direction = direction.into().map(|direction| direction.direction().unwrap_or(direction));
         check_one_way(direction)?;
         if self.change_role(|role| role.one_way = direction) {
             let body = self.body();

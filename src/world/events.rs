@@ -206,10 +206,10 @@ pub struct JointRefusal {
 }
 
 /// What happened in the last [`step`](crate::World::step), or in all ticks of the last
-/// [`advance`](crate::World::advance): slices, valid until the next. Each is sorted by tick, and within a tick by the ids of
-/// the bodies, and so the same in every run.
+/// [`advance`](crate::World::advance): slices, valid until the next. Each has its ticks one after the other, and is the same in every run.
 ///
-/// Which of two events in different slices came first is told by their `tick`. A body that began and ceased to overlap a sensor in one tick began
+/// Contacts, hits and sensors are sorted by ids within a tick, and tell their `tick`, which says which of two in different slices came first.
+/// What broke, left, was removed or refused comes in the order in which it did, and tells no tick. A body that began and ceased to overlap a sensor in one tick began
 /// first. What ended by an edit between two ticks has the number of the later one.
 ///
 /// ```

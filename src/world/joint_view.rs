@@ -280,15 +280,16 @@ impl<'a> JointMut<'a> {
         self.steer(|joint| joint.rest = rest);
     }
 
-    /// Takes the motor away.
+    /// Takes the motor away, if there is one.
     pub fn remove_motor(&mut self) {
         self.steer(|joint| joint.motor = None);
     }
 
-    /// Sets from where to where the angle, rad, the translation or the distance, m, may go; `None` for anywhere.
+    /// Sets from where to where the angle, rad, the translation or the distance, m, may go; `None` for anywhere. A distance joint with neither
+    /// limits nor a spring nor a motor is a rod, of the length that it was added with.
     ///
     /// # Errors
-    /// [`JointError`], if the limits are ones that [`World::add_joint`] refuses.
+    /// [`JointError`], if the limits are ones that [`World::add_joint`] refuses, or the joint is of a kind that has none.
     pub fn set_limits(&mut self, limits: impl Into<Option<RangeInclusive<f64>>>) -> Result<(), JointError> {
         let limits = limits.into().map(|range| [*range.start(), *range.end()]);
         self.change(|joint| joint.limits = limits)
@@ -297,12 +298,12 @@ impl<'a> JointMut<'a> {
     /// Sets frequency, Hz, and damping ratio of the spring.
     ///
     /// # Errors
-    /// [`JointError`], if a number is one that [`World::add_joint`] refuses.
+    /// [`JointError`], if a number is one that [`World::add_joint`] refuses, or the joint is of a kind that has no spring.
     pub fn set_spring(&mut self, hertz: f32, damping_ratio: f32) -> Result<(), JointError> {
         self.change(|joint| joint.spring = Some(Spring { hertz, damping_ratio }))
     }
 
-    /// Takes the spring away; a drag or motor joint does nothing without one.
+    /// Takes the spring away, if there is one. A drag or motor joint does nothing without one; a weld is rigid.
     pub fn remove_spring(&mut self) {
         self.steer(|joint| joint.spring = None);
     }

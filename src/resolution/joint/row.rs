@@ -287,7 +287,12 @@ impl Row {
         let impulse = self.pushed + self.impulse;
         let is_lower = if impulse == 0.0 { x - lower < upper - x } else { impulse > 0.0 };
         let gap = if is_lower { x - lower } else { x - upper };
-        let before = if is_lower { (self.x - lower).min(0.0) } else { (self.x - upper).max(0.0) };
+        let before = match is_lower {
+            // Held to one place, it may be off to either side, whichever way it is pushed.
+            _ if lower == upper => self.x - lower,
+            true => (self.x - lower).min(0.0),
+            false => (self.x - upper).max(0.0),
+        };
         let w = if is_push { (gap - left(before, times)) / times.h } else { u };
         let is_reached = is_push || gap.abs() <= REACHED * self.scale || (gap < 0.0) == is_lower;
         let closes = if is_lower { w < 0.0 } else { w > 0.0 };

@@ -67,7 +67,7 @@ impl Character {
     #[must_use]
     pub fn up(mut self, up: impl Into<Vec2>) -> Self {
         let up = up.into();
-        self.up = up.normalized().unwrap_or(up);
+        self.up = up.direction().unwrap_or(up);
         self
     }
 

@@ -2,7 +2,7 @@
 
 use rustycs::prelude::*;
 
-use crate::support::{add, earth, earth_with, run};
+use crate::support::{add, assert_near, earth, earth_with, place, run, space};
 
 fn two_boxes(world: &mut World) -> [BodyId; 2] {
     [0.0, 0.8].map(|x| add(world, Body::dynamic(Shape::obb(1.0, 1.0)).at([x, 0.0])))
@@ -157,6 +157,45 @@ fn a_rope_between_anchors_in_one_place_can_be_changed_as_any() {
     assert!(world.add_joint(again).is_ok());
     run(&mut world, 1.0);
     assert!(world.body(body).unwrap().position().length() < 1e-3, "it hangs on");
+}
+
+/// A limit of infinity leaves a distance open. Only a rope that is told no length has that of now, and what it has is what it tells of itself.
+#[test]
+fn a_distance_without_a_greatest_length_is_open() {
+    let mut world = space();
+    let mut fly = |y: f64, joint: fn(BodyId) -> Joint| {
+        let body = add(&mut world, Body::dynamic(Shape::circle(0.1)).at([1.0, y]).velocity([1.0, 0.0]));
+        (body, world.add_joint(joint(body).between([1.0, y], [0.0, y])).unwrap())
+    };
+    let (open, limits) = fly(0.0, |body| Joint::distance(body, None).limits(0.5..=f64::INFINITY));
+    let (rope, _) = fly(1.0, |body| Joint::rope(body, None));
+    let (opened, longer) = fly(2.0, |body| Joint::rope(body, None));
+    world.joint_mut(longer).unwrap().set_limits(0.0..=f64::INFINITY).unwrap();
+    for joint in [limits, longer] {
+        let again = world.joint(joint).unwrap().describe();
+        world.add_joint(again).unwrap();
+    }
+    run(&mut world, 2.0);
+    for body in [open, opened] {
+        assert_near(place(&world, body)[0], 3.0, 1e-5, "what is open");
+    }
+    assert_near(place(&world, rope)[0], 1.0, 1e-5, "what a rope holds");
+}
+
+/// A hinge that is to be 100 rad from where it is turns there, no faster than gaps close, 3 rad/s, and its pin holds on the way, to what a
+/// turn of 0.0125 rad in a substep leaves of half a metre.
+#[test]
+fn a_limit_far_away_is_come_to_without_haste() {
+    let mut world = space();
+    let rods = [0.5, -0.5].map(|x| add(&mut world, Body::dynamic(Shape::obb(1.0, 0.2)).at([x, 0.0])));
+    let hinge = Joint::revolute(rods[0], rods[1]).at([0.0, 0.0]).limits(100.0..=100.0);
+    let hinge = world.add_joint(hinge).unwrap();
+    for tick in 0..2000 {
+        world.step();
+        let gap = world.joint(hinge).unwrap().error();
+        assert!(gap.distance < 0.5 * 0.0125 * 0.0125, "{gap:?} at tick {tick}");
+        assert_near(f64::from(gap.angle), 100.0 - 0.05 * f64::from(tick + 1), 0.01, "angle that is left");
+    }
 }
 
 /// Limits that leave no place: what they let pass is nowhere.
