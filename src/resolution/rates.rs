@@ -20,7 +20,7 @@
 use crate::body::Bodies;
 use crate::collision::{Contact, Contacts};
 use crate::math::Vec2;
-use crate::resolution::solver::{Acceleration, steady};
+use crate::resolution::solver::{Acceleration, acceleration_of};
 use crate::store::BitSet;
 
 /// Contacts that change the velocity of a body by more than this many times what forces do are striking it, no unit. What
@@ -75,9 +75,7 @@ impl Rescaling {
     ) {
         let Self { struck, passing_on } = self;
         for &slot in bodies.awake.iter().filter(|&&slot| bodies.is_dynamic(slot)) {
-            let varying =
-                if acceleration.varies() { acceleration.at(bodies, slot, Vec2::ZERO) } else { Vec2::ZERO };
-            let forced = (steady(bodies, slot, acceleration) + varying).length();
+            let forced = acceleration_of(bodies, slot, acceleration).length();
             // Written so that NaN is struck.
             if !(gain(contacts, bodies, slot) <= RESTING_KICKS * forced * h) && struck.insert(slot) {
                 passing_on.push(slot);

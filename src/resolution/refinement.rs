@@ -12,8 +12,10 @@ use crate::body::Bodies;
 use crate::collision::Contacts;
 use crate::joint::Joints;
 use crate::resolution::constraint_graph::ConstraintGraph;
+use crate::resolution::islands::Connections;
 use crate::resolution::load::{CALM_SHARE, CALM_STEPS, ContactLoad, Loads, USUAL_RATE};
 use crate::resolution::softness::DEEP_SHARE;
+use crate::resolution::squeezes::AskSqueezed;
 use crate::resolution::tiers::TierRule;
 
 /// Substeps are refined where a contact would sag by more than this share of the width of the thinner body, no unit. In piles of bodies
@@ -68,12 +70,17 @@ impl Refinement {
     }
 
     /// Decides for the next step, from the loads of the last: for more substeps at once, for half as many after [`CALM_STEPS`].
-    pub(crate) fn decide(&mut self, rule: TierRule, tables: RefinementTables<'_>) {
+    pub(crate) fn decide(
+        &mut self,
+        rule: TierRule,
+        tables: RefinementTables<'_>,
+        ask_squeezed: &mut AskSqueezed<'_>,
+    ) {
         if !rule.adapts {
             *self = Self::default();
             return;
         }
-        let excess = tables.largest_excess(rule);
+        let excess = tables.largest_excess(rule, ask_squeezed);
         let needed = |excess| if tables.has_many_joints(excess) { 1 } else { factor_for(excess) };
         if needed(excess) > self.factor {
             *self = Self { factor: needed(excess), calm_steps: 0 };
@@ -91,18 +98,25 @@ impl Refinement {
 impl RefinementTables<'_> {
     /// The excess of a contact is the sag that sweeps would leave with as many substeps as are asked for, over the sag that it may have, no unit.
     /// This is the largest of what is swept over.
-    fn largest_excess(&self, rule: TierRule) -> f32 {
+    fn largest_excess(&self, rule: TierRule, ask_squeezed: &mut AskSqueezed<'_>) -> f32 {
         let Self { loads, graph, .. } = self;
         let is_swept = |index: &u32| graph.home(*index).is_some_and(|home| !home.is_solved_directly());
         let excesses = loads.notable.iter().copied().filter(is_swept).filter_map(|index| {
             let load = loads.of_contact[index as usize];
             if self.is_crushing(index, load) {
-                return Some(load.sag_share / DEEP_SHARE);
+                return Some((index, load.sag_share / DEEP_SHARE));
             }
-            load.lasts().then_some(load.sag_share / LARGEST_SAG)
+            load.lasts().then_some((index, load.sag_share / LARGEST_SAG))
         });
+        let mut largest = 0.0_f32;
+        for (index, excess) in excesses {
+            // What asks for nothing may be squeezed or not.
+            if excess > largest && (excess <= CALM_SHARE || !self.is_squeezed(index, ask_squeezed)) {
+                largest = excess;
+            }
+        }
         // They are computed for no more than the usual rate, see `LoadMeasure`; at a higher one the sag is less.
-        excesses.fold(0.0, f32::max) * rule.substep_rate.min(USUAL_RATE) / rule.substep_rate
+        largest * rule.substep_rate.min(USUAL_RATE) / rule.substep_rate
     }
 
     /// Whether a contact crushes a light body by a heavy one: it may sag by [`DEEP_SHARE`] and no more, whether it trembles or not.
@@ -111,6 +125,13 @@ impl RefinementTables<'_> {
         let [a, b] = self.contacts[index].colliders.map(inverse_mass);
         let [of_heavy, of_light] = [a.min(b), a.max(b)];
         load.is_heavy() && of_heavy > 0.0 && of_light > CRUSHING_RATIO * of_heavy
+    }
+
+    /// Whether a contact is in an island that is squeezed.
+    fn is_squeezed(&self, index: u32, ask_squeezed: &mut AskSqueezed<'_>) -> bool {
+        let connections = Connections { contacts: self.contacts, joints: self.joints };
+        let slots = self.contacts[index].slots.into_iter();
+        slots.filter(|&slot| self.bodies.is_dynamic(slot)).any(|slot| ask_squeezed(slot, connections))
     }
 
     /// Whether there are too many joints for what this excess asks for. They are counted only if it asks for something.

@@ -24,6 +24,7 @@ use crate::resolution::moving::MovingContacts;
 use crate::resolution::projection::Project;
 use crate::resolution::rolling::Rolling;
 use crate::resolution::scheme::Scheme;
+use crate::resolution::squeezes::Squeezes;
 use crate::resolution::tangles::Tangles;
 
 /// What accelerates bodies, beside contacts.
@@ -63,6 +64,7 @@ pub(crate) struct Solver {
     rolling: Rolling,
     tangles: Tangles,
     pub(crate) joints: JointSolver,
+    pub(crate) squeezes: Squeezes,
 }
 
 /// The tables that a step changes.
@@ -401,9 +403,15 @@ impl Solver {
 }
 
 /// The part of the acceleration of the body in `slot` that stays the same during the step, m/s².
-pub(super) fn steady(bodies: &Bodies, slot: u32, acceleration: &impl Acceleration) -> Vec2 {
+fn steady(bodies: &Bodies, slot: u32, acceleration: &impl Acceleration) -> Vec2 {
     let (motion, forcing) = (&bodies.motions[slot as usize], &bodies.forcings[slot as usize]);
     acceleration.uniform() * forcing.gravity_scale + forcing.force * motion.inverse_mass
+}
+
+/// The acceleration by forces of the body in `slot`, where it is as the step begins, m/s².
+pub(crate) fn acceleration_of(bodies: &Bodies, slot: u32, acceleration: &impl Acceleration) -> Vec2 {
+    let varying = if acceleration.varies() { acceleration.at(bodies, slot, Vec2::ZERO) } else { Vec2::ZERO };
+    steady(bodies, slot, acceleration) + varying
 }
 
 /// What events happen to.

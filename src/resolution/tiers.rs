@@ -7,7 +7,8 @@
 //! directly, if that is little work. In a small island one step is enough: that is a blow.
 //!
 //! The island goes back to sweeps
-//! - when its load has been small for [`CALM_STEPS`] steps in a row, and nothing squeezes its bodies;
+//! - when its load has been small for [`CALM_STEPS`] steps in a row, and nothing presses its bodies into each other;
+//! - when it has been [squeezed](super::squeezes) for [`LASTING_STEPS`];
 //! - at once when the direct solve has taken more than it is worth, as in heaps in which contacts come and go, or would be too much work. A small
 //!   island never has.
 //!
@@ -33,6 +34,7 @@ use crate::resolution::load::{
     begins_at_rest,
 };
 use crate::resolution::softness::sag;
+use crate::resolution::squeezes::AskSqueezed;
 use crate::resolution::tier::Tier;
 use crate::resolution::tiers::history::{History, IslandHistory, MOST_OVERSPENT, RETRY_STEPS};
 use crate::store::BitSet;
@@ -151,7 +153,14 @@ impl Tiers {
     }
 
     /// Decides for the next step, from what the last one noted.
-    pub(crate) fn decide(&mut self, tick: u64, rule: TierRule, loads: &Loads, mut tables: TierTables<'_>) {
+    pub(crate) fn decide(
+        &mut self,
+        tick: u64,
+        rule: TierRule,
+        loads: &Loads,
+        mut tables: TierTables<'_>,
+        ask_squeezed: &mut AskSqueezed<'_>,
+    ) {
         self.direct.clear();
         for outcome in &loads.outcomes {
             self.histories[outcome.slot as usize].take_note(outcome);
@@ -175,7 +184,7 @@ impl Tiers {
             let load = loads.of_contact[index as usize];
             for slot in tables.slots(index) {
                 if load.lasts() || load.lasts_or_is_blow() && self.may_blow_count(slot, load, &tables) {
-                    self.decide_island(slot, tick, rule, loads, &mut tables);
+                    self.decide_island(slot, tick, rule, loads, &mut tables, ask_squeezed);
                 }
             }
         }
@@ -183,7 +192,7 @@ impl Tiers {
             for row in 1..tables.bodies.row_count() {
                 let slot = tables.bodies.slot_of_row(row);
                 if tables.graph.is_direct(slot) {
-                    self.decide_island(slot, tick, rule, loads, &mut tables);
+                    self.decide_island(slot, tick, rule, loads, &mut tables, ask_squeezed);
                 }
             }
         }
@@ -205,6 +214,7 @@ impl Tiers {
         rule: TierRule,
         loads: &Loads,
         tables: &mut TierTables<'_>,
+        ask_squeezed: &mut AskSqueezed<'_>,
     ) {
         let is_left_alone =
             !tables.graph.is_direct(slot) && self.histories[slot as usize].cooldown_end > tick;
@@ -224,7 +234,7 @@ impl Tiers {
             (true, false) => load.still,
             (false, _) => load.lasting,
         };
-        // What squeezes bodies is no load of their contacts here, but sweeps would wind one up.
+        // What presses bodies into each other is no load of their contacts when they are solved directly, but sweeps would wind one up.
         let largest = if was_direct { of_contacts.max(history.direct.sag_share) } else { of_contacts };
         let is_hopeless =
             !was_direct && (history.is_given_up() || history.times_dear > 0 && largest <= RETRY_SHARE);
@@ -235,7 +245,14 @@ impl Tiers {
         let is_asked = rule.adapts && !is_cooling && !is_hopeless && (largest > share || stays);
         let overspent = if was_direct && !blows_count { history.direct.overspent_with(largest) } else { 0.0 };
         let is_too_dear = overspent > MOST_OVERSPENT;
-        if is_asked && !is_too_dear && self.can_be_direct(tables) {
+        let squeezed = is_asked && load.lasting > 0.0 && ask_squeezed(slot, tables.connections());
+        let squeezed_steps = if squeezed { history.direct.squeezed_steps.saturating_add(1) } else { 0 };
+        for &slot in &self.island {
+            self.histories[slot as usize].direct.squeezed_steps = squeezed_steps;
+        }
+        // In what is solved directly it may be a blow.
+        let is_squeezed = squeezed && !was_direct || squeezed_steps >= LASTING_STEPS;
+        if is_asked && !is_squeezed && !is_too_dear && self.can_be_direct(tables) {
             let calm_steps = if is_calm {
                 history.direct.calm_steps + 1
             } else if load.lasting <= share {

@@ -8,7 +8,9 @@ use crate::collision::broad_phase::BroadPhase;
 use crate::collision::{AHEAD, Refresh, are_out_of_reach, refresh};
 use crate::compute::{BodyState, Chosen, Executor, GROUND_ROW};
 use crate::math::Rot;
-use crate::resolution::{RefinementTables, SolveTables, StepResidual, TierTables, begins_at_rest, solve};
+use crate::resolution::{
+    RefinementTables, SolveTables, StepResidual, TierTables, acceleration_of, begins_at_rest, solve,
+};
 use crate::world::World;
 use crate::world::attractor::Field;
 use crate::world::profile::{Counters, Stage};
@@ -241,14 +243,20 @@ impl World {
         let rule = settings.tier_rule(self.acceleration.length());
         let mixes = settings.mixes();
         let Self { bodies, contacts, joints, graph, loads, pool, broad_phase, .. } = self;
-        self.tiers.decide(self.ticks, rule, loads, TierTables { bodies, contacts, graph, joints });
-        self.refinement.decide(rule, RefinementTables { loads, contacts, graph, joints, bodies });
-        loads.clear();
         let field = Field {
             uniform: self.acceleration,
             attractors: &self.attractors,
             gravitational_constant: settings.gravitational_constant,
         };
+        let last = self.impulses_of.unwrap_or_default();
+        let acceleration = |slot| acceleration_of(bodies, slot, &field);
+        let mut squeezed = self.solver.squeezes.begin(bodies, last, acceleration);
+        let tables = TierTables { bodies, contacts, graph, joints };
+        self.tiers.decide(self.ticks, rule, loads, tables, &mut squeezed);
+        let tables = RefinementTables { loads, contacts, graph, joints, bodies };
+        self.refinement.decide(rule, tables, &mut squeezed);
+        drop(squeezed);
+        loads.clear();
         let substeps = self.refinement.substeps(settings.substeps);
         let sizes = graph.sizes().chain([bodies.awake_count()]);
         let scheme = settings.scheme(substeps, self.fits_kernels, sizes);

@@ -55,6 +55,8 @@ pub(super) struct DirectHistory {
     was_in_vain: bool,
     /// The sag share that sweeps would leave under the impulses that push the bodies apart.
     pub(super) sag_share: f32,
+    /// For how many steps in a row it has been squeezed.
+    pub(super) squeezed_steps: u8,
 }
 
 impl History {
@@ -126,6 +128,7 @@ impl DirectHistory {
             work: self.work.max(other.work),
             was_in_vain: self.was_in_vain || other.was_in_vain,
             sag_share: self.sag_share.max(other.sag_share),
+            squeezed_steps: self.squeezed_steps.max(other.squeezed_steps),
         }
     }
 
