@@ -227,7 +227,7 @@ impl<'a> BodyMut<'a> {
         if let Err(error) = check_vector("the velocity", velocity, "m/s") {
             return self.refuse(error);
         }
-        self.wake();
+        self.wake_to_be_moved();
         self.motion_mut().velocity_compensation = Vec2::ZERO;
         if let Some(state) = self.state_mut() {
             state.velocity = velocity.into();
@@ -245,7 +245,7 @@ impl<'a> BodyMut<'a> {
             return self.refuse(error);
         }
         if self.can_turn() {
-            self.wake();
+            self.wake_to_be_moved();
             if let Some(state) = self.state_mut() {
                 state.angular_velocity = angular_velocity;
             }
@@ -256,6 +256,14 @@ impl<'a> BodyMut<'a> {
 
     fn can_turn(&self) -> bool {
         self.shape().can_rotate() && !self.fixed_rotation()
+    }
+
+    /// Wakes a dynamic body. A kinematic one never sleeps, and wakes what it touches as it moves: that it is told each tick to stand still keeps
+    /// nothing awake.
+    fn wake_to_be_moved(&mut self) {
+        if self.body_type() == BodyType::Dynamic {
+            self.wake();
+        }
     }
 
     fn velocity_was_set(&mut self) {

@@ -206,6 +206,25 @@ fn a_lift_that_starts_wakes_its_load() {
     assert_near(place(&world, ids[1])[1] - before, 1.0, 0.02, "rise in 1 s");
 }
 
+/// As a game does that tells each lift its speed in every tick, by any of three ways.
+#[test]
+fn a_lift_that_is_told_to_stand_still_in_each_tick_lets_its_load_sleep() {
+    for tell in [
+        |lift: &mut BodyMut<'_>| _ = lift.set_velocity([0.0, 0.0]),
+        |lift: &mut BodyMut<'_>| _ = lift.set_angular_velocity(0.0),
+        |lift: &mut BodyMut<'_>| _ = lift.move_to(Pose::at([0.0, -0.5])),
+    ] {
+        let mut world = earth();
+        let lift = add(&mut world, Body::kinematic(Shape::obb(4.0, 1.0)).at([0.0, -0.5]));
+        let ids = add_stack(&mut world, 0.0, 2);
+        for _ in 0..180 {
+            tell(&mut world.body_mut(lift).unwrap());
+            world.step();
+        }
+        assert!(ids.iter().all(|&id| is_asleep(&world, id)));
+    }
+}
+
 /// A wall that is put into a sleeping stack, new or moved there, wakes it.
 #[test]
 fn a_fixed_body_put_into_a_sleeping_stack_wakes_it() {
