@@ -9,9 +9,10 @@
 //!
 //! v₀ being the velocities without contacts. p(u; s) = min(u - s λ₀, 0)²/(2s) makes λ = max(0, λ₀ - u/s) the normal
 //! impulse. c is a compliance without unit, k what a unit of impulse does to vn, and λ₀ the impulse of the last substep or of the stage
-//! before: a point yields to a change of load and not to the load, so that at rest nothing sags (method of multipliers; M. Hestenes, 1969). f is Huber's function, whose slope is
-//! the friction, cut off at ±µ λ. φ is convex and piecewise quadratic, so Newton's method with a line search finds the
-//! minimum in a few steps, each a Cholesky factorization of
+//! before: a point yields to a change of load and not to the load, so that at rest nothing sags (method of multipliers; M. Hestenes, 1969). f is
+//! Huber's function, whose slope is the friction, cut off at ±µ λ. What yields to its load as well, as springs and motors do, has a softness
+//! beside c k. φ is convex and piecewise quadratic, so Newton's method with a line search finds the minimum in a few steps, each a Cholesky
+//! factorization of
 //!
 //! ```text
 //! H = M + Σ Jnᵀ Jn/(c k) + Σ Jtᵀ Jt/(c k_t)      over points that press, and points that stick
@@ -30,9 +31,9 @@
 //!
 //! Where bodies are joined, the rows of their joints are rows as well, see [`joint`].
 //!
-//! A substep has two such solves, each repeated where joints answer to it. The one before the move balances half of the forces of the substep and corrects penetration: it says where
-//! bodies go. Its impulses are then taken back: a correction is no speed, and the bodies are no longer where they acted. The one after the
-//! move finds the impulses under all the forces.
+//! A substep has two such solves, each repeated where joints answer to it. The one before the move balances half of the forces of the substep
+//! and corrects penetration: it says where bodies go. Its impulses are then taken back: a correction is no speed, and the bodies are no longer
+//! where they acted. The one after the move finds the impulses under all the forces.
 //!
 //! Cost: bodies × band², so for chains, towers and small heaps only.
 
@@ -200,7 +201,7 @@ impl DirectSolver {
     /// Finds them again for islands whose velocities others have changed since by more than so much, m/s: joints that have answered.
     pub(crate) fn solve_again(&mut self, states: &mut [BodyState], joints: &mut JointSolver, more_than: f64) {
         for number in 0..self.islands.len() {
-            if self.change(number, states) > more_than {
+            if self.fastest_change(number, states) > more_than {
                 self.solve_island(number, states, joints, true);
             }
         }
@@ -236,9 +237,9 @@ impl DirectSolver {
 
     /// By how much others have changed the velocities of an island since they were given, m/s: the most of √(v² + r² ω²), r being the radius of
     /// gyration of a body.
-    fn change(&self, number: usize, states: &[BodyState]) -> f64 {
+    fn fastest_change(&self, number: usize, states: &[BodyState]) -> f64 {
         let of_mover = |mover: usize| {
-            let [x, y, w] = self.change_of(mover, states).map(f64::from);
+            let [x, y, w] = self.change_since_given(mover, states).map(f64::from);
             let [mass, _, inertia] = self.newton.masses[mover];
             (x * x + y * y + w * w * inertia / mass).sqrt()
         };
@@ -246,7 +247,7 @@ impl DirectSolver {
     }
 
     /// How others have changed the velocity of a mover since it was given.
-    fn change_of(&self, mover: usize, states: &[BodyState]) -> [f32; 3] {
+    fn change_since_given(&self, mover: usize, states: &[BodyState]) -> [f32; 3] {
         let (now, given) =
             (velocity_of(&states[self.states_of_movers[mover] as usize]), self.newton.sought[mover]);
         [0, 1, 2].map(|axis| now[axis] - given[axis] as f32)
@@ -257,7 +258,7 @@ impl DirectSolver {
     pub(crate) fn take_back_push(&mut self, states: &mut [BodyState], joints: &mut JointSolver) {
         self.note_loads();
         for (mover, &row) in self.states_of_movers.iter().enumerate() {
-            let (free, change) = (self.newton.free[mover], self.change_of(mover, states));
+            let (free, change) = (self.newton.free[mover], self.change_since_given(mover, states));
             give([0, 1, 2].map(|axis| free[axis] as f32 + change[axis]), &mut states[row as usize]);
         }
         self.joints.iter().for_each(|joint| joint.take_back(joints));

@@ -58,8 +58,7 @@ impl DirectContact {
             let friction = Bound::FrictionOf { row: first_row + 2 * point, friction: 0.0 };
             [Bound::AT_LEAST_ZERO, friction]
         };
-        // What is round has one point.
-        let arm = rolling_arm(bodies, contact).filter(|_| points > 0);
+        let arm = rolling_arm(bodies, contact);
         let of_spin = arm.map(|arm| Bound::FrictionOf { row: first_row, friction: arm.into() });
         newton.add_pair(movers, (0..points).flat_map(of_point).chain(of_spin));
         Self {

@@ -1,4 +1,4 @@
-//! Newton's method for rows with bounds, of movers with three velocities each. It knows nothing of contacts.
+//! Newton's method for rows with bounds, of movers with three velocities each. It knows normals, friction and joints by their bounds alone.
 
 use core::ops::Range;
 
@@ -37,7 +37,7 @@ const LIMIT_STEPS: usize = 10;
 const LEVERAGE: f64 = 30.0;
 
 /// A share of a step that is rounding, no unit.
-const NO_WAY: f64 = 1e-9;
+const ROUNDING: f64 = 1e-9;
 
 /// Two movers and the rows between them.
 #[derive(Clone, Debug)]
@@ -70,8 +70,8 @@ pub(super) struct Part {
     pairs: Range<usize>,
     rows: Range<usize>,
     compliance: f64,
-    /// Whether Newton's method failed in this step. It would fail in the substeps to come too, at the price of thirty factorizations in each stage, so
-    /// the rows are swept over until the step ends.
+    /// Whether Newton's method failed in this step. It would fail in the substeps to come too, at the price of thirty factorizations in each
+    /// stage, so the rows are swept over until the step ends.
     pub(super) is_unsolved: bool,
     /// Multiplications of a factorization, and of all factorizations and sweeps in this step.
     work_of_factorization: u64,
@@ -271,12 +271,12 @@ impl Newton {
     }
 
     fn follow_limit(&mut self, index: usize) {
-        let other = self.friction_of(index).map_or(0.0, |other| self.rows[other].impulse);
-        self.rows[index].set_range(other);
+        let along_normal = self.normal_of(index).map_or(0.0, |normal| self.rows[normal].impulse);
+        self.rows[index].set_range(along_normal);
     }
 
-    /// The row whose impulse bounds that of the one with this index.
-    fn friction_of(&self, index: usize) -> Option<usize> {
+    /// Of a row of friction that whose impulse bounds it, along the normal.
+    fn normal_of(&self, index: usize) -> Option<usize> {
         match self.rows[index].bound {
             Bound::FrictionOf { row, .. } => Some(row),
             Bound::Range(_) => None,
@@ -294,7 +294,7 @@ impl Newton {
                 for index in pair.rows.clone() {
                     let velocities = pair.of(&self.sought);
                     let speed = speed_before.take().unwrap_or_else(|| self.rows[index].speed(&velocities));
-                    if index + 1 < pair.rows.end && self.friction_of(index + 1) == Some(index) {
+                    if index + 1 < pair.rows.end && self.normal_of(index + 1) == Some(index) {
                         speed_before = Some(self.rows[index + 1].speed(&velocities));
                     }
                     self.follow_limit(index);
@@ -321,8 +321,8 @@ impl Newton {
         if begins && part.compliance < COMPLIANCE && !self.descend_with(COMPLIANCE, part) {
             return false;
         }
-        let has_last = begins && !self.rows[part.rows.clone()].iter().any(Row::pushes_apart);
-        self.descend_with(part.compliance, part) && (!has_last || self.descend_with(LEAST_COMPLIANCE, part))
+        let ends_rigid = begins && !self.rows[part.rows.clone()].iter().any(Row::pushes_apart);
+        self.descend_with(part.compliance, part) && (!ends_rigid || self.descend_with(LEAST_COMPLIANCE, part))
     }
 
     /// Goes down φ with this compliance. Returns whether it came to an end; if not, impulses are those of before.
@@ -398,9 +398,7 @@ impl Newton {
     fn factorize(&mut self, part: &mut Part, holds: bool) {
         let mut is_new = false;
         for index in part.rows.clone() {
-            let row = &self.rows[index];
-            let is_held = || self.rows[self.friction_of(index).unwrap_or(index)].is_held();
-            let is_in = row.yields() || holds && is_held();
+            let is_in = self.rows[index].yields() || holds && self.is_held(index);
             is_new |= self.rows[index].take_part(is_in);
         }
         if !is_new && self.factorized == part.movers {
@@ -410,6 +408,14 @@ impl Newton {
         self.assemble(part);
         self.matrix.factorize();
         part.work += part.work_of_factorization;
+    }
+
+    /// Whether a row takes part in the first step whatever its impulse: friction where the normal does.
+    fn is_held(&self, index: usize) -> bool {
+        match self.rows[index].bound {
+            Bound::FrictionOf { row: normal, friction } => friction > 0.0 && self.rows[normal].is_held(),
+            Bound::Range(_) => self.rows[index].is_held(),
+        }
     }
 
     /// H, of the rows that take part.
@@ -444,8 +450,8 @@ impl Newton {
         }
         if holds {
             for index in part.rows.clone() {
-                if let Some(other) = self.friction_of(index) {
-                    let impulse = self.rows[other].impulse_after().max(self.rows[other].previous);
+                if let Some(normal) = self.normal_of(index) {
+                    let impulse = self.rows[normal].impulse_after().max(self.rows[normal].previous);
                     self.rows[index].set_range(impulse);
                 }
             }
@@ -475,7 +481,7 @@ impl Newton {
         let (mut low, mut high, mut share) = (0.0, 1.0, 1.0);
         for _ in 0..MOST_TRIES {
             let Slope { value, growth } = slope(share);
-            if value.abs() <= NO_WAY * growth || (share == 1.0 && value < 0.0) {
+            if value.abs() <= ROUNDING * growth || (share == 1.0 && value < 0.0) {
                 break;
             }
             *(if value > 0.0 { &mut high } else { &mut low }) = share;

@@ -10,8 +10,8 @@ pub(super) const TOLERANCE: f64 = 1e-5;
 /// change would yield to the whole load there, and a stack of 200 swing by half a metre per second. `f64` has digits for little less.
 pub(super) const LEAST_COMPLIANCE: f64 = 1e-6;
 
-/// Rows whose bias, but for how what is not moved goes past, is below this are held in the first Newton step, m/s: where those of wide gaps are held too,
-/// or none, more islands are not solved.
+/// Rows whose bias, but for how what is not moved goes past, is below this are held in the first Newton step, m/s: where those of wide gaps are
+/// held too, or none, more islands are not solved.
 const HELD: f64 = 0.1;
 
 /// What the impulse of a row may be, N s.
@@ -24,7 +24,7 @@ pub(super) enum Bound {
 }
 
 impl Bound {
-    /// What presses and does not pull: contacts, ropes, limits.
+    /// What presses and does not pull.
     pub(super) const AT_LEAST_ZERO: Self = Self::Range([0.0, f64::INFINITY]);
     /// What presses and pulls.
     pub(super) const NONE: Self = Self::Range([f64::NEG_INFINITY, f64::INFINITY]);
@@ -107,11 +107,11 @@ impl Row {
         }
     }
 
-    /// Bounds the impulse for the Newton step to come, with friction by this impulse of another row, N s.
-    pub(super) fn set_range(&mut self, other_impulse: f64) {
+    /// Bounds the impulse for the Newton step to come, with friction by this impulse along the normal, N s.
+    pub(super) fn set_range(&mut self, along_normal: f64) {
         self.range = match self.bound {
             Bound::Range(range) => range,
-            Bound::FrictionOf { friction, .. } => [-friction * other_impulse, friction * other_impulse],
+            Bound::FrictionOf { friction, .. } => [-friction * along_normal, friction * along_normal],
         };
     }
 
@@ -264,7 +264,7 @@ impl Row {
         changes
     }
 
-    /// Adds Jᵀ J/(c k) to the blocks of both movers, and to that in the row of the one and the column of the other, if it takes part.
+    /// Adds Jᵀ J/(c k + softness) to the blocks of both movers, and to that in the row of the one and the column of the other, if it takes part.
     pub(super) fn stiffen(&self, own: &mut [Block; 2], between: &mut Block) {
         let Taken { jacobian: [a, b], stiffness } = &self.taken;
         if *stiffness == 0.0 {
