@@ -104,7 +104,8 @@ fn press_heap(seed: u64) -> [usize; 2] {
     (0..120).for_each(|_| world.step());
     let is_outside = |&&id: &&BodyId| {
         let [x, y] = world.body(id).unwrap().position_f64();
-        x < 0.0 || y < 0.0 || y > 4.0 || x > world.body(wall).unwrap().position_f64()[0]
+        let end = world.body(wall).unwrap().position_f64()[0];
+        !(0.0..=end).contains(&x) || !(0.0..=4.0).contains(&y)
     };
     [ids.len(), ids.iter().filter(is_outside).count()]
 }
