@@ -99,7 +99,7 @@ impl Summed {
 }
 
 /// The stage and its buffers.
-#[derive(Clone, Debug, Default)]
+#[derive(Debug, Default)]
 pub(crate) struct Blows {
     blocks: Vec<Summed>,
     /// Collisions of the step that are reported, in the order of time.
@@ -115,6 +115,9 @@ pub(crate) struct Blows {
     /// Scratch.
     merged: Vec<Blow>,
 }
+
+// What the last step has done, and left to the next, is part of the state of a world.
+clone_into_buffers!(Blows { of_step, begun } scratch { blocks, impacts, others, order, merged });
 
 impl Blows {
     /// Forgets the last step.

@@ -49,7 +49,7 @@ const JOINT_ROUNDS: u32 = 8;
 const SETTLED: f64 = 4e-5;
 
 /// Buffers of the solver, kept from step to step.
-#[derive(Clone, Debug, Default)]
+#[derive(Debug, Default)]
 pub(crate) struct Solver {
     kicks: Kicks,
     damped: Damped,
@@ -66,6 +66,10 @@ pub(crate) struct Solver {
     pub(crate) joints: JointSolver,
     pub(crate) squeezes: Squeezes,
 }
+
+clone_into_buffers!(Solver { blows } scratch {
+    kicks, damped, impacts, continuous, courses, strikes, moving, seams, direct, rolling, tangles, joints, squeezes
+});
 
 /// The tables that a step changes.
 #[derive(Debug)]

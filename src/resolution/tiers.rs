@@ -47,18 +47,17 @@ const LARGEST_FACTORIZATION: u64 = 100_000;
 /// fewer.
 const LARGEST_DIRECT_ISLAND: usize = 256;
 
-/// Nor those of more bodies of which any are joined: larger ones are swept. With two dozen, heaps of ragdolls, which go to and fro between
-/// both tiers, come to rest later: one of six moves after ten seconds. With four, a car with a stone under each wheel is swept.
-const LARGEST_DIRECT_JOINED_ISLAND: usize = 8;
+/// Nor those of more bodies that are joined, which take their time in turn with their joints. With two dozen, heaps of ragdolls, which go to and
+/// fro between both tiers, come to rest later: one of six moves after ten seconds. With four, a car with a stone under each wheel is swept.
+const MOST_DIRECT_JOINED: usize = 8;
 
 /// An island of no more bodies is small: it is solved directly also in the steps after a blow. Swept, what is struck is pressed in, and throws
 /// back what strikes it: at an eighth of its speed where masses are equal, at half where they are 10 : 1. Larger islands are struck all
 /// the time: with sixteen, a step of boxes on lifts takes twice as long.
 const SMALL_ISLAND: usize = 4;
 
-/// The same where any of them are joined: blows count in all joined islands that may be solved directly, also between bodies that pass each
-/// other.
-const SMALL_JOINED_ISLAND: usize = LARGEST_DIRECT_JOINED_ISLAND;
+/// The same where any of them are joined, also for blows between bodies that pass each other.
+const SMALL_JOINED_ISLAND: usize = MOST_DIRECT_JOINED;
 
 /// For how many steps an island counts as calm already when it comes to be solved directly, by a blow or as it begins at rest, and no load
 /// lasts yet. If it stays calm it is solved so in the first step and in `CALM_STEPS - CALM_AT_FIRST` more, `LASTING_STEPS + 2` in all. So it is
@@ -396,9 +395,8 @@ impl Tiers {
 
     /// Whether the island can be solved directly; then it is in the order of the matrix. It has to be small enough.
     fn can_be_direct(&mut self, tables: &TierTables<'_>) -> bool {
-        let is_joined = tables.is_joined(&self.island);
-        let most = if is_joined { LARGEST_DIRECT_JOINED_ISLAND } else { LARGEST_DIRECT_ISLAND };
-        if self.island.len() > most {
+        let joined = self.island.iter().filter(|&&slot| tables.joints.hold(slot)).count();
+        if self.island.len() > LARGEST_DIRECT_ISLAND || joined > MOST_DIRECT_JOINED {
             return false;
         }
         self.order(tables);

@@ -143,7 +143,7 @@ impl<'a> JointRef<'a> {
     }
 
     /// The force on `b` (or the world) at its anchor, N, on average over the last step; that on `a` is opposite. Times the length of
-    /// the step it is the impulse, N s, that of a blow too.
+    /// the step it is the impulse, N s, that of a blow too. While its bodies sleep it is that of the step in which they fell asleep.
     pub fn force(&self) -> Vec2 {
         self.record().state.force
     }

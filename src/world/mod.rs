@@ -165,11 +165,11 @@ pub struct World {
 
 clone_into_buffers!(World {
     settings, bodies, broad_phase, candidates, contacts, joints, graph, sleepers, forces, acceleration,
-    attractors, tiers, refinement, loads, events, sensors, profile, residual, impulses_of, resting, ticks,
+    attractors, solver, tiers, refinement, loads, events, sensors, profile, residual, impulses_of, resting, ticks,
     rate_since, is_within_step, unused_time, dropped_time, forced, held_forces, arriving, fits_kernels,
     memory_use
 } scratch {
-    solver, rescaling, pool, new_pairs, is_close_now, leaves_box, leaving, changed_contacts
+    rescaling, pool, new_pairs, is_close_now, leaves_box, leaving, changed_contacts
 });
 
 impl Default for World {

@@ -36,16 +36,18 @@ impl JointSolver {
             }
             let record = &mut joints.all[index];
             let slots = record.slots();
-            let is_moved = |slot: u32| slot != NONE && bodies.is_dynamic(slot) && bodies.is_awake(slot);
-            if record.description.enabled && slots.into_iter().any(is_moved) {
-                self.add(index, record, bodies);
-            } else {
+            let is_moved = |slot: u32| slot != NONE && bodies.is_dynamic(slot);
+            let acts = record.description.enabled && slots.into_iter().any(is_moved);
+            if !acts {
                 // What does not act bears nothing.
                 if !record.description.enabled {
                     record.state.loads = Default::default();
                 }
                 record.state.force = Vec2::ZERO;
                 record.state.torque = 0.0;
+            } else if slots.into_iter().any(|slot| is_moved(slot) && bodies.is_awake(slot)) {
+                // What sleeps goes on to bear what it bore as it fell asleep.
+                self.add(index, record, bodies);
             }
         }
         if self.planned != self.places {

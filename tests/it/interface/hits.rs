@@ -2,7 +2,7 @@
 
 use rustycs::prelude::*;
 
-use crate::support::{G, add, add_floor, assert_near, assert_relative, run, unit_box, velocity};
+use crate::support::{G, add, add_floor, assert_near, assert_relative, earth_with, run, unit_box, velocity};
 
 /// Impulses may differ from the change of momentum by this share of m |v| before and after: a dozen roundings of `f32`, 6e-8
 /// each, and those of the velocities that they are compared with.
@@ -323,4 +323,29 @@ fn what_is_not_added_up_is_not_told() {
     run(&mut world, 3.0);
     assert!(world.body(id).unwrap().is_sleeping());
     assert_eq!(impulse(&world), None);
+}
+
+/// A game that rolls back keeps its states in worlds that were others before. A blow that began in the last substep of a tick is told in the
+/// next, of the clone too, and what the last tick has borne is told at once.
+#[test]
+fn a_clone_into_a_world_that_was_another_tells_the_same_hits() {
+    let settings = Settings { sum_impulses: true, ..Settings::default() };
+    let mut spare = World::new(Settings::default());
+    for number in 0..60 {
+        let mut world = earth_with(settings.clone());
+        add_floor(&mut world, 0.6);
+        let body = add(&mut world, unit_box(0.0, 0.8 + 0.01 * f64::from(number)));
+        let mut fork = world.clone();
+        for tick in 0..60 {
+            spare.clone_from(&fork);
+            std::mem::swap(&mut spare, &mut fork);
+            let borne = |world: &World| {
+                world.contacts_of(body).map(|contact| contact.impulse_on(body)).collect::<Vec<_>>()
+            };
+            assert_eq!(borne(&fork), borne(&world), "from height {number} in tick {tick}");
+            world.step();
+            fork.step();
+            assert_eq!(fork.events().hits(), world.events().hits(), "from height {number} in tick {tick}");
+        }
+    }
 }

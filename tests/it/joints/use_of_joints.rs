@@ -2,7 +2,7 @@
 
 use rustycs::prelude::*;
 
-use crate::support::{add, assert_near, earth, earth_with, place, run, space};
+use crate::support::{G, add, assert_near, earth, earth_with, place, run, space};
 
 fn two_boxes(world: &mut World) -> [BodyId; 2] {
     [0.0, 0.8].map(|x| add(world, Body::dynamic(Shape::obb(1.0, 1.0)).at([x, 0.0])))
@@ -317,6 +317,14 @@ fn what_hangs_at_rest_sleeps_together_and_a_motor_wakes_it() {
     assert_eq!(world.islands().len(), 1);
     run(&mut world, 3.0);
     assert_eq!((world.awake_count(), world.sleeping_islands()), (0, 1));
+    let borne = |world: &World| world.joint(hinge).unwrap().force();
+    let asleep = borne(&world);
+    let weight: f64 = [upper, lower].map(|id| G * f64::from(world.body(id).unwrap().mass())).iter().sum();
+    assert_near(f64::from(asleep.y.abs()), weight, 1e-4 * weight, "what bears two rods");
+    let other = add(&mut world, Body::dynamic(Shape::circle(0.1)).at([50.0, 0.0]));
+    run(&mut world, 0.1);
+    assert_eq!((world.awake_count(), borne(&world)), (1, asleep), "whoever else is awake");
+    world.remove(other);
     world.joint_mut(hinge).unwrap().set_motor(1.0, 100.0);
     assert_eq!(world.awake_count(), 2);
     run(&mut world, 0.5);
