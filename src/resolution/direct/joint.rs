@@ -44,7 +44,7 @@ impl DirectJoint {
             };
             (row.k, row.softness) = (acting.k, acting.softness);
             row.bound = Bound::Range(acting.range.map(|change| row.impulse + change));
-            row.bias = -row.softness * row.impulse;
+            row.bias = acting.slack - row.softness * row.impulse;
             for (side, mover) in self.movers.into_iter().enumerate() {
                 if let Some(mover) = mover {
                     row.jacobian[side] = acting.j[side];

@@ -137,7 +137,10 @@ impl Row {
         match self.bound {
             Bound::FrictionOf { .. } => 0.0,
             Bound::Range(_) if self.presses() => -(self.along(velocities) + self.carried),
-            Bound::Range(_) => self.speed(velocities).abs(),
+            Bound::Range([least, greatest]) => {
+                let speed = self.speed(velocities);
+                if speed < 0.0 && greatest > 0.0 || speed > 0.0 && least < 0.0 { speed.abs() } else { 0.0 }
+            }
         }
     }
 

@@ -31,7 +31,7 @@ use crate::resolution::integrate::Kicks;
 use crate::resolution::joint::geometry::{Base, JointBody, V3};
 use crate::resolution::joint::plan::{Island, Place};
 pub(super) use crate::resolution::joint::row::Phase;
-use crate::resolution::joint::row::Row;
+use crate::resolution::joint::row::{Role, Row};
 use crate::resolution::scheme::Scheme;
 
 /// The joints of a step, and the bodies they move.
@@ -68,6 +68,8 @@ pub(super) struct Acting {
     pub(super) softness: f64,
     /// By how much its impulse may change, N s.
     pub(super) range: [f64; 2],
+    /// How much faster its coordinate may grow before it bears anything, m/s or rad/s, with its sign: of a limit that is not met yet.
+    pub(super) slack: f64,
 }
 
 impl JointSolver {
@@ -111,7 +113,7 @@ impl JointSolver {
         a != NONE && a == b
     }
 
-    /// How a row acts, as it was solved last; `None` where it bears nothing that could change.
+    /// How a row acts, as it was solved last; `None` where it bears nothing that could change. Limits that are not met yet may be.
     pub(super) fn acting(&self, row: u32) -> Option<Acting> {
         let row = &self.rows[row as usize];
         let acting = || {
@@ -121,9 +123,10 @@ impl JointSolver {
                     j[2] = 0.0;
                 }
             }
-            Acting { j, k: row.k, softness: row.softness, range: row.range_of_change() }
+            let slack = if row.is_free { 0.0 } else { row.residual };
+            Acting { j, k: row.k, softness: row.softness, range: row.range_of_change(), slack }
         };
-        row.is_free.then(acting)
+        (row.is_free || row.k > 0.0 && matches!(row.role, Role::Limits(_))).then(acting)
     }
 
     /// Has a row bear what the direct solve hands over to it in this phase, N s in all: its bodies have been given it.

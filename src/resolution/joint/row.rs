@@ -116,6 +116,8 @@ pub(super) struct Row {
     pub(super) in_step: V3,
     /// Whether it takes part in the direct solve.
     pub(super) is_free: bool,
+    /// Of limits: whether the lower one is the nearer, or has pushed.
+    pub(super) is_lower: bool,
     /// How fast it is off what is asked for, m/s or rad/s.
     pub(super) residual: f64,
     /// What the impulse would be without bounds.
@@ -150,6 +152,7 @@ impl Row {
             in_substep: [0.0; 3],
             in_step: [0.0; 3],
             is_free: false,
+            is_lower: false,
             residual: 0.0,
             wanted: 0.0,
         }
@@ -181,7 +184,8 @@ impl Row {
             return;
         } else {
             // A limit that was left bears nothing.
-            let is_left = matches!(self.role, Role::Limits(_)) && self.pushed == 0.0;
+            let is_left =
+                matches!(self.role, Role::Limits(_)) && self.pushed == 0.0 && self.taken_back == 0.0;
             self.impulse = if is_left { 0.0 } else { self.load * times.kick };
         }
         let [least, most] = self.bounds(times);
@@ -277,7 +281,7 @@ impl Row {
 
     /// Limits act where they are reached, and let go of what leaves them.
     fn look_at_limits(
-        &self,
+        &mut self,
         [lower, upper]: [f64; 2],
         x: f64,
         u: f64,
@@ -286,6 +290,7 @@ impl Row {
     ) -> (f64, bool) {
         let impulse = self.pushed + self.impulse;
         let is_lower = if impulse == 0.0 { x - lower < upper - x } else { impulse > 0.0 };
+        self.is_lower = is_lower;
         let gap = if is_lower { x - lower } else { x - upper };
         let before = match is_lower {
             // Held to one place, it may be off to either side, whichever way it is pushed.
@@ -296,7 +301,7 @@ impl Row {
         let w = if is_push { (gap - left(before, times)) / times.h } else { u };
         let is_reached = is_push || gap.abs() <= REACHED * self.scale || (gap < 0.0) == is_lower;
         let closes = if is_lower { w < 0.0 } else { w > 0.0 };
-        if lower == upper || impulse != 0.0 || (is_reached && closes) { (w, true) } else { (0.0, false) }
+        (w, lower == upper || impulse != 0.0 || (is_reached && closes))
     }
 
     /// How far it is off, as a share of what matters.
@@ -321,8 +326,7 @@ impl Row {
                 return impulse;
             }
             let total = self.pushed + self.impulse;
-            // The side that has pushed, or, if none has, that which is off.
-            let is_lower = if total == 0.0 { self.residual < 0.0 } else { total > 0.0 };
+            let is_lower = if total == 0.0 { self.is_lower } else { total > 0.0 };
             return if is_lower { impulse.max(-self.pushed) } else { impulse.min(-self.pushed) };
         }
         let [least, most] = self.bounds(times);

@@ -193,3 +193,30 @@ fn a_lamp_on_a_tower_does_not_bring_it_down() {
     }
     assert_near(place(&world, heavy)[1], 5.5, 1e-3, "height of the heavy box");
 }
+
+/// A car of a ton on wheels of 10 kg, whose suspension is at the end of its travel, stands on a slope with its wheels locked, as tan 0.2 = 0.20 is
+/// less than the friction, 0.8. Its wheels felt it only a turn after the contacts were solved, and it crept by 1 mm/s for ever.
+#[test]
+fn a_braked_car_at_the_end_of_its_travel_stands_on_a_slope() {
+    let mut world = World::new(Settings::default());
+    world.add_force(Force::EARTH_GRAVITY);
+    let slope = 0.2_f32;
+    let Rot { c, s } = Rot::from_angle(slope);
+    let on_slope = |x: f32, y: f32| [x * c - y * s, x * s + y * c];
+    let turned = |body: Body, at: [f32; 2]| body.at(at).angle(slope).friction(0.8).restitution(0.0);
+    add(&mut world, turned(Body::fixed(Shape::obb(100.0, 2.0)), on_slope(0.0, -1.0)));
+    let car = add(&mut world, turned(Body::dynamic(Shape::obb(3.0, 0.4)).mass(1000.0), on_slope(0.0, 0.7)));
+    for x in [-1.2, 1.2] {
+        let at = on_slope(x, 0.4);
+        let wheel = add(&mut world, turned(Body::dynamic(Shape::circle(0.4)).mass(10.0), at));
+        let axle = Joint::wheel(car, wheel).at(at).axis([-s, c]).travel(-0.1..=0.1);
+        world.add_joint(axle.suspension(4.0, 0.7).motor(0.0, f32::INFINITY)).unwrap();
+    }
+    (0..900).for_each(|_| world.step());
+    let before = place(&world, car);
+    (0..300).for_each(|_| world.step());
+    for (before, after) in before.into_iter().zip(place(&world, car)) {
+        assert_near(after, before, 1e-4, "place after five seconds");
+    }
+    assert_eq!(world.awake_count(), 0, "and sleeps");
+}
