@@ -148,6 +148,9 @@ impl Body {
     /// Coefficient of restitution, 0 to 1, instead of the material's. That of a contact is mixed of those of both bodies, by
     /// [`Settings::restitution_mix`](crate::Settings::restitution_mix): by default their average, and 0 where one of them is 0: such a
     /// body bounces off nothing.
+    ///
+    /// A contact that bears a load bounces only what comes faster than the load makes up for, and not what a blow elsewhere drives into it: a ball
+    /// that falls on one that lies on the floor gives it its momentum, which the floor takes. In weightlessness it comes back.
     #[must_use]
     pub fn restitution(mut self, restitution: f32) -> Self {
         self.material.restitution = restitution;
@@ -244,7 +247,7 @@ impl Body {
     }
 
     /// Makes the body a one-way floor: bodies pass that move along this `direction`, and those that come against it are borne.
-    /// It is of any length, and turns with the body.
+    /// It is of any length, in the frame of the body, and turns with it.
     ///
     /// Each body decides for itself. What comes from the free side is borne until it leaves the surface or slips off the end. What
     /// comes from below or from the side, or began within the floor, passes until it has left. To let one body drop through, part

@@ -282,7 +282,8 @@ impl Joint {
 
     /// From where to where the angle (rad, of any number of turns), the translation or the distance (m) may go.
     /// `0.0..=f64::INFINITY` is open at its end. Finite limits are within ±10⁹ rad or ±10¹² m; of a distance joint they are 0 m or more,
-    /// and the upper one at least 10⁻⁶ m. They are for revolute, prismatic, distance and wheel joints.
+    /// and the upper one at least 10⁻⁶ m. They are for revolute, prismatic, distance and wheel joints. What is beyond them comes to them at no
+    /// more than 3 m/s, or 3 rad/s: a winch that is to be faster takes a motor of the distance.
     pub fn limits(self, range: RangeInclusive<impl Into<f64> + Copy>) -> Self {
         Self { limits: Some([(*range.start()).into(), (*range.end()).into()]), ..self }
     }

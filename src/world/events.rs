@@ -271,7 +271,7 @@ clone_into_buffers!(Events {
 });
 
 impl Events {
-    /// Bodies that began to touch.
+    /// Bodies that began to touch, also those that have bounced off again by the end of the tick, whose contact is gone.
     pub fn began(&self) -> &[ContactEvent] {
         &self.began
     }
