@@ -83,11 +83,6 @@ impl JointRecord {
         self.state.angles[1] - self.state.angles[0] - self.reference
     }
 
-    /// Where the angle that the joint holds is 0, rad.
-    pub(crate) fn zero_angle(&self) -> f64 {
-        if self.description.kind == JointKind::Gear { self.length } else { 0.0 }
-    }
-
     /// Whether it bore more in the last step, on average, than it can.
     pub(crate) fn bears_too_much(&self) -> bool {
         let is_too_much =

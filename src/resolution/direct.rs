@@ -261,7 +261,7 @@ impl DirectSolver {
             let (free, change) = (self.newton.free[mover], self.change_since_given(mover, states));
             give([0, 1, 2].map(|axis| free[axis] as f32 + change[axis]), &mut states[row as usize]);
         }
-        self.joints.iter().for_each(|joint| joint.take_back(joints));
+        self.joints.iter().for_each(|joint| joint.take_back(&self.newton.rows, joints));
     }
 
     /// Takes note of what the push has loaded each island with.

@@ -62,7 +62,9 @@ impl DirectJoint {
     }
 
     /// Takes it back.
-    pub(super) fn take_back(&self, joints: &mut JointSolver) {
-        joints.take_back(self.of_joint.clone());
+    pub(super) fn take_back(&self, rows: &[Row], joints: &mut JointSolver) {
+        for (row, of_joint) in rows[self.first_row..].iter().zip(self.of_joint.clone()) {
+            joints.take_back(of_joint, row.impulse);
+        }
     }
 }

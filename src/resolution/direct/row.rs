@@ -237,8 +237,9 @@ impl Row {
 
     /// Whether the first Newton step takes the row for one that yields, whatever its impulse.
     pub(super) fn is_held(&self) -> bool {
+        let ([least, greatest], bias) = (self.range, self.bias - self.carried);
         // What can bear nothing else does not yield.
-        self.bias - self.carried < HELD && self.range[0] < self.range[1]
+        least < greatest && (greatest > 0.0 && bias < HELD || least < 0.0 && bias > -HELD)
     }
 
     /// Takes up what a step from where it has responded will add.

@@ -35,7 +35,7 @@ impl Inverse {
 /// Appends the rows of a joint, at most [`MOST_ROWS`](crate::joint::MOST_ROWS).
 pub(super) fn rows_of(joint: &JointRecord, inverse: Inverse, rows: &mut Vec<Row>) {
     let kind = joint.description.kind;
-    let rigid = |coordinate| Row::new(coordinate, Role::Rigid);
+    let rigid = |coordinate| held_at(coordinate, 0.0);
     match kind {
         JointKind::Revolute => {
             rows.extend([rigid(PinX), rigid(PinY)]);
@@ -65,10 +65,7 @@ pub(super) fn rows_of(joint: &JointRecord, inverse: Inverse, rows: &mut Vec<Row>
         JointKind::Friction => {
             push_brakes(joint, rows);
         }
-        JointKind::Gear => {
-            let row = rigid(Gear(joint.description.ratio));
-            rows.push(row);
-        }
+        JointKind::Gear => rows.push(held_at(Gear(joint.description.ratio), joint.length)),
         JointKind::Ratchet => {
             rows.extend([rigid(PinX), rigid(PinY)]);
             push_spring(joint, Angle, inverse, rows);
@@ -76,6 +73,11 @@ pub(super) fn rows_of(joint: &JointRecord, inverse: Inverse, rows: &mut Vec<Row>
             rows.push(Row::new(Angle, Role::Limits([joint.state.tooth, f64::INFINITY])));
         }
     }
+}
+
+/// A row that holds a coordinate at a place, m or rad.
+fn held_at(coordinate: Coordinate, place: f64) -> Row {
+    Row { zero: place, ..Row::new(coordinate, Role::Rigid) }
 }
 
 fn push_options(joint: &JointRecord, coordinate: Coordinate, inverse: Inverse, rows: &mut Vec<Row>) {
@@ -99,7 +101,10 @@ fn push_motor(joint: &JointRecord, coordinate: Coordinate, rows: &mut Vec<Row>) 
 }
 
 fn push_limits(joint: &JointRecord, coordinate: Coordinate, rows: &mut Vec<Row>) {
-    rows.extend(joint.description.limits.map(|limits| Row::new(coordinate, Role::Limits(limits))));
+    rows.extend(joint.description.limits.map(|limits| match limits {
+        [lower, upper] if lower == upper => held_at(coordinate, lower),
+        _ => Row::new(coordinate, Role::Limits(limits)),
+    }));
 }
 
 /// A rod, a spring at its length, or a rope.
@@ -112,9 +117,7 @@ fn push_distance(joint: &JointRecord, inverse: Inverse, rows: &mut Vec<Row>) {
     push_motor(joint, Distance, rows);
     push_limits(joint, Distance, rows);
     if description.spring.is_none() && description.limits.is_none() && description.motor.is_none() {
-        let mut row = Row::new(Distance, Role::Rigid);
-        row.zero = joint.length;
-        rows.push(row);
+        rows.push(held_at(Distance, joint.length));
     }
 }
 

@@ -31,7 +31,7 @@ use crate::resolution::integrate::Kicks;
 use crate::resolution::joint::geometry::{Base, JointBody, V3};
 use crate::resolution::joint::plan::{Island, Place};
 pub(super) use crate::resolution::joint::row::Phase;
-use crate::resolution::joint::row::{Role, Row};
+use crate::resolution::joint::row::Row;
 use crate::resolution::scheme::Scheme;
 
 /// The joints of a step, and the bodies they move.
@@ -68,7 +68,7 @@ pub(super) struct Acting {
     pub(super) softness: f64,
     /// By how much its impulse may change, N s.
     pub(super) range: [f64; 2],
-    /// How much faster its coordinate may grow before it bears anything, m/s or rad/s, with its sign: of a limit that is not met yet.
+    /// How fast its coordinate is off the speed that makes it bear anything, m/s or rad/s: 0 but for a limit that is not met yet.
     pub(super) slack: f64,
 }
 
@@ -113,20 +113,18 @@ impl JointSolver {
         a != NONE && a == b
     }
 
-    /// How a row acts, as it was solved last; `None` where it bears nothing that could change. Limits that are not met yet may be.
+    /// How a row acts, as it was solved last; `None` where it bears nothing that could change.
     pub(super) fn acting(&self, row: u32) -> Option<Acting> {
         let row = &self.rows[row as usize];
-        let acting = || {
-            let mut j = row.j;
-            for (j, place) in j.iter_mut().zip(row.bodies) {
-                if self.bodies[place as usize].inverse_inertia == 0.0 {
-                    j[2] = 0.0;
-                }
+        let [a, b] = row.bodies.map(|body| &self.bodies[body as usize]);
+        let slack = if row.is_free { 0.0 } else { row.speed(a, b) - row.met_at? };
+        let mut j = row.j;
+        for (j, place) in j.iter_mut().zip(row.bodies) {
+            if self.bodies[place as usize].inverse_inertia == 0.0 {
+                j[2] = 0.0;
             }
-            let slack = if row.is_free { 0.0 } else { row.residual };
-            Acting { j, k: row.k, softness: row.softness, range: row.range_of_change(), slack }
-        };
-        (row.is_free || row.k > 0.0 && matches!(row.role, Role::Limits(_))).then(acting)
+        }
+        Some(Acting { j, k: row.k, softness: row.softness, range: row.range_of_change(), slack })
     }
 
     /// Has a row bear what the direct solve hands over to it in this phase, N s in all: its bodies have been given it.
@@ -136,20 +134,10 @@ impl JointSolver {
         row.handed = impulse;
     }
 
-    /// Takes back what was handed over to these rows of a joint, as the push ends: its bodies have it no more.
-    pub(super) fn take_back(&mut self, rows: Range<u32>) {
-        let rows = &mut self.rows[rows.start as usize..rows.end as usize];
-        for row in rows.iter_mut() {
-            row.impulse -= row.handed;
-            row.taken_back = std::mem::take(&mut row.handed);
-            row.spare = row.taken_back.abs();
-        }
-        for first in 0..rows.len() {
-            if rows[first].heads_pair {
-                let [x, y] = [first, first + 1].map(|row| rows[row].taken_back);
-                rows[first..first + 2].iter_mut().for_each(|row| row.spare = (x * x + y * y).sqrt());
-            }
-        }
+    /// Takes back what the direct solve has had a row bear in the push, N s: its bodies have it no more.
+    pub(super) fn take_back(&mut self, row: u32, impulse: f64) {
+        self.hand_over(row, 0.0);
+        self.rows[row as usize].taken_back = impulse;
     }
 
     /// Reads where the bodies are, before anything strikes them in this substep: what strikes moves them too.

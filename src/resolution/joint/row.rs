@@ -95,14 +95,13 @@ pub(super) struct Row {
     /// Softness γ, and the speed that is asked for, negative.
     pub(super) softness: f64,
     pub(super) bias: f64,
-    /// Impulse of this phase, and of the push.
+    /// Impulse of this phase, and of the push, but for what was taken back of it.
     pub(super) impulse: f64,
     pub(super) pushed: f64,
     /// What of the impulse the direct solve has handed over.
     pub(super) handed: f64,
-    /// What of the push it has taken back: so much more is left of the force for the relax. Of a vector its length is `spare`.
+    /// What the direct solve has borne of the push and taken back, which is to be borne in the relax as well.
     pub(super) taken_back: f64,
-    pub(super) spare: f64,
     /// Scratch: an impulse to go back to, or to compare with.
     pub(super) kept: f64,
     /// Scratch: the impulse before gaps were closed.
@@ -118,6 +117,8 @@ pub(super) struct Row {
     pub(super) is_free: bool,
     /// Of limits: whether the lower one is the nearer, or has pushed.
     pub(super) is_lower: bool,
+    /// Of a limit that bears nothing, but may be met in this phase: at which speed of its coordinate it is, m/s or rad/s.
+    pub(super) met_at: Option<f64>,
     /// How fast it is off what is asked for, m/s or rad/s.
     pub(super) residual: f64,
     /// What the impulse would be without bounds.
@@ -144,7 +145,6 @@ impl Row {
             pushed: 0.0,
             handed: 0.0,
             taken_back: 0.0,
-            spare: 0.0,
             kept: 0.0,
             unclosed: 0.0,
             load_before: 0.0,
@@ -153,6 +153,7 @@ impl Row {
             in_step: [0.0; 3],
             is_free: false,
             is_lower: false,
+            met_at: None,
             residual: 0.0,
             wanted: 0.0,
         }
@@ -174,7 +175,7 @@ impl Row {
             self.softness = MOTOR_SOFTNESS * self.k;
         }
         if phase == Phase::Push {
-            (self.pushed, self.taken_back, self.spare) = (0.0, 0.0, 0.0);
+            (self.pushed, self.taken_back) = (0.0, 0.0);
             self.impulse = self.load * times.kick;
             if let Role::Spring { k, c, rest, .. } = self.role {
                 self.soften(k, c, rest, times);
@@ -210,16 +211,24 @@ impl Row {
     fn bounds(&self, times: Times) -> [f64; 2] {
         match self.role {
             Role::Rigid | Role::Limits(_) => [f64::NEG_INFINITY, f64::INFINITY],
-            Role::Spring { max, .. } | Role::Speed { max, .. } => {
-                let most = max * times.kick + self.spare;
-                [-most, most]
+            Role::Spring { .. } | Role::Speed { .. } => {
+                let most = self.most(times);
+                [self.taken_back - most, self.taken_back + most]
             }
         }
     }
 
-    /// Whether its force is bounded, and pairs with that of the next row.
-    pub(super) fn bound(&self, times: Times) -> f64 {
-        self.bounds(times)[1]
+    /// The most that its own force does in the phase, N s: beside what was taken back.
+    pub(super) fn most(&self, times: Times) -> f64 {
+        match self.role {
+            Role::Rigid | Role::Limits(_) => f64::INFINITY,
+            Role::Spring { max, .. } | Role::Speed { max, .. } => max * times.kick,
+        }
+    }
+
+    /// What of its impulse is of its own force.
+    pub(super) fn own(&self) -> f64 {
+        self.impulse - self.taken_back
     }
 
     /// How fast the coordinate changes, m/s or rad/s.
@@ -251,14 +260,14 @@ impl Row {
         (self.residual, self.is_free) = match self.role {
             Role::Rigid => (if is_push { (x - left(self.x, times)) / times.h } else { u }, true),
             Role::Limits(limits) => self.look_at_limits(limits, x, u, is_push, times),
-            Role::Spring { max, .. } => {
+            Role::Spring { .. } => {
                 // After the drift it bears what it bore before.
                 let w = if is_push { u + self.bias + self.softness * self.impulse } else { 0.0 };
-                (w, is_push && is_inside(self.impulse.abs(), max * times.kick, self.impulse * w))
+                (w, is_push && is_inside(self.own().abs(), self.most(times), self.own() * w))
             }
-            Role::Speed { speed, max } => {
+            Role::Speed { speed, .. } => {
                 let w = u - speed + self.softness * self.impulse;
-                (w, is_inside(self.impulse.abs(), max * times.kick, self.impulse * w))
+                (w, is_inside(self.own().abs(), self.most(times), self.own() * w))
             }
         };
         self.is_free &= self.k > 0.0;
@@ -289,19 +298,17 @@ impl Row {
         times: Times,
     ) -> (f64, bool) {
         let impulse = self.pushed + self.impulse;
-        let is_lower = if impulse == 0.0 { x - lower < upper - x } else { impulse > 0.0 };
+        let borne = impulse + self.taken_back;
+        let is_lower = if borne == 0.0 { x - lower < upper - x } else { borne > 0.0 };
         self.is_lower = is_lower;
         let gap = if is_lower { x - lower } else { x - upper };
-        let before = match is_lower {
-            // Held to one place, it may be off to either side, whichever way it is pushed.
-            _ if lower == upper => self.x - lower,
-            true => (self.x - lower).min(0.0),
-            false => (self.x - upper).max(0.0),
-        };
+        let before = if is_lower { (self.x - lower).min(0.0) } else { (self.x - upper).max(0.0) };
         let w = if is_push { (gap - left(before, times)) / times.h } else { u };
         let is_reached = is_push || gap.abs() <= REACHED * self.scale || (gap < 0.0) == is_lower;
         let closes = if is_lower { w < 0.0 } else { w > 0.0 };
-        (w, lower == upper || impulse != 0.0 || (is_reached && closes))
+        let is_free = impulse != 0.0 || (is_reached && closes);
+        self.met_at = (is_reached && !is_free && self.k > 0.0).then_some(u - w);
+        if is_free { (w, true) } else { (0.0, false) }
     }
 
     /// How far it is off, as a share of what matters.
@@ -321,13 +328,8 @@ impl Row {
 
     /// The impulse cut to what the row may bear.
     pub(super) fn cut(&self, impulse: f64, times: Times) -> f64 {
-        if let Role::Limits([lower, upper]) = self.role {
-            if lower == upper {
-                return impulse;
-            }
-            let total = self.pushed + self.impulse;
-            let is_lower = if total == 0.0 { self.is_lower } else { total > 0.0 };
-            return if is_lower { impulse.max(-self.pushed) } else { impulse.min(-self.pushed) };
+        if let Role::Limits(_) = self.role {
+            return if self.is_lower { impulse.max(-self.pushed) } else { impulse.min(-self.pushed) };
         }
         let [least, most] = self.bounds(times);
         impulse.max(least).min(most)

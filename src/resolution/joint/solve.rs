@@ -284,11 +284,9 @@ impl Problem<'_> {
         let [x, y] = [&self.rows[first], &self.rows[first + 1]];
         // After the move springs bear what they bore before.
         let acts = aim != Aim::Speed || matches!(x.role, Role::Speed { .. });
-        let inward = x.impulse * x.residual + y.impulse * y.residual;
-        let is_free = acts
-            && x.k > 0.0
-            && y.k > 0.0
-            && is_inside(length(x.impulse, y.impulse), x.bound(self.times), inward);
+        let inward = x.own() * x.residual + y.own() * y.residual;
+        let is_free =
+            acts && x.k > 0.0 && y.k > 0.0 && is_inside(length(x.own(), y.own()), x.most(self.times), inward);
         (self.rows[first].is_free, self.rows[first + 1].is_free) = (is_free, is_free);
     }
 
@@ -359,11 +357,13 @@ fn wanted(rows: &mut [Row], row: usize, times: Times) -> f64 {
         let [x, y] = [row, row + 1].map(|row| {
             let row = &rows[row];
             // What is at its bound follows by itself.
-            if row.is_free { row.wanted } else { row.wanted_alone() }
+            (if row.is_free { row.wanted } else { row.wanted_alone() }) - row.taken_back
         });
-        let (length, bound) = (length(x, y), rows[row].bound(times));
-        let share = if length > bound { bound / length } else { 1.0 };
-        (rows[row].wanted, rows[row + 1].wanted) = (x * share, y * share);
+        let (length, most) = (length(x, y), rows[row].most(times));
+        let share = if length > most { most / length } else { 1.0 };
+        for (row, own) in [row, row + 1].into_iter().zip([x, y]) {
+            rows[row].wanted = rows[row].taken_back + share * own;
+        }
     }
     rows[row].wanted
 }

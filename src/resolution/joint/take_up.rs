@@ -10,7 +10,6 @@ use crate::resolution::joint::JointSolver;
 use crate::resolution::joint::geometry::{Base, JointBody, dot, nearest, rotate};
 use crate::resolution::joint::kinds::{Inverse, rows_of};
 use crate::resolution::joint::plan::{Place, plan};
-use crate::resolution::joint::row::Role;
 
 /// Joints are taken for no smaller than this, m: at the centres of its bodies one has no size but rounding, and nothing would be
 /// exact to a share of that.
@@ -112,9 +111,6 @@ impl JointSolver {
             row.bodies = places;
             row.load = f64::from(load);
             row.scale = if row.coordinate.is_angle() { 1.0 } else { size.max(SMALLEST) };
-            if let (true, Role::Rigid) = (row.coordinate.is_angle(), row.role) {
-                row.zero = record.zero_angle();
-            }
         }
         let movable = |place: u32| if self.bodies[place as usize].inverse_mass > 0.0 { place } else { 0 };
         self.places.push(Place {

@@ -220,3 +220,25 @@ fn a_braked_car_at_the_end_of_its_travel_stands_on_a_slope() {
     }
     assert_eq!(world.awake_count(), 0, "and sleeps");
 }
+
+/// What a force of 3,000 N presses on a floor without friction is solved directly, and slides on at its speed, 50 m from both ends of what its rope
+/// leaves it: a limit acts where it is met, and not before.
+#[test]
+fn a_limit_far_away_does_not_hold_what_is_pressed() {
+    for along in [1.0_f32, -1.0] {
+        let mut world = World::new(Settings { sleep: false, ..Settings::default() });
+        add(&mut world, Body::fixed(Shape::aabb(40.0, 1.0)).at([0.0, -0.5]).friction(0.0));
+        let sled = Body::dynamic(Shape::aabb(1.0, 1.0)).at([0.0, 0.5]).mass(1.0).friction(0.0);
+        let sled = add(&mut world, sled.velocity([along, 0.0]));
+        let rope = Joint::distance(sled, None).between([0.0, 0.5], [100.0, 0.5]);
+        world.add_joint(rope.limits(50.0..=150.0)).unwrap();
+        let mut direct = 0;
+        for _ in 0..120 {
+            world.body_mut(sled).unwrap().apply_force([0.0, -3000.0]);
+            world.step();
+            direct += u32::from(world.body(sled).unwrap().tier() == Tier::Direct);
+        }
+        assert!(direct > 60, "solved directly in {direct} of 120 ticks");
+        assert_near(place(&world, sled)[0], 2.0 * f64::from(along), 1e-4, "way in two seconds");
+    }
+}
