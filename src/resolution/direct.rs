@@ -26,8 +26,7 @@
 //! the first Newton step, in which all is held.
 //!
 //! Where walls leave a body too little room, no impulses are enough, and what has not lessened the overlap must not be kept as λ₀. So λ₀ is no more
-//! than a multiple of what all bodies of the island can press with, and what is squeezed yields to the rest. Sweeps would wind it up, and
-//! so an island that is squeezed stays here.
+//! than a multiple of what all bodies of the island can press with, and what is squeezed yields to the rest.
 //!
 //! Where bodies are joined, the rows of their joints are rows as well, see [`joint`].
 //!

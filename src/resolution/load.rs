@@ -26,7 +26,12 @@ pub(super) const DIRECT_SHARE: f32 = 0.0125;
 
 /// Sags are computed for no more substeps per second than these, 1/s: 60 ticks of 4 substeps, as in the default settings. Without this
 /// bound more substeps would mean fewer direct solves, and stacks at high rates lean until they fall.
-pub(super) const USUAL_RATE: f32 = 240.0;
+const USUAL_RATE: f32 = 240.0;
+
+/// Substeps per second that sags are computed for where so many are asked for, 1/s.
+pub(super) fn sag_rate(substep_rate: f32) -> f32 {
+    substep_rate.min(USUAL_RATE)
+}
 
 /// A load lasts that was still for so many steps in a row: a blow is over sooner. If one step were enough, a puzzle of boxes would be
 /// solved directly at every blow, and take 2.7 times as long.
@@ -76,6 +81,15 @@ impl ContactLoad {
     /// Bodies that are deep in each other are pushed apart, which is no blow: taken for one, crosses that are set into each other fly apart.
     pub(super) fn lasts_or_is_blow(self) -> bool {
         self.lasts() || self.great_steps > 0 && !self.is_deep
+    }
+
+    /// ω², 1/s², with which the thinner body rocks under it: F/(m L), see [`refinement`](super::refinement). So many substeps per second are asked
+    /// for.
+    pub(super) fn rocking_square(self, substep_rate: f32) -> f32 {
+        let rate = sag_rate(substep_rate);
+        // k λ over the width, 1/s, where k λ = F/(m rate).
+        let speed_share = self.sag_share / sag(1.0, rate);
+        rate * speed_share
     }
 
     fn is_notable(self) -> bool {
@@ -158,7 +172,7 @@ impl LoadMeasure {
     /// other tier. No load is great unless `loads_matter`.
     pub(crate) fn new(loads_matter: bool, dt: f32, substeps: u32, refinement: u32) -> Self {
         let substep_rate = substeps as f32 / dt;
-        let sag_rate = (substep_rate / refinement as f32).min(USUAL_RATE);
+        let sag_rate = sag_rate(substep_rate / refinement as f32);
         Self { dt, sag_rate, factor: if loads_matter { substep_rate / sag_rate } else { 0.0 } }
     }
 

@@ -31,6 +31,7 @@ mod solver;
 mod squeezes;
 mod tangles;
 mod tier;
+mod tier_rule;
 mod tiers;
 
 pub(crate) use asked::Asked;
@@ -46,6 +47,7 @@ pub(crate) use load::{Loads, begins_at_rest};
 pub(crate) use rates::Rescaling;
 pub(crate) use refinement::{MOST_SUBSTEPS, Refinement, RefinementTables};
 pub(crate) use scheme::Scheme;
-pub(crate) use solver::{Acceleration, SolveTables, Solver, acceleration_of, solve};
+pub(crate) use solver::{Acceleration, SolveTables, Solver, force_on, solve};
 pub use tier::Tier;
-pub(crate) use tiers::{TierRule, TierTables, Tiers};
+pub(crate) use tier_rule::TierRule;
+pub(crate) use tiers::{TierTables, Tiers};

@@ -2,15 +2,10 @@
 //! ones flat. There are at most 256: where that leaves no room for the factor, it is the largest whole one that fits, which may be another number,
 //! such as 3 where 80 are asked for.
 //!
-//! Under a load F a light body of mass m and width L rocks with ω² = F/(m L). It is shaken, and its load never lasts, where it does so faster than a
-//! substep h can follow: ω h > 1. The sag that sweeps leave is a measure of that, see [`sag`]: as a share of the width it is
-//!
-//! ```text
-//! γ k λ/(2 rate L) = γ h ω²/(2 rate),      with k λ = h F/m
-//! ```
-//!
-//! So the loads of the last step say how short the substeps of the next have to be: by the root of what they are too great by. What is solved
-//! directly does not sag. All islands take as many substeps, as their bodies may meet within a step.
+//! Under a load F a light body of mass m and width L rocks with ω² = F/(m L). Where a substep h is too long to follow that, it is shaken, and its
+//! load never lasts. The overlap that sweeps would leave is a measure of the load, see [`sag`]: so the loads of the last step say how fast bodies
+//! rock, and how short the substeps of the next have to be. What is solved directly does not matter: there nothing rocks that does not in truth. All
+//! islands take as many substeps, as their bodies may meet within a step.
 //!
 //! [`sag`]: super::softness::sag
 
@@ -19,19 +14,18 @@ use crate::collision::Contacts;
 use crate::joint::Joints;
 use crate::resolution::constraint_graph::ConstraintGraph;
 use crate::resolution::islands::Connections;
-use crate::resolution::load::{CALM_SHARE, CALM_STEPS, ContactLoad, Loads, USUAL_RATE};
-use crate::resolution::squeezes::AskSqueezed;
-use crate::resolution::tiers::TierRule;
+use crate::resolution::load::{CALM_SHARE, CALM_STEPS, ContactLoad, Loads};
+use crate::resolution::squeezes::Squeezes;
+use crate::resolution::tier_rule::TierRule;
 
-/// Substeps are refined where a contact would sag by more than this share of the width of the thinner body at [`USUAL_RATE`], no unit: ω h is 0.9
-/// then. In piles of densities 78 : 1 some contacts would sag by 1 to 5, and their bodies rattle. With 0.7 the worst of ten piles of 300 bodies
-/// with densities 4 : 1 is 68 mm deep after ten seconds, for 17; with 0.35 it is 13, and piles of one density take more substeps for most of the
-/// time.
-const LARGEST_SAG: f32 = 0.5;
+/// Substeps are refined where a body rocks faster than this, ω h, no unit. In piles of densities 78 : 1 it comes to 3 without, and bodies rattle. With
+/// 1.1 the worst of ten piles of 300 bodies with densities 4 : 1 is 68 mm deep after ten seconds, for 17; with 0.75 it is 13, and piles of one
+/// density take more substeps for most of the time.
+const FASTEST_ROCKING: f32 = 0.9;
 
-/// The same where a light body is crushed by a heavy one, ω h 0.6. With twice as much piles of 200 bodies with densities 20 : 1 are 15 mm deep after
-/// ten seconds, for 7; with half of it 6, and they take a third longer.
-const LARGEST_SAG_OF_CRUSHED: f32 = 0.2;
+/// The same where a light body is crushed by a heavy one. With 0.8 piles of 200 bodies with densities 20 : 1 are 15 mm deep after ten seconds, for
+/// 7; with 0.4 6, and they take a third longer.
+const FASTEST_ROCKING_OF_CRUSHED: f32 = 0.6;
 
 /// Substeps for one that is asked for, at most; a power of two. Of twenty piles of 450 bodies with densities 78 : 1 the worst is 76 mm deep after
 /// ten seconds with 4, and 7 mm with this, which takes a third longer.
@@ -49,17 +43,21 @@ pub(crate) const MOST_SUBSTEPS: u32 = 256;
 const MOST_JOINTS: usize = 32;
 
 /// How much finer substeps are than asked for.
-#[derive(Clone, Copy, Debug)]
+#[derive(Debug)]
 pub(crate) struct Refinement {
     /// Substeps for one that is asked for: a power of two, up to [`LARGEST_FACTOR`].
     factor: u32,
     /// For how many steps in a row half of that would have been enough.
     calm_steps: u8,
+    /// Scratch.
+    squeezes: Squeezes,
 }
+
+clone_into_buffers!(Refinement { factor, calm_steps } scratch { squeezes });
 
 impl Default for Refinement {
     fn default() -> Self {
-        Self { factor: 1, calm_steps: 0 }
+        Self { factor: 1, calm_steps: 0, squeezes: Squeezes::default() }
     }
 }
 
@@ -75,29 +73,25 @@ pub(crate) struct RefinementTables<'a> {
 
 impl Refinement {
     /// How many substeps there are where so many are asked for.
-    pub(crate) fn substeps(self, asked: u32) -> u32 {
+    pub(crate) fn substeps(&self, asked: u32) -> u32 {
         asked * self.factor.min(MOST_SUBSTEPS / asked)
     }
 
     /// Decides for the next step, from the loads of the last: for more substeps at once, for half as many after [`CALM_STEPS`].
-    pub(crate) fn decide(
-        &mut self,
-        rule: TierRule,
-        tables: RefinementTables<'_>,
-        ask_squeezed: &mut AskSqueezed<'_>,
-    ) {
+    pub(crate) fn decide(&mut self, rule: TierRule<'_>, tables: RefinementTables<'_>) {
         if !rule.adapts {
-            *self = Self::default();
+            (self.factor, self.calm_steps) = (1, 0);
             return;
         }
-        let excess = tables.largest_excess(rule, ask_squeezed);
+        self.squeezes.clear();
+        let excess = tables.largest_excess(rule, &mut self.squeezes);
         let needed = |excess| if tables.has_many_joints(excess) { 1 } else { factor_for(excess) };
         if needed(excess) > self.factor {
-            *self = Self { factor: needed(excess), calm_steps: 0 };
+            (self.factor, self.calm_steps) = (needed(excess), 0);
         } else if needed(excess / CALM_SHARE) < self.factor {
             self.calm_steps += 1;
             if self.calm_steps == CALM_STEPS {
-                *self = Self { factor: self.factor / 2, calm_steps: 0 };
+                (self.factor, self.calm_steps) = (self.factor / 2, 0);
             }
         } else {
             self.calm_steps = 0;
@@ -108,26 +102,26 @@ impl Refinement {
 impl RefinementTables<'_> {
     /// The excess of a contact is (ω h)² with as many substeps as are asked for, in units of what it may be. This is the largest of what is swept
     /// over.
-    fn largest_excess(&self, rule: TierRule, ask_squeezed: &mut AskSqueezed<'_>) -> f32 {
+    fn largest_excess(&self, rule: TierRule<'_>, squeezes: &mut Squeezes) -> f32 {
         let Self { loads, graph, .. } = self;
         let is_swept = |index: &u32| graph.home(*index).is_some_and(|home| !home.is_solved_directly());
-        let excesses = loads.notable.iter().copied().filter(is_swept).filter_map(|index| {
-            let load = loads.of_contact[index as usize];
-            if self.is_crushing(index, load) {
-                return Some((index, load.sag_share / LARGEST_SAG_OF_CRUSHED));
-            }
-            (load.lasts() || load.is_heavy()).then_some((index, load.sag_share / LARGEST_SAG))
-        });
         let mut largest = 0.0_f32;
-        for (index, excess) in excesses {
+        for index in loads.notable.iter().copied().filter(is_swept) {
+            let load = loads.of_contact[index as usize];
+            let fastest = if self.is_crushing(index, load) {
+                FASTEST_ROCKING_OF_CRUSHED
+            } else if load.lasts() || load.is_heavy() {
+                FASTEST_ROCKING
+            } else {
+                continue;
+            };
+            let excess = load.rocking_square(rule.substep_rate) / (fastest * rule.substep_rate).powi(2);
             // What asks for nothing may be squeezed or not.
-            if excess > largest && (excess <= CALM_SHARE || !self.is_squeezed(index, ask_squeezed)) {
+            if excess > largest && (excess <= CALM_SHARE || !self.is_squeezed(index, squeezes, rule)) {
                 largest = excess;
             }
         }
-        // A sag share is that of the substeps that are asked for, or those of the usual rate, see `LoadMeasure`.
-        let (rate, sag_rate) = (rule.substep_rate, rule.substep_rate.min(USUAL_RATE));
-        largest * (USUAL_RATE / rate) * (sag_rate / rate)
+        largest
     }
 
     /// Whether a contact crushes a light body by a heavy one, whether it trembles or not.
@@ -139,10 +133,12 @@ impl RefinementTables<'_> {
     }
 
     /// Whether a contact is in an island that is squeezed.
-    fn is_squeezed(&self, index: u32, ask_squeezed: &mut AskSqueezed<'_>) -> bool {
+    fn is_squeezed(&self, index: u32, squeezes: &mut Squeezes, rule: TierRule<'_>) -> bool {
         let connections = Connections { contacts: self.contacts, joints: self.joints };
         let slots = self.contacts[index].slots.into_iter();
-        slots.filter(|&slot| self.bodies.is_dynamic(slot)).any(|slot| ask_squeezed(slot, connections))
+        slots
+            .filter(|&slot| self.bodies.is_dynamic(slot))
+            .any(|slot| squeezes.have(slot, self.bodies, connections, rule))
     }
 
     /// Whether there are too many joints for what this excess asks for. They are counted only if it asks for something.
@@ -182,7 +178,7 @@ mod tests {
 
     #[test]
     fn there_are_never_more_substeps_than_may_be_asked_for() {
-        let refined = Refinement { factor: LARGEST_FACTOR, calm_steps: 0 };
+        let refined = Refinement { factor: LARGEST_FACTOR, ..Refinement::default() };
         assert_eq!(
             [1, 4, 64, 100, 128, 256].map(|asked| refined.substeps(asked)),
             [8, 32, 256, 200, 256, 256]

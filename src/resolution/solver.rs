@@ -24,7 +24,6 @@ use crate::resolution::moving::MovingContacts;
 use crate::resolution::projection::Project;
 use crate::resolution::rolling::Rolling;
 use crate::resolution::scheme::Scheme;
-use crate::resolution::squeezes::Squeezes;
 use crate::resolution::tangles::Tangles;
 
 /// What accelerates bodies, beside contacts.
@@ -64,11 +63,10 @@ pub(crate) struct Solver {
     rolling: Rolling,
     tangles: Tangles,
     pub(crate) joints: JointSolver,
-    pub(crate) squeezes: Squeezes,
 }
 
 clone_into_buffers!(Solver { blows } scratch {
-    kicks, damped, impacts, continuous, courses, strikes, moving, seams, direct, rolling, tangles, joints, squeezes
+    kicks, damped, impacts, continuous, courses, strikes, moving, seams, direct, rolling, tangles, joints
 });
 
 /// The tables that a step changes.
@@ -413,9 +411,17 @@ fn steady(bodies: &Bodies, slot: u32, acceleration: &impl Acceleration) -> Vec2 
 }
 
 /// The acceleration by forces of the body in `slot`, where it is as the step begins, m/s².
-pub(crate) fn acceleration_of(bodies: &Bodies, slot: u32, acceleration: &impl Acceleration) -> Vec2 {
+pub(super) fn acceleration_of(bodies: &Bodies, slot: u32, acceleration: &impl Acceleration) -> Vec2 {
     let varying = if acceleration.varies() { acceleration.at(bodies, slot, Vec2::ZERO) } else { Vec2::ZERO };
     steady(bodies, slot, acceleration) + varying
+}
+
+/// The force on the body in `slot`, N: that of [`acceleration_of`], and what turns its velocity with a wheel that it rides on, m ω × v.
+pub(crate) fn force_on(bodies: &Bodies, slot: u32, acceleration: &impl Acceleration) -> f32 {
+    let state = bodies.state(slot);
+    let by_turning = state.velocity.to_vec2() * state.angular_velocity;
+    let by_forces = acceleration_of(bodies, slot, acceleration);
+    (by_forces.length() + by_turning.length()) / bodies.motions[slot as usize].inverse_mass
 }
 
 /// What events happen to.

@@ -9,8 +9,8 @@
 //! The island goes back to sweeps
 //! - when its load has been small for [`CALM_STEPS`] steps in a row, and nothing presses its bodies into each other;
 //! - when it has been [squeezed](super::squeezes) for [`LASTING_STEPS`];
-//! - at once when the direct solve has taken more than it is worth, as in heaps in which contacts come and go, or would be too much work. A small
-//!   island never has.
+//! - at once when the direct solve has taken more than it is worth, as in heaps in which contacts come and go, or would be too much work. It is
+//!   always worth it in a small island that no kinematic body drives.
 //!
 //! Then it has a cooldown, in which it is not looked at. What took too much is tried again only if much would sag.
 //!
@@ -30,12 +30,11 @@ use crate::collision::Contact;
 use crate::resolution::direct::work_of_factorization;
 use crate::resolution::islands::{Islands, find_island};
 use crate::resolution::load::{
-    CALM_SHARE, CALM_STEPS, ContactLoad, DIRECT_SHARE, IslandLoad, LASTING_STEPS, Loads, USUAL_RATE,
-    begins_at_rest,
+    CALM_SHARE, CALM_STEPS, ContactLoad, DIRECT_SHARE, IslandLoad, LASTING_STEPS, Loads, begins_at_rest,
 };
-use crate::resolution::softness::sag;
-use crate::resolution::squeezes::AskSqueezed;
+use crate::resolution::squeezes::is_squeezed;
 use crate::resolution::tier::Tier;
+use crate::resolution::tier_rule::TierRule;
 use crate::resolution::tiers::history::{History, IslandHistory, MOST_OVERSPENT, RETRY_STEPS};
 use crate::store::BitSet;
 
@@ -65,9 +64,9 @@ const SMALL_JOINED_ISLAND: usize = MOST_DIRECT_JOINED;
 /// Two steps less leave none to spare, and no case of stacks, structures or heaps was found that they break.
 const CALM_AT_FIRST: u8 = CALM_STEPS - LASTING_STEPS - 1;
 
-/// The cooldown of an island that is too much work. To find it every ten steps, and to order it, takes 7 % of
+/// The cooldown of an island that is too much work, or squeezed. To find it every ten steps, and to order it, takes 7 % of
 /// the step of a drum; a heap that comes apart waits for no longer than two seconds.
-const TOO_LARGE_STEPS: u64 = 120;
+const HOPELESS_STEPS: u64 = 120;
 
 /// What the direct solve took too much for is not solved so again unless the sag share of a contact is above this, no unit: it would be lifted
 /// out of its sag, and fall back. Where it is tried again all the same, piles at rest move again and card houses of five levels fall.
@@ -75,25 +74,6 @@ const RETRY_SHARE: f32 = 0.05;
 
 /// A body that touches more others is a hub: ordered as any other, a plate on 200 balls takes 1.5 times as long.
 const HUB_NEIGHBOURS: usize = 12;
-
-/// When islands may be solved directly.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct TierRule {
-    /// Whether at all, and whether substeps may be refined: not by schemes that solve velocities once per substep.
-    pub(crate) adapts: bool,
-    /// One over the length of the substeps that are asked for, 1/s.
-    pub(crate) substep_rate: f32,
-    /// What all bodies are accelerated by, m/s².
-    pub(crate) acceleration: f32,
-}
-
-impl TierRule {
-    /// The sag share of a contact under the weight of `mass`, kg; `k_over_width`, 1/(kg m), is its k over the width of the thinner body.
-    fn sag_share_under(&self, mass: f32, k_over_width: f32) -> f32 {
-        let rate = self.substep_rate.min(USUAL_RATE);
-        sag(k_over_width * mass * self.acceleration / rate, rate)
-    }
-}
 
 /// Chooses the tier of each island.
 #[derive(Debug, Default)]
@@ -155,10 +135,9 @@ impl Tiers {
     pub(crate) fn decide(
         &mut self,
         tick: u64,
-        rule: TierRule,
+        rule: TierRule<'_>,
         loads: &Loads,
         mut tables: TierTables<'_>,
-        ask_squeezed: &mut AskSqueezed<'_>,
     ) {
         self.direct.clear();
         for outcome in &loads.outcomes {
@@ -183,7 +162,7 @@ impl Tiers {
             let load = loads.of_contact[index as usize];
             for slot in tables.slots(index) {
                 if load.lasts() || load.lasts_or_is_blow() && self.may_blow_count(slot, load, &tables) {
-                    self.decide_island(slot, tick, rule, loads, &mut tables, ask_squeezed);
+                    self.decide_island(slot, tick, rule, loads, &mut tables);
                 }
             }
         }
@@ -191,7 +170,7 @@ impl Tiers {
             for row in 1..tables.bodies.row_count() {
                 let slot = tables.bodies.slot_of_row(row);
                 if tables.graph.is_direct(slot) {
-                    self.decide_island(slot, tick, rule, loads, &mut tables, ask_squeezed);
+                    self.decide_island(slot, tick, rule, loads, &mut tables);
                 }
             }
         }
@@ -210,10 +189,9 @@ impl Tiers {
         &mut self,
         slot: u32,
         tick: u64,
-        rule: TierRule,
+        rule: TierRule<'_>,
         loads: &Loads,
         tables: &mut TierTables<'_>,
-        ask_squeezed: &mut AskSqueezed<'_>,
     ) {
         let is_left_alone =
             !tables.graph.is_direct(slot) && self.histories[slot as usize].cooldown_end > tick;
@@ -244,13 +222,12 @@ impl Tiers {
         let is_asked = rule.adapts && !is_cooling && !is_hopeless && (largest > share || stays);
         let overspent = if was_direct && !blows_count { history.direct.overspent_with(largest) } else { 0.0 };
         let is_too_dear = overspent > MOST_OVERSPENT;
-        let squeezed = is_asked && load.lasting > 0.0 && ask_squeezed(slot, tables.connections());
-        let squeezed_steps = if squeezed { history.direct.squeezed_steps.saturating_add(1) } else { 0 };
-        for &slot in &self.island {
-            self.histories[slot as usize].direct.squeezed_steps = squeezed_steps;
-        }
+        let squeezed = is_asked
+            && load.lasting > 0.0
+            && is_squeezed(&self.island, tables.bodies, tables.connections(), rule);
+        let squeezed_steps = if squeezed { history.direct.squeezed_steps + 1 } else { 0 };
         // In what is solved directly it may be a blow.
-        let is_squeezed = squeezed && !was_direct || squeezed_steps >= LASTING_STEPS;
+        let is_squeezed = squeezed && (!was_direct || squeezed_steps == LASTING_STEPS);
         if is_asked && !is_squeezed && !is_too_dear && self.can_be_direct(tables) {
             let calm_steps = if is_calm {
                 history.direct.calm_steps + 1
@@ -259,14 +236,14 @@ impl Tiers {
             } else {
                 0
             };
-            self.solve_directly(calm_steps, overspent, tables);
+            self.solve_directly([calm_steps, squeezed_steps], overspent, tables);
             return;
         }
         let cooldown = if is_too_dear {
             Cooldown::AfterTooDear
         } else {
             let steps = match (is_asked, blows_count) {
-                (true, _) => TOO_LARGE_STEPS,
+                (true, _) => HOPELESS_STEPS,
                 // The next blow may come at any time, and few bodies are soon looked at.
                 (false, true) => 0,
                 (false, false) => RETRY_STEPS,
@@ -306,7 +283,7 @@ impl Tiers {
     /// Has the island of the body in `slot` solved directly from its first step on, if all of it begins at rest and some
     /// contact would sag too far if it bore all the weight: sweeps pass the weight on from row to row, and what is to
     /// stand would fall first.
-    fn begin_island(&mut self, slot: u32, rule: TierRule, tables: &mut TierTables<'_>) {
+    fn begin_island(&mut self, slot: u32, rule: TierRule<'_>, tables: &mut TierTables<'_>) {
         if self.begun.contains(slot) {
             return;
         }
@@ -323,22 +300,26 @@ impl Tiers {
                 softest = softest.max(tables.inverse_mass(contact) / contact.thickness);
             },
         );
-        let mass =
-            self.island.iter().map(|&slot| tables.bodies.motions[slot as usize].inverse_mass.recip()).sum();
-        let may_sag = rule.sag_share_under(mass, softest) > DIRECT_SHARE;
+        let may_sag = rule.sag_share_under(rule.weight(&self.island), softest) > DIRECT_SHARE;
         if begins && may_sag && self.can_be_direct(tables) {
             for &slot in &self.island {
                 self.seen.insert(slot);
             }
-            self.solve_directly(CALM_AT_FIRST, 0.0, tables);
+            self.solve_directly([CALM_AT_FIRST, 0], 0.0, tables);
         }
     }
 
     /// Has the island solved directly, its bodies in the order of the matrix.
-    fn solve_directly(&mut self, calm_steps: u8, overspent: f32, tables: &mut TierTables<'_>) {
+    fn solve_directly(
+        &mut self,
+        [calm_steps, squeezed_steps]: [u8; 2],
+        overspent: f32,
+        tables: &mut TierTables<'_>,
+    ) {
         for &slot in &self.island {
             let of_body = &mut self.histories[slot as usize].direct;
-            (of_body.calm_steps, of_body.overspent) = (calm_steps, overspent);
+            (of_body.calm_steps, of_body.squeezed_steps) = (calm_steps, squeezed_steps);
+            of_body.overspent = overspent;
         }
         self.set_tier(Tier::Direct, tables);
         self.direct.push(&self.island);

@@ -5,7 +5,7 @@ use core::fmt;
 use crate::body::{HORIZON, Mix, Mixes, Number, RestRule};
 use crate::compute::{Lanes, MOST_THREADS};
 use crate::math::{Aabb, Vec2};
-use crate::resolution::{Asked, MOST_SUBSTEPS, Scheme, SpeedLimits, TierRule};
+use crate::resolution::{Asked, MOST_SUBSTEPS, Scheme, SpeedLimits};
 
 /// How overlapping bodies are parted.
 ///
@@ -238,14 +238,9 @@ impl Settings {
         Ok(())
     }
 
-    /// When islands may be solved directly, where all bodies are accelerated by `acceleration`, m/s².
-    pub(crate) fn tier_rule(&self, acceleration: f32) -> TierRule {
-        let is_biased = self.position_correction == PositionCorrection::Bias;
-        TierRule {
-            adapts: self.adaptive && self.split_kick && is_biased,
-            substep_rate: 1.0 / self.substep_seconds(),
-            acceleration,
-        }
+    /// Whether islands may be solved directly, and substeps refined.
+    pub(crate) fn adapts(&self) -> bool {
+        self.adaptive && self.split_kick && self.position_correction == PositionCorrection::Bias
     }
 
     /// What counts as rest.

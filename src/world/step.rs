@@ -9,7 +9,7 @@ use crate::collision::{AHEAD, Refresh, are_out_of_reach, refresh};
 use crate::compute::{BodyState, Chosen, Executor, GROUND_ROW};
 use crate::math::Rot;
 use crate::resolution::{
-    RefinementTables, SolveTables, StepResidual, TierTables, acceleration_of, begins_at_rest, solve,
+    RefinementTables, SolveTables, StepResidual, TierRule, TierTables, begins_at_rest, force_on, solve,
 };
 use crate::world::World;
 use crate::world::attractor::Field;
@@ -240,7 +240,6 @@ impl World {
     /// The substep loop.
     fn solve(&mut self) {
         let settings = &self.settings;
-        let rule = settings.tier_rule(self.acceleration.length());
         let mixes = settings.mixes();
         let Self { bodies, contacts, joints, graph, loads, pool, broad_phase, .. } = self;
         let field = Field {
@@ -248,14 +247,16 @@ impl World {
             attractors: &self.attractors,
             gravitational_constant: settings.gravitational_constant,
         };
-        let last = self.impulses_of.unwrap_or_default();
-        let acceleration = |slot| acceleration_of(bodies, slot, &field);
-        let mut squeezed = self.solver.squeezes.begin(bodies, last, acceleration);
+        let rule = TierRule {
+            adapts: settings.adapts(),
+            substep_rate: 1.0 / settings.substep_seconds(),
+            impulses_of: self.impulses_of.unwrap_or_default(),
+            force_on: &|slot| force_on(bodies, slot, &field),
+        };
         let tables = TierTables { bodies, contacts, graph, joints };
-        self.tiers.decide(self.ticks, rule, loads, tables, &mut squeezed);
+        self.tiers.decide(self.ticks, rule, loads, tables);
         let tables = RefinementTables { loads, contacts, graph, joints, bodies };
-        self.refinement.decide(rule, tables, &mut squeezed);
-        drop(squeezed);
+        self.refinement.decide(rule, tables);
         loads.clear();
         let substeps = self.refinement.substeps(settings.substeps);
         let sizes = graph.sizes().chain([bodies.awake_count()]);
