@@ -102,6 +102,8 @@ impl DirectContact {
                 _ if (0.0..SMALLEST_GAP * reach).contains(&separation) => 0.0,
                 _ if separation < 0.0 && is_tangled => 0.0,
                 Phase::Push => bias(separation, substep_rate),
+                // It bears, and its bodies have parted a little: the push closes that.
+                Phase::Relax if point.normal_impulse > 0.0 => 0.0,
                 Phase::Relax => gap_bias(separation, substep_rate),
             };
             self.fill_point(rows, &constraint, index, sides, phase);
