@@ -184,10 +184,9 @@ impl Row {
             self.impulse = self.pushed + 2.0 * self.taken_back;
             return;
         } else {
-            // A limit that was left bears nothing.
-            let is_left =
-                matches!(self.role, Role::Limits(_)) && self.pushed == 0.0 && self.taken_back == 0.0;
-            self.impulse = if is_left { 0.0 } else { self.load * times.kick };
+            // A limit that bore nothing in the push bears nothing now: what the joint had it bear, before contacts were known, is given back.
+            let is_left = matches!(self.role, Role::Limits(_)) && self.pushed + self.taken_back == 0.0;
+            self.impulse = if is_left { -self.pushed } else { self.load * times.kick };
         }
         let [least, most] = self.bounds(times);
         self.impulse = self.impulse.max(least).min(most);

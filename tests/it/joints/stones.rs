@@ -242,3 +242,25 @@ fn a_limit_far_away_does_not_hold_what_is_pressed() {
         assert_near(place(&world, sled)[0], 2.0 * f64::from(along), 1e-4, "way in two seconds");
     }
 }
+
+/// A slide presses a block with 100 N, a thousand times the weight of either, 1 cm before the end of its travel. Without the block it would be there
+/// within half a substep; with it the limit is not met, and bears nothing.
+#[test]
+fn a_limit_behind_what_is_pressed_bears_nothing() {
+    let mut world = earth();
+    add(&mut world, Body::fixed(Shape::rectangle(20.0, 1.0)).at([0.0, -0.5]));
+    let block = add(&mut world, Body::dynamic(Shape::rectangle(1.0, 1.0)).at([0.0, 0.5]).mass(0.1));
+    let rail = add(&mut world, Body::fixed(Shape::rectangle(1.0, 1.0)).at([0.0, 9.0]));
+    let slide = add(&mut world, Body::dynamic(Shape::rectangle(2.0, 0.2)).at([0.0, 1.15]).mass(0.1));
+    let slides = Joint::prismatic(rail, slide).at([0.0, 1.15]).axis([0.0, 1.0]).limits(-0.06..=1.0);
+    let joint = world.add_joint(slides).unwrap();
+    for _ in 0..60 {
+        world.body_mut(slide).unwrap().apply_force([0.0, -100.0]);
+        world.step();
+    }
+    assert_eq!(world.joint(joint).unwrap().force().length(), 0.0);
+    assert_near(place(&world, slide)[1], 1.1, 1e-5, "height");
+    let contact = world.contact_between(block, slide).unwrap();
+    let borne: f32 = contact.points().iter().map(|point| point.normal_impulse * 240.0).sum();
+    assert_near(borne.into(), 100.0 + 0.1 * 9.81, 1e-3 * 100.0, "N");
+}
