@@ -183,6 +183,20 @@ impl<L: Lane> ContactConstraint<L> {
             + self.inverse_inertia_b * (first[1] * second[1])
     }
 
+    /// Acceleration of b against a along the normal at a point, m/s²: of their centres, and by how a and b turn, rad/s².
+    #[inline(always)]
+    pub(crate) fn acceleration_along_normal(
+        &self,
+        index: usize,
+        of_centers: LaneVec2<L>,
+        turns: [L; 2],
+    ) -> L {
+        let point = &self.points[index];
+        let [by_a, by_b] = [(point.anchor_a, turns[0]), (point.anchor_b, turns[1])]
+            .map(|(anchor, turn)| anchor.cross(self.normal) * turn);
+        self.normal.dot(of_centers) + (by_b - by_a)
+    }
+
     /// Separation of a point now, m.
     #[inline(always)]
     pub(crate) fn separation(&self, point: &ConstraintPoint<L>, a: &BodyState<L>, b: &BodyState<L>) -> L {

@@ -19,8 +19,8 @@ use crate::collision::broad_phase::BroadPhase;
 use crate::collision::{Contacts, OneWay, is_on_free_side, noise_of, was_before_links};
 use crate::compute::BodyState;
 use crate::joint::Joints;
-use crate::math::Vec2;
 use crate::resolution::blows::{Blows, Collision};
+use crate::resolution::constraint::ContactConstraint;
 use crate::resolution::constraint_graph::{ConstraintGraph, GraphIndex};
 use crate::resolution::events::approach::bounce_threshold;
 pub(crate) use crate::resolution::events::continuous::{Continuous, Encounter};
@@ -68,9 +68,11 @@ impl EventScene<'_> {
         rows.map(|row| self.bodies.states[row as usize])
     }
 
-    /// Acceleration of the second of two bodies against the first, m/s².
-    fn acceleration(&self, [a, b]: [u32; 2]) -> Vec2 {
-        self.kicks.acceleration(b) - self.kicks.acceleration(a)
+    /// Accelerations of the points of a contact along its normal, of b against a, m/s²: by what acts on the bodies, and turns them.
+    fn accelerations(&self, constraint: &ContactConstraint<f32>, [a, b]: [u32; 2]) -> [f32; 2] {
+        let of_centers = self.kicks.acceleration(b) - self.kicks.acceleration(a);
+        let turns = [a, b].map(|row| self.kicks.angular_acceleration(row));
+        [0, 1].map(|index| constraint.acceleration_along_normal(index, of_centers.into(), turns))
     }
 
     /// The bodies where straight paths take them until a time within the substep, s.
@@ -82,20 +84,25 @@ impl EventScene<'_> {
     }
 
     /// The bodies where they will be at a time within the substep, s: x + v t + a t (t - h)/2 for the velocity v of the middle
-    /// of the substep.
+    /// of the substep, and turned likewise.
     fn bent_states_at(&self, rows: [u32; 2], time: f32) -> [BodyState; 2] {
-        let mut states = self.states_at(rows, time);
+        let bend = 0.5 * (time - self.h());
+        let mut states = self.states(rows);
         for (row, state) in rows.into_iter().zip(&mut states) {
-            let bend = self.kicks.acceleration(row) * (0.5 * time * (time - self.h()));
-            state.delta_position = state.delta_position + bend.into();
+            let angular_velocity = state.angular_velocity;
+            state.angular_velocity += self.kicks.angular_acceleration(row) * bend;
+            drift(state, time);
+            state.angular_velocity = angular_velocity;
+            state.delta_position =
+                state.delta_position + (self.kicks.acceleration(row) * (time * bend)).into();
         }
         states
     }
 
-    /// Slowest approach along a normal that bounces, m/s.
-    fn bounce_threshold(&self, normal: Vec2, rows: [u32; 2]) -> f32 {
-        let acceleration = normal.dot(self.acceleration(rows)).abs();
-        bounce_threshold(self.scheme.restitution_threshold, acceleration, self.h())
+    /// Slowest approaches that bounce of points with these accelerations along the normal, m/s².
+    fn bounce_thresholds(&self, accelerations: [f32; 2]) -> [f32; 2] {
+        let setting = self.scheme.restitution_threshold;
+        accelerations.map(|acceleration| bounce_threshold(setting, acceleration.abs(), self.h()))
     }
 
     /// Coefficients of friction and restitution between two shapes.

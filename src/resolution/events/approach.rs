@@ -108,16 +108,21 @@ impl Substep<'_> {
         if fast & bouncy == 0 {
             return Found::default();
         }
-        let mut accelerations = LaneVec2::<Column>::default();
+        let (mut of_centers, mut turns) = (LaneVec2::<Column>::default(), [Column::default(); 2]);
         for place in places_of(fast & bouncy) {
-            let [a, b] = rows.get(first + place).map(|row| self.kicks.acceleration(row));
-            accelerations.store::<f32>(first + place, (b - a).into());
+            let rows = rows.get(first + place);
+            let [a, b] = rows.map(|row| self.kicks.acceleration(row));
+            of_centers.store::<f32>(first + place, (b - a).into());
+            for (turns, row) in turns.iter_mut().zip(rows) {
+                turns.store::<f32>(first + place, self.kicks.angular_acceleration(row));
+            }
         }
-        let acceleration = constraint.normal.dot(accelerations.load::<L>(first)).abs();
-        let threshold = bounce_threshold(self.restitution_threshold, acceleration, self.h);
+        let (of_centers, turns) = (of_centers.load::<L>(first), turns.map(|turn| turn.load::<L>(first)));
         let (zero, h, [a, b]) = (L::splat(0.0), L::splat(self.h), rows.gather::<L>(self.states, first));
         let mut found = Found::default();
         for index in 0..POINTS {
+            let acceleration = constraint.acceleration_along_normal(index, of_centers, turns).abs();
+            let threshold = bounce_threshold(self.restitution_threshold, acceleration, self.h);
             let (speed, is_fast) = approach(&constraint, index, threshold, &pair);
             let separation = constraint.separation(&constraint.points[index], &a, &b);
             let is_fast = L::bits(is_fast) & bouncy;

@@ -319,7 +319,8 @@ impl Continuous {
         let manifold = manifold_in(slots, scene.bodies, [&there[0], &there[1]]);
         let mut constraint = ContactConstraint::new(&manifold, scene.mixed(slots).0, motions);
         constraint.find_masses::<2>();
-        let gained = manifold.normal.dot(scene.acceleration(rows)) * (time - 0.5 * scene.h());
+        let accelerations = scene.accelerations(&constraint, rows);
+        let gained = accelerations.map(|acceleration| acceleration * (time - 0.5 * scene.h()));
         let (_, offset, _) = Self::swept(scene, slots, &there);
         // Where a body is at a time is rounded as its way in the substep is.
         let near = MEETS_WITHIN * motions[0].thickness.min(motions[1].thickness)
@@ -328,8 +329,9 @@ impl Continuous {
         let gaps = [0, 1].map(|index| {
             manifold.points().get(index).map(|point| point.separation).filter(|&gap| gap <= near)
         });
-        let meeting = Meeting::new(constraint, gaps, &there, gained, 0.0, scene.h())?;
-        let is_fast = meeting.speed() > scene.bounce_threshold(manifold.normal, rows);
+        let meeting = Meeting::new(constraint, gaps, &there, gained, [0.0; 2], scene.h())?;
+        let [first, second] = scene.bounce_thresholds(accelerations);
+        let is_fast = meeting.speed() > first.max(second);
         Some(Met { meeting, is_fast })
     }
 

@@ -123,9 +123,9 @@ impl Impacts {
 
     /// Queues the next impact of a contact, if it comes within this substep.
     fn expect(&mut self, contact: GraphIndex, scene: &mut EventScene<'_>) {
-        let Some(Approach { rows, gaps, speeds, acceleration }) = Self::mark(contact, scene) else { return };
+        let Some(Approach { rows, gaps, speeds, accelerations }) = Self::mark(contact, scene) else { return };
         let h = scene.h();
-        let time_of = |index: usize| closing_time(gaps[index], speeds[index]?, acceleration, h);
+        let time_of = |index: usize| closing_time(gaps[index], speeds[index]?, accelerations[index], h);
         let first = [0, 1].into_iter().filter_map(time_of).fold(f32::INFINITY, f32::min);
         // Never before an earlier impact of either body: until then it moved otherwise.
         let earliest = rows.iter().fold(0.0, |last: f32, &row| last.max(scene.strikes.last(row)));
@@ -146,10 +146,12 @@ impl Impacts {
         let pair = scene.states(rows);
         let least = scene.scheme.restitution_threshold;
         let mut speeds = [0, 1].map(|index| approaching(&constraint, index, least, &pair));
+        let accelerations = scene.accelerations(&constraint, rows);
         if speeds != [None; 2] {
-            let threshold = scene.bounce_threshold(constraint.normal.to_vec2(), rows);
+            let thresholds = scene.bounce_thresholds(accelerations);
             let is_wedged = are_wedged(scene.graph.moved_rows(contact), scene);
-            speeds = speeds.map(|speed| speed.filter(|&speed| speed < -threshold && !is_wedged));
+            speeds =
+                [0, 1].map(|index| speeds[index].filter(|&speed| speed < -thresholds[index] && !is_wedged));
         }
         if speeds == [None; 2] {
             scene.graph.set_pending(contact, [false; 2]);
@@ -158,8 +160,7 @@ impl Impacts {
         let [a, b] = &pair;
         let gaps = [0, 1].map(|index| constraint.separation(&constraint.points[index], a, b));
         scene.graph.set_pending(contact, [0, 1].map(|index| speeds[index].is_some() && gaps[index] > 0.0));
-        let acceleration = constraint.normal.to_vec2().dot(scene.acceleration(rows));
-        Some(Approach { rows, gaps, speeds, acceleration })
+        Some(Approach { rows, gaps, speeds, accelerations })
     }
 
     /// Looks at two bodies at the time they should meet, and lets them bounce if they do.
@@ -171,10 +172,11 @@ impl Impacts {
         let manifold = manifold_in(contact.colliders, scene.bodies, [&there[0], &there[1]]);
         let mut constraint = scene.graph.constraint(home);
         constraint.set_manifold_in(&manifold, &there[0], &there[1]);
-        let gained = manifold.normal.dot(scene.acceleration(rows)) * (time - 0.5 * scene.h());
-        let threshold = scene.bounce_threshold(manifold.normal, rows);
+        let accelerations = scene.accelerations(&constraint, rows);
+        let gained = accelerations.map(|acceleration| acceleration * (time - 0.5 * scene.h()));
+        let thresholds = scene.bounce_thresholds(accelerations);
         let gaps = [0, 1].map(|index| manifold.points().get(index).map(|point| point.separation));
-        let meeting = Meeting::new(constraint, gaps, &there, gained, threshold, scene.h());
+        let meeting = Meeting::new(constraint, gaps, &there, gained, thresholds, scene.h());
         let Some(meeting) = meeting else { return };
         if !meeting.is_now() {
             // The surfaces have turned away from each other since: they meet later.
@@ -264,8 +266,8 @@ struct Approach {
     gaps: [f32; 2],
     /// Of the points that approach fast enough, m/s, negative.
     speeds: [Option<f32>; 2],
-    /// Of b against a along the normal, m/s².
-    acceleration: f32,
+    /// Per point, of b against a along the normal, m/s².
+    accelerations: [f32; 2],
 }
 
 /// Speed of a point along the normal in the middle of the substep, m/s, negative, if it approaches fast enough to bounce.

@@ -29,19 +29,19 @@ pub(super) struct Meeting {
 impl Meeting {
     /// Of a contact with its bodies in the states of that time. The `gaps` are those of its points, m, if these are there;
     /// their speeds have `gained`, m/s, since the middle of the substep of length `h`, s. `None` if no point approaches
-    /// faster than the `threshold`, m/s.
+    /// faster than its of the `thresholds`, m/s.
     pub(super) fn new(
         constraint: ContactConstraint<f32>,
         gaps: [Option<f32>; 2],
         [a, b]: &[BodyState; 2],
-        gained: f32,
-        threshold: f32,
+        gained: [f32; 2],
+        thresholds: [f32; 2],
         h: f32,
     ) -> Option<Self> {
         let approaches = [0, 1].map(|index| {
             let (gap, velocity) = (gaps[index]?, constraint.points[index].relative_velocity(a, b));
-            let speed = constraint.normal.dot(velocity) + gained;
-            (speed < -threshold).then_some((gap, speed))
+            let speed = constraint.normal.dot(velocity) + gained[index];
+            (speed < -thresholds[index]).then_some((gap, speed))
         });
         let all = || approaches.into_iter().flatten();
         let gap = all().map(|(gap, _)| gap).reduce(f32::min)?;

@@ -188,7 +188,7 @@ impl Piece {
         };
         scene.graph.set_geometry(home, &constraint);
         let gaps = [Some(gap - self.level), None];
-        let meeting = Meeting::new(constraint, gaps, &there, 0.0, 0.0, scene.h());
+        let meeting = Meeting::new(constraint, gaps, &there, [0.0; 2], [0.0; 2], scene.h());
         let Some(meeting) = meeting.filter(Meeting::is_now) else { return false };
         self.be_ahead(false, scene.graph);
         let are_moved = scene.graph.moved_rows(home).map(|row| row != GROUND_ROW);

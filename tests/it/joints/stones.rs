@@ -264,3 +264,31 @@ fn a_limit_behind_what_is_pressed_bears_nothing() {
     let borne: f32 = contact.points().iter().map(|point| point.normal_impulse * 240.0).sum();
     assert_near(borne.into(), 100.0 + 0.1 * 9.81, 1e-3 * 100.0, "N");
 }
+
+/// A torque presses a lever on a block, both of the default material, which bounces: what a torque gives to a body within a substep is no blow, as
+/// what a force gives is none. The lever leans on the block with T/r, and both come to rest.
+#[test]
+fn a_lever_that_a_torque_presses_rests() {
+    for force in [50.0_f32, 100.0, 200.0] {
+        let mut world = earth();
+        add(&mut world, Body::fixed(Shape::rectangle(20.0, 1.0)).at([0.0, -0.5]));
+        let block = add(&mut world, Body::dynamic(Shape::rectangle(0.5, 1.0)).at([2.0, 0.5]).mass(10.0));
+        let arm = add(&mut world, Body::dynamic(Shape::rectangle(3.0, 0.2)).at([1.5, 1.1]).mass(1.0));
+        let frame = add(&mut world, Body::fixed(Shape::rectangle(1.0, 1.0)).at([-3.0, 6.0]));
+        world.add_joint(Joint::revolute(frame, arm).at([0.0, 1.1])).unwrap();
+        for _ in 0..300 {
+            world.body_mut(arm).unwrap().apply_torque(-2.0 * force);
+            world.step();
+        }
+        let [x, y] = place(&world, block);
+        assert!((x - 2.0).abs() < 1e-3 && (y - 0.5).abs() < 1e-3, "{force} N: {x}, {y} m");
+        assert!(world.body(arm).unwrap().angular_velocity().abs() < 1e-3, "{force} N");
+        let contact = world.contact_between(block, arm).unwrap();
+        let substeps = world.profile().counters().substeps as f32 * 60.0;
+        let moment = |point: &ManifoldPoint| point.normal_impulse * substeps * (1.5 + point.anchor_b.x);
+        let moments: f32 = contact.points().iter().map(moment).sum();
+        // The weight of the arm presses too; friction with its arm of 0.1 m may bear some of it.
+        let pressed = 2.0 * force + 1.5 * 9.81;
+        assert_near(moments.into(), pressed.into(), 0.1 * 0.6 * f64::from(pressed) / 1.75, "N m");
+    }
+}
