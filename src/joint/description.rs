@@ -283,7 +283,8 @@ impl Joint {
     /// From where to where the angle (rad, of any number of turns), the translation or the distance (m) may go.
     /// `0.0..=f64::INFINITY` is open at its end. Finite limits are within ±10⁹ rad or ±10¹² m; of a distance joint they are 0 m or more,
     /// and the upper one at least 10⁻⁶ m. They are for revolute, prismatic, distance and wheel joints. What is beyond them comes to them at no
-    /// more than 3 m/s, or 3 rad/s: a winch that is to be faster takes a motor of the distance.
+    /// more than 3 m/s, or 3 rad/s: a winch that is to be faster takes a motor of the distance. A wall in between does not hold them up:
+    /// joints are exact, and contacts yield to them.
     pub fn limits(self, range: RangeInclusive<impl Into<f64> + Copy>) -> Self {
         Self { limits: Some([(*range.start()).into(), (*range.end()).into()]), ..self }
     }
@@ -325,8 +326,9 @@ impl Joint {
         self.option_of("suspension", &[JointKind::Wheel]).spring(hertz, damping_ratio)
     }
 
-    /// Where the spring of the angle (rad) or the translation (m) is at rest, within ±10⁹. 0 unless said. The spring of a distance joint is at rest at its
-    /// [`length`](Self::length), that of a drag joint at its [`target`](Self::target), that of a weld where the bodies were joined.
+    /// Where the spring of the angle (rad) or the translation (m) is at rest, within ±10⁹. 0 unless said. The spring of a distance joint is
+    /// at rest at its [`length`](Self::length), that of a drag joint at its [`target`](Self::target), that of a weld where the bodies were
+    /// joined.
     pub fn rest(self, rest: f64) -> Self {
         Self { rest, ..self }
     }

@@ -7,8 +7,8 @@
 //! A blow that begins in the last substep of a step goes on in the next: what is about to meet is slowed down to reach the
 //! surface, and stopped there. It is told when it is over.
 //!
-//! Runs three times per substep, before the bodies move, after it and at the end, on the blocks with a contact that is asked about: one whose bodies approach as fast as a hit, or
-//! collide, or all of them, if the settings say so. Nothing where there is none.
+//! Runs three times per substep, before the bodies move, after it and at the end, on the blocks with a contact that is asked about: one
+//! whose bodies approach as fast as a hit, or collide, or all of them, if the settings say so. Nothing where there is none.
 
 use crate::collision::{Contact, Contacts};
 use crate::compute::{self, COLUMN, Column, Columns, Job, Lane, LaneVec2, Width, columns};

@@ -22,8 +22,8 @@ const ANY_DISTANCE: f32 = 1e9;
 /// roll over each other at 60 m/s took back, along another normal, what had pushed them apart, and left with 1.3 times their energy.
 const LEAST_ALIKE: f32 = 1.0 - 0.5 * MOST_TURNED * MOST_TURNED;
 
-/// The manifold of two shapes, with their bodies in the given states and anchors from their centres of mass; empty where they cannot be told apart from bodies that do
-/// not touch.
+/// The manifold of two shapes, with their bodies in the given states and anchors from their centres of mass; empty where they cannot be
+/// told apart from bodies that do not touch.
 pub(crate) fn manifold_in(colliders: [u32; 2], bodies: &Bodies, [a, b]: [&BodyState; 2]) -> Manifold {
     let [slot_a, slot_b] = colliders.map(|slot| slot as usize);
     let (pose_a, pose_b) = (bodies.motions[slot_a].pose, bodies.motions[slot_b].pose);

@@ -145,7 +145,8 @@ mod tests {
     }
 
     /// The compliance as its constants say it, in `f64`: `COMPLIANCE` of a load up to the full speed,
-    /// `COMPLIANCE_SHARE_BEYOND` of that of what is more. Beyond the last speed it is 0.3 % of the compliance off, 1e-4 of the whole; the rest is rounding.
+    /// `COMPLIANCE_SHARE_BEYOND` of that of what is more. Beyond the last speed it is 0.3 % of the compliance off, 1e-4 of the whole; the
+    /// rest is rounding.
     #[test]
     fn compliance_is_what_its_constants_say_and_fits_into_products_under_any_load() {
         for load in [0.0, 1.0, 3.5, 3.6, 10.0, 1e3, 1e4, 1e6, 1e27_f32] {

@@ -1,9 +1,9 @@
 //! Tangles: bodies of several shapes that are deep in each other, as they were set there.
 //!
 //! Two convex shapes have one direction in which they part soonest. Of bodies of several shapes one pair of shapes may ask for the
-//! opposite of what another asks for, and so may those of a third body. Pushed so, they press against each other. The bodies hardly move, so that no speed tells the
-//! solver that it pushes too hard: impulses grow from substep to substep, and become speed when the shapes slip past each other. Two
-//! crosses came to 90 m/s in a heap, sixty letters that were set into one place to 130 m/s.
+//! opposite of what another asks for, and so may those of a third body. Pushed so, they press against each other. The bodies hardly move,
+//! so that no speed tells the solver that it pushes too hard: impulses grow from substep to substep, and become speed when the shapes slip
+//! past each other. Two crosses came to 90 m/s in a heap, sixty letters that were set into one place to 130 m/s.
 //!
 //! So in a tangle the sweeps see no overlap, and each substep begins without impulses; after the substeps the bodies are
 //! [moved](crate::resolution::projection) apart, which makes no speed.

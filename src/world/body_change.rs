@@ -19,8 +19,8 @@ impl BodyMut<'_> {
         self.change(|body| body.body_type = body_type)
     }
 
-    /// Gives the body another shape, about the same centre of mass; one of several shapes gets another own shape. Its mass follows from density and area, unless it was
-    /// [given](Self::set_mass).
+    /// Gives the body another shape, about the same centre of mass; one of several shapes gets another own shape. Its mass follows from
+    /// density and area, unless it was [given](Self::set_mass).
     ///
     /// # Errors
     /// [`BodyError`], if the shape is one that [`World::add`] refuses, or gives a dynamic body such a mass.

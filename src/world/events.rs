@@ -209,8 +209,8 @@ pub struct JointRefusal {
 /// [`advance`](crate::World::advance): slices, valid until the next. Each has its ticks one after the other, and is the same in every run.
 ///
 /// Contacts, hits and sensors are sorted by ids within a tick, and tell their `tick`, which says which of two in different slices came first.
-/// What broke, left, was removed or refused comes in the order in which it did, and tells no tick. A body that began and ceased to overlap a sensor in one tick began
-/// first. What ended by an edit between two ticks has the number of the later one.
+/// What broke, left, was removed or refused comes in the order in which it did, and tells no tick. A body that began and ceased to overlap
+/// a sensor in one tick began first. What ended by an edit between two ticks has the number of the later one.
 ///
 /// ```
 /// use rustycs::prelude::*;

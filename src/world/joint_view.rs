@@ -149,7 +149,7 @@ impl<'a> JointRef<'a> {
     }
 
     /// The torque on `b` (or the world) beside that of the force, N m, on average over the last step: of motors, springs and limits of
-    /// the angle, and of welds.
+    /// the angle, and of welds. While its bodies sleep it is that of the step in which they fell asleep.
     pub fn torque(&self) -> f32 {
         self.record().state.torque
     }

@@ -19,9 +19,10 @@ const MOST_TIMES_DEAR: u8 = 4;
 /// What was left alone for so many steps beyond its cooldown bore no great load, is in another place, and may be solved directly again.
 const FORGOTTEN_STEPS: u64 = 120;
 
-/// What the direct solve is worth: so many multiplications for each body in each substep that was asked for, for each [`DIRECT_SHARE`] of the sag share that sweeps
-/// would leave, and at least for one. What it does not solve is worth nothing. Sweeps of the island take half of it. Where substeps are refined a solve takes as many times more, and is worth no more. Towers, houses of cards and
-/// plates on balls at rest take 10 to 60; a heap of boxes of one density, whose contacts come and go, takes 750.
+/// What the direct solve is worth: so many multiplications for each body in each substep that was asked for, for each [`DIRECT_SHARE`] of
+/// the sag share that sweeps would leave, and at least for one. What it does not solve is worth nothing. Sweeps of the island take half of
+/// it. Where substeps are refined a solve takes as many times more, and is worth no more. Towers, houses of cards and plates on balls at
+/// rest take 10 to 60; a heap of boxes of one density, whose contacts come and go, takes 750.
 const WORTH: f32 = 500.0;
 
 /// What the direct solve of an island may take beyond its worth: multiplications for each body in each substep, summed over the steps since it
