@@ -179,7 +179,7 @@ impl Newton {
         }
     }
 
-    /// All that an island can press with, N s: its mass times how fast its contacts close without impulses, and what its motors have left, [`LEVERAGE`]
+    /// All that an island can press with, N s: its mass times how fast its rows close without impulses, and what its motors have left, [`LEVERAGE`]
     /// times. What is more holds nothing up: walls that close on a body wind it up, and the body would be shot away when it finds a way out.
     fn greatest_load(&self, part: &Part) -> f64 {
         let mass: f64 = self.masses[part.movers.clone()].iter().map(|&[mass, ..]| mass).sum();

@@ -132,9 +132,16 @@ impl Row {
         self.presses() && self.bias < self.carried
     }
 
-    /// How fast it closes at these velocities with nothing pushed apart, m/s, if it is along the normal of a contact.
+    /// How fast it goes the way that its impulse is to stop, at these velocities and with nothing pushed apart, m/s or rad/s. Friction follows.
     pub(super) fn closing(&self, velocities: &[Triple; 2]) -> f64 {
-        if self.presses() { -(self.along(velocities) + self.carried) } else { 0.0 }
+        match self.bound {
+            Bound::FrictionOf { .. } => 0.0,
+            Bound::Range(_) if self.presses() => -(self.along(velocities) + self.carried),
+            Bound::Range([least, greatest]) => {
+                let speed = self.speed(velocities);
+                if speed < 0.0 && greatest > 0.0 || speed > 0.0 && least < 0.0 { speed.abs() } else { 0.0 }
+            }
+        }
     }
 
     /// How much harder a motor can still drive, as an impulse by the root of the mass that it drives, kg^½ m/s; 0 of one without a bound, and
