@@ -2,13 +2,10 @@
 
 use core::ops::Range;
 
-use crate::resolution::direct::row::{Bound, LEAST_COMPLIANCE, Row, Slope, TOLERANCE, Triple};
+use crate::resolution::direct::row::{
+    Bound, COMPLIANCE, COMPLIANCE_OF_JOINED, LEAST_COMPLIANCE, Pair, Row, Slope, TOLERANCE, Triple,
+};
 use crate::resolution::direct::skyline::{Block, Skyline, work_of_factorization};
-
-/// Share of its own impulse that a row gives back when the impulse changes, no unit. It makes redundant contacts
-/// share their load, as the compliance of the sweeps does, and it damps: a house of cards, rigid to the last digit, trembles
-/// until it falls.
-const COMPLIANCE: f64 = 1e-2;
 
 /// The mass of an island, in units of its lightest body's, from which the compliance falls: what is pressed that hard
 /// would sink in before the impulses have grown, and swing. With much less, rounding weighs as much as loads do.
@@ -39,30 +36,6 @@ const LEVERAGE: f64 = 30.0;
 /// A share of a step that is rounding, no unit.
 const ROUNDING: f64 = 1e-9;
 
-/// Two movers and the rows between them.
-#[derive(Clone, Debug)]
-pub(super) struct Pair {
-    /// Numbers of the movers: twice the same where impulses do not move the other body.
-    movers: [usize; 2],
-    rows: Range<usize>,
-}
-
-impl Pair {
-    /// What its movers have of what there is for each.
-    fn of(&self, all: &[Triple]) -> [Triple; 2] {
-        self.movers.map(|mover| all[mover])
-    }
-
-    /// Adds to what its movers have.
-    fn add(&self, to: &mut [Triple], what: &[Triple; 2]) {
-        for (mover, what) in self.movers.into_iter().zip(what) {
-            for (to, what) in to[mover].iter_mut().zip(what) {
-                *to += what;
-            }
-        }
-    }
-}
-
 /// Movers, pairs and rows of an island, as ranges.
 #[derive(Clone, Debug)]
 pub(super) struct Part {
@@ -70,6 +43,8 @@ pub(super) struct Part {
     pairs: Range<usize>,
     rows: Range<usize>,
     compliance: f64,
+    /// The same before it falls with the mass of the island.
+    full_compliance: f64,
     /// Whether Newton's method failed in this step. It would fail in the substeps to come too, at the price of thirty factorizations in each
     /// stage, so the rows are swept over until the step ends.
     pub(super) is_unsolved: bool,
@@ -144,9 +119,20 @@ impl Newton {
             *leftmost = (*leftmost).min((a.min(b) - mover) as u32);
         }
         let ease = (STIFF_MASS / self.mass_ratio(movers.clone())).min(1.0);
-        let compliance = (COMPLIANCE * ease).max(LEAST_COMPLIANCE);
+        let is_joined = self.rows[rows.clone()].iter().any(|row| row.is_of_joint);
+        let full_compliance = if is_joined { COMPLIANCE_OF_JOINED } else { COMPLIANCE };
+        let compliance = (full_compliance * ease).max(LEAST_COMPLIANCE);
         let work_of_factorization = work_of_factorization(&self.leftmost[movers.clone()]);
-        Part { movers, pairs, rows, compliance, is_unsolved: false, work_of_factorization, work: 0 }
+        Part {
+            movers,
+            pairs,
+            rows,
+            compliance,
+            full_compliance,
+            is_unsolved: false,
+            work_of_factorization,
+            work: 0,
+        }
     }
 
     /// The mass of these movers together, in units of the lightest.
@@ -318,7 +304,8 @@ impl Newton {
     /// are those of the last stage that did.
     fn descend_in_stages(&mut self, part: &mut Part) -> bool {
         let begins = self.rows[part.rows.clone()].iter().all(|row| row.impulse == 0.0);
-        if begins && part.compliance < COMPLIANCE && !self.descend_with(COMPLIANCE, part) {
+        if begins && part.compliance < part.full_compliance && !self.descend_with(part.full_compliance, part)
+        {
             return false;
         }
         let ends_rigid = begins && !self.rows[part.rows.clone()].iter().any(Row::pushes_apart);

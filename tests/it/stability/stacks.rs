@@ -63,6 +63,26 @@ fn towers_under_a_heavy_box_off_their_axis_stand_and_sleep() {
     }
 }
 
+/// A load slides onto a table on two slender legs, which sways, loses energy each time that a foot comes down, and comes to rest.
+#[test]
+fn a_table_on_slender_legs_stops_swaying() {
+    for mass in [100.0, 1000.0] {
+        let mut world = World::new(Settings::default());
+        world.add_force(Force::EARTH_GRAVITY);
+        add_floor(&mut world, 0.6);
+        for x in [-1.2, 1.2] {
+            add(&mut world, Body::dynamic(Shape::rectangle(0.24, 1.35)).at([x, 0.675]).mass(1.0));
+        }
+        add(&mut world, Body::dynamic(Shape::rectangle(3.4, 0.2)).at([0.0, 1.45]).mass(2.0));
+        let load = Body::dynamic(Shape::rectangle(0.6, 0.6)).at([0.2, 1.85]).mass(mass);
+        add(&mut world, load.velocity([0.2, 0.0]));
+        for _ in 0..1200 {
+            world.step();
+        }
+        assert_eq!(world.awake_count(), 0, "{mass} kg");
+    }
+}
+
 /// No box of a stack that begins at rest may sink by more than 1 % of the height, as in the table, and not later either:
 /// while sweeps pass the weight on by a box at a time, the top falls freely, by 4.9 m in a second.
 #[test]
