@@ -167,18 +167,6 @@ pub struct Manifold {
 }
 
 impl Manifold {
-    /// The impulse on a body of its contact in the last substep, N s, and the moment of that about its centre of mass, N m s: on b, or on a.
-    pub(crate) fn impulse_on(&self, is_b: bool) -> (Vec2, f32) {
-        let (mut impulse, mut moment) = (Vec2::ZERO, 0.0);
-        for point in self.points() {
-            let on_b = self.normal * point.normal_impulse + self.normal.perp() * point.tangent_impulse;
-            let (own, anchor) = if is_b { (on_b, point.anchor_b) } else { (-on_b, point.anchor_a) };
-            impulse += own;
-            moment += anchor.cross(own);
-        }
-        (impulse, moment)
-    }
-
     /// The manifold of one point.
     #[inline(always)]
     pub(crate) fn of_one(normal: Vec2, point: ManifoldPoint) -> Self {

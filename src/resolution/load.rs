@@ -10,8 +10,8 @@
 //! - it is **heavy** if it was great for [`HEAVY_STEPS`] steps in a row, still or passing, and would leave the bodies deep in each other;
 //! - it is **notable** if it is any of the last three.
 //!
-//! Bodies are **squeezed** where walls leave them too little room: what pushes them apart in the direct solve grows, and lessens no overlap. No
-//! contact bears that when the push is over, so it is told of the island, in [`DirectOutcome::sag_share`].
+//! What pushes bodies apart that overlap in the direct solve is over with the push, and no load of their contacts: it is told of the island, in
+//! [`DirectOutcome::sag_share`].
 //!
 //! Contacts without a great load cost one comparison.
 
@@ -106,8 +106,7 @@ pub(crate) struct DirectOutcome {
     pub(crate) work: f32,
     /// Whether it solved the island.
     pub(crate) is_solved: bool,
-    /// The greatest sag share in the island under the impulses that push its bodies apart: they hold what squeezes bodies between walls, which
-    /// the loads of the contacts do not.
+    /// The greatest sag share in the island under the impulses of the push, which part bodies that overlap too.
     pub(crate) sag_share: f32,
 }
 

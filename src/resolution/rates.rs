@@ -18,7 +18,7 @@
 //! Runs only in a step whose substeps are not as long as those of the step before, on all contacts.
 
 use crate::body::Bodies;
-use crate::collision::Contacts;
+use crate::collision::{Contact, Contacts};
 use crate::math::Vec2;
 use crate::resolution::solver::{Acceleration, acceleration_of};
 use crate::store::BitSet;
@@ -97,10 +97,16 @@ impl Rescaling {
 fn gain(contacts: &Contacts, bodies: &Bodies, slot: u32) -> f32 {
     let motion = &bodies.motions[slot as usize];
     let (mut impulse, mut moment) = (Vec2::ZERO, 0.0);
-    for contact in contacts.of_body(bodies, slot).map(|index| &contacts[index]) {
-        let by_contact = contact.manifold.impulse_on(contact.slots[1] == slot);
-        impulse += by_contact.0;
-        moment += by_contact.1;
+    for index in contacts.of_body(bodies, slot) {
+        let Contact { manifold, slots, .. } = &contacts[index];
+        let is_b = slots[1] == slot;
+        for point in manifold.points() {
+            let on_b =
+                manifold.normal * point.normal_impulse + manifold.normal.perp() * point.tangent_impulse;
+            let (own, anchor) = if is_b { (on_b, point.anchor_b) } else { (-on_b, point.anchor_a) };
+            impulse += own;
+            moment += anchor.cross(own);
+        }
     }
     impulse.length() * motion.inverse_mass + moment.abs() * motion.inverse_inertia * motion.extent
 }

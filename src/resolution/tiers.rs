@@ -64,9 +64,9 @@ const SMALL_JOINED_ISLAND: usize = MOST_DIRECT_JOINED;
 /// Two steps less leave none to spare, and no case of stacks, structures or heaps was found that they break.
 const CALM_AT_FIRST: u8 = CALM_STEPS - LASTING_STEPS - 1;
 
-/// The cooldown of an island that is too much work, or squeezed. To find it every ten steps, and to order it, takes 7 % of
+/// The cooldown of an island that asks for the direct solve, but does not suit it: it is too much work, or squeezed. To find it every ten steps, and to order it, takes 7 % of
 /// the step of a drum; a heap that comes apart waits for no longer than two seconds.
-const HOPELESS_STEPS: u64 = 120;
+const UNSUITED_STEPS: u64 = 120;
 
 /// What the direct solve took too much for is not solved so again unless the sag share of a contact is above this, no unit: it would be lifted
 /// out of its sag, and fall back. Where it is tried again all the same, piles at rest move again and card houses of five levels fall.
@@ -243,7 +243,7 @@ impl Tiers {
             Cooldown::AfterTooDear
         } else {
             let steps = match (is_asked, blows_count) {
-                (true, _) => HOPELESS_STEPS,
+                (true, _) => UNSUITED_STEPS,
                 // The next blow may come at any time, and few bodies are soon looked at.
                 (false, true) => 0,
                 (false, false) => RETRY_STEPS,
