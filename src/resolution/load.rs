@@ -106,7 +106,7 @@ pub(crate) struct DirectOutcome {
     pub(crate) work: f32,
     /// Whether it solved the island.
     pub(crate) is_solved: bool,
-    /// The greatest sag share in the island under the impulses of the push, which part bodies that overlap too.
+    /// The greatest sag share in the island under the impulses of the push, which also separate what overlaps.
     pub(crate) sag_share: f32,
 }
 

@@ -116,7 +116,7 @@ impl RefinementTables<'_> {
                 continue;
             };
             let excess = load.rocking_square(rule.substep_rate) / (fastest * rule.substep_rate).powi(2);
-            // What asks for nothing may be squeezed or not.
+            // The island is only looked at where something is asked for.
             if excess > largest && (excess <= CALM_SHARE || !self.is_squeezed(index, squeezes, rule)) {
                 largest = excess;
             }
@@ -138,7 +138,7 @@ impl RefinementTables<'_> {
         let slots = self.contacts[index].slots.into_iter();
         slots
             .filter(|&slot| self.bodies.is_dynamic(slot))
-            .any(|slot| squeezes.have(slot, self.bodies, connections, rule))
+            .any(|slot| squeezes.contain(slot, self.bodies, connections, rule))
     }
 
     /// Whether there are too many joints for what this excess asks for. They are counted only if it asks for something.

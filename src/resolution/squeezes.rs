@@ -10,8 +10,8 @@ use crate::resolution::softness::DEEP_SHARE;
 use crate::resolution::tier_rule::TierRule;
 use crate::store::BitSet;
 
-/// An island is squeezed if a wall bears so many times what forces give to all of its bodies, no unit, and any are deep in each other. Levers
-/// and wedges press as hard, but keep their bodies apart.
+/// An island is squeezed if a contact with a wall bears so many times what forces give to all of its bodies, no unit, and any of its contacts are
+/// deep. Levers and wedges press as hard, but their contacts are not deep.
 const MOST_THRUST: f32 = 5.0;
 
 /// Whether an island is squeezed. Joints press too, and what by is not known here: what is joined is not squeezed.
@@ -52,7 +52,7 @@ impl Squeezes {
     }
 
     /// Whether the island of the body in a slot is squeezed.
-    pub(super) fn have(
+    pub(super) fn contain(
         &mut self,
         slot: u32,
         bodies: &Bodies,

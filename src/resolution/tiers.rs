@@ -222,13 +222,13 @@ impl Tiers {
         let is_asked = rule.adapts && !is_cooling && !is_hopeless && (largest > share || stays);
         let overspent = if was_direct && !blows_count { history.direct.overspent_with(largest) } else { 0.0 };
         let is_too_dear = overspent > MOST_OVERSPENT;
-        let squeezed = is_asked
+        let is_squeezed = is_asked
             && load.lasting > 0.0
             && is_squeezed(&self.island, tables.bodies, tables.connections(), rule);
-        let squeezed_steps = if squeezed { history.direct.squeezed_steps + 1 } else { 0 };
+        let squeezed_steps = if is_squeezed { history.direct.squeezed_steps + 1 } else { 0 };
         // In what is solved directly it may be a blow.
-        let is_squeezed = squeezed && (!was_direct || squeezed_steps == LASTING_STEPS);
-        if is_asked && !is_squeezed && !is_too_dear && self.can_be_direct(tables) {
+        let stays_squeezed = is_squeezed && (!was_direct || squeezed_steps >= LASTING_STEPS);
+        if is_asked && !stays_squeezed && !is_too_dear && self.can_be_direct(tables) {
             let calm_steps = if is_calm {
                 history.direct.calm_steps + 1
             } else if load.lasting <= share {

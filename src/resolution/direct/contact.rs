@@ -13,10 +13,6 @@ use crate::resolution::rolling::rolling_arm;
 use crate::resolution::softness::{bias, gap_bias};
 use crate::resolution::solve_contact::LARGEST_SPEED_CHANGE;
 
-/// A gap below this share of the way from the centre of what moves to the point is rounding, no unit: the point would
-/// be sent to and fro to close it.
-const SMALLEST_GAP: f32 = 1e-6;
-
 /// A contact between bodies that joints connect yields this share of what it bears, taken by the mass of the whole island: under its weight a
 /// body sinks 0.1 mm. Joints may leave such bodies no way to move against each other. Without it contacts in a ring of welded crates bear more
 /// and more while it turns, more than any blow gives. Taken by the masses of the two, a light one under 100 kg is squeezed flat.
@@ -95,14 +91,10 @@ impl DirectContact {
         for (index, rows) in of_points.iter_mut().enumerate() {
             let point = &constraint.points[index];
             let separation = constraint.separation(point, sides[0], sides[1]);
-            let anchors = [point.anchor_a.to_vec2(), point.anchor_b.to_vec2()];
-            let moved = (0..2).filter(|&side| self.moves[side]);
-            let reach = moved.map(|side| anchors[side].length()).fold(0.0, f32::max);
             let bias = match phase {
-                _ if (0.0..SMALLEST_GAP * reach).contains(&separation) => 0.0,
                 _ if separation < 0.0 && is_tangled => 0.0,
                 Phase::Push => bias(separation, substep_rate),
-                // It bears, and its bodies have parted a little: the push closes that.
+                // It bore in the last substep, and its bodies have parted a little since: the push closes that.
                 Phase::Relax if point.normal_impulse > 0.0 => 0.0,
                 Phase::Relax => gap_bias(separation, substep_rate),
             };

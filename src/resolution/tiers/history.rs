@@ -10,8 +10,8 @@ use crate::resolution::tier::Tier;
 /// it may have come into another state by then, and to look at it takes time.
 pub(super) const RETRY_STEPS: u64 = 10;
 
-/// Each further time that the solve took too much, the cooldown is twice as long, so many times: it takes little where
-/// bodies have come to another place. Then it is given up: a heap that sags under sweeps is lifted by each try, and sinks back. With six,
+/// The solve is given up when it has taken too much so many times. Each cooldown is twice as long as the one before: it takes little where
+/// bodies have come to another place. But a heap that sags under sweeps is lifted by each try, and sinks back. With six,
 /// half of all heaps of fifty boxes with densities 100 : 1 move at more than 0.1 m/s after eight seconds, with this one in forty; with none,
 /// heaps of gravel keep an overlap of a millimetre.
 const MOST_TIMES_DEAR: u8 = 4;
@@ -50,7 +50,7 @@ pub(super) struct DirectHistory {
     pub(super) calm_steps: u8,
     /// What it has taken beyond its worth, in the unit of [`MOST_OVERSPENT`].
     pub(super) overspent: f32,
-    /// Multiplications for each body in each substep of the last step.
+    /// Multiplications for each body in each substep that was asked for, in the last step.
     work: f32,
     /// Whether the last step did not solve the island.
     was_in_vain: bool,
