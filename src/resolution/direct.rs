@@ -81,8 +81,8 @@ struct Island {
     part: Part,
     contacts: Range<usize>,
     joints: Range<usize>,
-    /// The greatest load of the last push, as [`DirectContact::load`] tells it.
-    load: f64,
+    /// The greatest [`DirectContact::speed_over_width`] of the last push, 1/s.
+    speed_over_width: f64,
 }
 
 impl DirectSolver {
@@ -154,7 +154,7 @@ impl DirectSolver {
         }
         let part = self.newton.part_from(begin);
         let (contacts, joints) = (first_contact..self.contacts.len(), first_joint..self.joints.len());
-        self.islands.push(Island { part, contacts, joints, load: 0.0 });
+        self.islands.push(Island { part, contacts, joints, speed_over_width: 0.0 });
     }
 
     pub(crate) fn is_empty(&self) -> bool {
@@ -168,13 +168,13 @@ impl DirectSolver {
         substeps: u32,
         measure: LoadMeasure,
     ) -> impl Iterator<Item = DirectOutcome> {
-        self.islands.iter().flat_map(move |Island { part, load, .. }| {
+        self.islands.iter().flat_map(move |Island { part, speed_over_width, .. }| {
             let work = part.work_per_mover() / substeps as f32;
             self.states_of_movers[part.movers.clone()].iter().map(move |&row| DirectOutcome {
                 slot: bodies.slot_of_row(row as usize),
                 work,
                 is_solved: !part.is_unsolved,
-                sag_share: measure.sag(*load as f32),
+                sag_share: measure.sag(*speed_over_width as f32),
             })
         })
     }
@@ -224,7 +224,7 @@ impl DirectSolver {
             joint.fill_rows(&mut newton.rows, joints, &newton.free);
         }
         if acted {
-            newton.take_out_gains(part);
+            newton.take_out_changes(part);
         }
         newton.solve(part);
         for joint in &self.joints[of_island.clone()] {
@@ -268,8 +268,9 @@ impl DirectSolver {
     fn note_loads(&mut self) {
         let Self { contacts, islands, newton, .. } = self;
         for island in islands {
-            let loads = contacts[island.contacts.clone()].iter().map(|contact| contact.load(&newton.rows));
-            island.load = loads.fold(0.0, f64::max);
+            let contacts = contacts[island.contacts.clone()].iter();
+            let speeds = contacts.map(|contact| contact.speed_over_width(&newton.rows));
+            island.speed_over_width = speeds.fold(0.0, f64::max);
         }
     }
 

@@ -7,7 +7,7 @@ use crate::compute::BodyState;
 use crate::resolution::constraint::ContactConstraint;
 use crate::resolution::constraint_graph::{ConstraintGraph, GraphIndex};
 use crate::resolution::direct::newton::Newton;
-use crate::resolution::direct::row::{Bound, Row, Triple};
+use crate::resolution::direct::row::{Kind, Row, Triple};
 use crate::resolution::joint::{JointSolver, Phase};
 use crate::resolution::rolling::rolling_arm;
 use crate::resolution::softness::{bias, gap_bias};
@@ -51,11 +51,10 @@ impl DirectContact {
     ) -> Self {
         let (first_row, points) = (newton.rows.len(), contact.manifold.points().len());
         let of_point = |point: usize| {
-            let friction = Bound::FrictionOf { row: first_row + 2 * point, friction: 0.0 };
-            [Bound::AT_LEAST_ZERO, friction]
+            [Kind::Normal { most: 0.0 }, Kind::Friction { normal: first_row + 2 * point, friction: 0.0 }]
         };
         let arm = rolling_arm(bodies, contact);
-        let of_spin = arm.map(|arm| Bound::FrictionOf { row: first_row, friction: arm.into() });
+        let of_spin = arm.map(|arm| Kind::Friction { normal: first_row, friction: arm.into() });
         newton.add_pair(movers, (0..points).flat_map(of_point).chain(of_spin));
         Self {
             index,
@@ -124,8 +123,8 @@ impl DirectContact {
         let normal = constraint.normal.to_vec2();
         let impulses = [point.normal_impulse, friction.impulse];
         let share = share_of(phase);
-        rows[0].bound = Bound::Range([0.0, f64::from(LARGEST_SPEED_CHANGE / point.normal_k)]);
-        if let Bound::FrictionOf { friction, .. } = &mut rows[1].bound {
+        rows[0].kind = Kind::Normal { most: f64::from(LARGEST_SPEED_CHANGE / point.normal_k) };
+        if let Kind::Friction { friction, .. } = &mut rows[1].kind {
             *friction = f64::from(constraint.friction);
         }
         [rows[0].k, rows[1].k] = [f64::from(point.normal_k), f64::from(friction.mass).recip()];
@@ -176,10 +175,11 @@ impl DirectContact {
         }
     }
 
-    /// The greatest k λ of its points under a push, in which half of the load acts, over the width of the thinner body, 1/s.
-    pub(super) fn load(&self, rows: &[Row]) -> f64 {
+    /// The greatest k λ of its points under the whole load, by the impulses of the push, over the width of the thinner body, 1/s.
+    pub(super) fn speed_over_width(&self, rows: &[Row]) -> f64 {
         let normals = (0..self.points).map(|point| &rows[self.first_row + 2 * point]);
-        2.0 * normals.map(|row| row.k * row.impulse).fold(0.0, f64::max) / self.thickness
+        let greatest = normals.map(|row| row.k * row.impulse).fold(0.0, f64::max);
+        greatest / share_of(Phase::Push) / self.thickness
     }
 
     /// By how much a row yields to what it bears, whose speed grows by `k` with a unit of impulse, 1/kg.

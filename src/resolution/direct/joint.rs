@@ -7,7 +7,7 @@
 use core::ops::Range;
 
 use crate::resolution::direct::newton::Newton;
-use crate::resolution::direct::row::{Bound, Row, Triple, dot};
+use crate::resolution::direct::row::{Kind, Row, Triple, dot};
 use crate::resolution::joint::JointSolver;
 
 /// A joint between bodies of which one at least is solved directly.
@@ -24,8 +24,7 @@ impl DirectJoint {
     /// Adds the rows of a joint, between the movers among its bodies.
     pub(super) fn new(of_joint: Range<u32>, movers: [Option<u32>; 2], newton: &mut Newton) -> Self {
         let first_row = newton.rows.len();
-        newton.add_pair(movers, of_joint.clone().map(|_| Bound::NONE));
-        newton.rows[first_row..].iter_mut().for_each(|row| row.is_of_joint = true);
+        newton.add_pair(movers, of_joint.clone().map(|_| Kind::Joint([0.0; 2])));
         Self { of_joint, movers, first_row }
     }
 
@@ -39,11 +38,11 @@ impl DirectJoint {
     pub(super) fn fill_rows(&self, rows: &mut [Row], joints: &JointSolver, now: &[Triple]) {
         for (row, of_joint) in rows[self.first_row..].iter_mut().zip(self.of_joint.clone()) {
             let Some(acting) = joints.acting(of_joint) else {
-                row.bound = Bound::Range([row.impulse; 2]);
+                row.kind = Kind::Joint([row.impulse; 2]);
                 continue;
             };
             (row.k, row.softness) = (acting.k, acting.softness);
-            row.bound = Bound::Range(acting.range.map(|change| row.impulse + change));
+            row.kind = Kind::Joint(acting.range.map(|change| row.impulse + change));
             row.bias = acting.slack - row.softness * row.impulse;
             for (side, mover) in self.movers.into_iter().enumerate() {
                 if let Some(mover) = mover {

@@ -1,9 +1,9 @@
-//! Newton's method for rows with bounds, of movers with three velocities each. It knows normals, friction and joints by their bounds alone.
+//! Newton's method for rows with bounds, of movers with three velocities each.
 
 use core::ops::Range;
 
 use crate::resolution::direct::row::{
-    Bound, COMPLIANCE, COMPLIANCE_OF_JOINED, LEAST_COMPLIANCE, Pair, Row, Slope, TOLERANCE, Triple,
+    COMPLIANCE, COMPLIANCE_OF_JOINED, Kind, LEAST_COMPLIANCE, Pair, Row, Slope, TOLERANCE, Triple,
 };
 use crate::resolution::direct::skyline::{Block, Skyline, work_of_factorization};
 
@@ -69,7 +69,7 @@ pub(super) struct Newton {
     pub(super) free: Vec<Triple>,
     pub(super) sought: Vec<Triple>,
     /// What the impulses add to the velocities.
-    gains: Vec<Triple>,
+    changes: Vec<Triple>,
     /// The rows of a pair follow each other, and a row of friction comes after the one that bounds it.
     pub(super) rows: Vec<Row>,
     pairs: Vec<Pair>,
@@ -92,9 +92,9 @@ impl Newton {
     }
 
     /// Adds two movers and the rows between them, which are to be filled; with one mover where impulses do not move the other body.
-    pub(super) fn add_pair(&mut self, movers: [Option<u32>; 2], bounds: impl Iterator<Item = Bound>) {
+    pub(super) fn add_pair(&mut self, movers: [Option<u32>; 2], kinds: impl Iterator<Item = Kind>) {
         let first = self.rows.len();
-        self.rows.extend(bounds.map(Row::new));
+        self.rows.extend(kinds.map(Row::new));
         if let Some(any) = movers[0].or(movers[1]) {
             let movers = movers.map(|mover| mover.unwrap_or(any) as usize);
             self.pairs.push(Pair { movers, rows: first..self.rows.len() });
@@ -110,7 +110,7 @@ impl Newton {
     pub(super) fn part_from(&mut self, [mover, pair, row]: [usize; 3]) -> Part {
         let end = self.end();
         let (movers, pairs, rows) = (mover..end[0], pair..end[1], row..end[2]);
-        for all in [&mut self.free, &mut self.sought, &mut self.gains, &mut self.step] {
+        for all in [&mut self.free, &mut self.sought, &mut self.changes, &mut self.step] {
             all.resize(movers.end, [0.0; 3]);
         }
         self.leftmost.extend(0..movers.len() as u32);
@@ -119,7 +119,7 @@ impl Newton {
             *leftmost = (*leftmost).min((a.min(b) - mover) as u32);
         }
         let ease = (STIFF_MASS / self.mass_ratio(movers.clone())).min(1.0);
-        let is_joined = self.rows[rows.clone()].iter().any(|row| row.is_of_joint);
+        let is_joined = self.rows[rows.clone()].iter().any(Row::is_of_joint);
         let full_compliance = if is_joined { COMPLIANCE_OF_JOINED } else { COMPLIANCE };
         let compliance = (full_compliance * ease).max(LEAST_COMPLIANCE);
         let work_of_factorization = work_of_factorization(&self.leftmost[movers.clone()]);
@@ -142,11 +142,11 @@ impl Newton {
     }
 
     /// Finds what the impulses of a part have added to the velocities, if they have acted, and takes it out of the free ones.
-    pub(super) fn take_out_gains(&mut self, part: &Part) {
-        self.find_gains(part);
+    pub(super) fn take_out_changes(&mut self, part: &Part) {
+        self.find_changes(part);
         for mover in part.movers.clone() {
             for axis in 0..3 {
-                self.free[mover][axis] -= self.gains[mover][axis];
+                self.free[mover][axis] -= self.changes[mover][axis];
             }
         }
     }
@@ -183,7 +183,7 @@ impl Newton {
     /// Lets no row press with more than this, N s, and friction follow.
     fn bound_impulses(&mut self, part: &Part, most: f64) {
         let rows = self.rows[part.rows.clone()].iter_mut();
-        rows.filter(|row| row.presses()).for_each(|row| row.impulse = row.impulse.min(most));
+        rows.filter(|row| row.is_normal()).for_each(|row| row.impulse = row.impulse.min(most));
         self.follow_limits(part);
         self.rows[part.rows.clone()].iter_mut().for_each(Row::keep_within_range);
     }
@@ -198,27 +198,27 @@ impl Newton {
 
     /// Finds the velocities that the impulses bring about, so that momentum is kept whatever the tolerance.
     fn follow_impulses(&mut self, part: &Part) {
-        self.find_gains(part);
+        self.find_changes(part);
         for mover in part.movers.clone() {
             for axis in 0..3 {
-                self.sought[mover][axis] = self.free[mover][axis] + self.gains[mover][axis];
+                self.sought[mover][axis] = self.free[mover][axis] + self.changes[mover][axis];
             }
         }
     }
 
     /// Finds what the impulses add to the velocities.
-    fn find_gains(&mut self, part: &Part) {
-        self.gains[part.movers.clone()].fill([0.0; 3]);
+    fn find_changes(&mut self, part: &Part) {
+        self.changes[part.movers.clone()].fill([0.0; 3]);
         for pair in &self.pairs[part.pairs.clone()] {
             let mut momenta = [[0.0; 3]; 2];
             for row in &self.rows[pair.rows.clone()] {
-                row.push(row.impulse, &mut momenta);
+                row.apply(row.impulse, &mut momenta);
             }
-            pair.add(&mut self.gains, &momenta);
+            pair.add(&mut self.changes, &momenta);
         }
         for mover in part.movers.clone() {
             for axis in 0..3 {
-                self.gains[mover][axis] /= self.masses[mover][axis];
+                self.changes[mover][axis] /= self.masses[mover][axis];
             }
         }
     }
@@ -257,16 +257,8 @@ impl Newton {
     }
 
     fn follow_limit(&mut self, index: usize) {
-        let along_normal = self.normal_of(index).map_or(0.0, |normal| self.rows[normal].impulse);
+        let along_normal = self.rows[index].normal().map_or(0.0, |normal| self.rows[normal].impulse);
         self.rows[index].set_range(along_normal);
-    }
-
-    /// Of a row of friction that whose impulse bounds it, along the normal.
-    fn normal_of(&self, index: usize) -> Option<usize> {
-        match self.rows[index].bound {
-            Bound::FrictionOf { row, .. } => Some(row),
-            Bound::Range(_) => None,
-        }
     }
 
     /// The fall-back where bodies collide in a heap that Newton's method does not come to grips with: sweeps over the
@@ -280,13 +272,13 @@ impl Newton {
                 for index in pair.rows.clone() {
                     let velocities = pair.of(&self.sought);
                     let speed = speed_before.take().unwrap_or_else(|| self.rows[index].speed(&velocities));
-                    if index + 1 < pair.rows.end && self.normal_of(index + 1) == Some(index) {
+                    if index + 1 < pair.rows.end && self.rows[index + 1].normal() == Some(index) {
                         speed_before = Some(self.rows[index + 1].speed(&velocities));
                     }
                     self.follow_limit(index);
                     let row = &mut self.rows[index];
                     let (change, mut momenta) = (row.sweep(speed), [[0.0; 3]; 2]);
-                    row.push(change, &mut momenta);
+                    row.apply(change, &mut momenta);
                     for (momenta, mover) in momenta.iter_mut().zip(pair.movers) {
                         for (momentum, mass) in momenta.iter_mut().zip(self.masses[mover]) {
                             *momentum /= mass;
@@ -366,7 +358,7 @@ impl Newton {
             let (velocities, mut momenta) = (pair.of(&self.sought), [[0.0; 3]; 2]);
             for row in &mut self.rows[pair.rows.clone()] {
                 row.respond(&velocities);
-                row.push(row.impulse, &mut momenta);
+                row.apply(row.impulse, &mut momenta);
             }
             pair.add(&mut self.step, &momenta);
         }
@@ -399,9 +391,10 @@ impl Newton {
 
     /// Whether a row takes part in the first step whatever its impulse: friction where the normal does.
     fn is_held(&self, index: usize) -> bool {
-        match self.rows[index].bound {
-            Bound::FrictionOf { row: normal, friction } => friction > 0.0 && self.rows[normal].is_held(),
-            Bound::Range(_) => self.rows[index].is_held(),
+        let row = &self.rows[index];
+        match row.kind {
+            Kind::Friction { normal, friction } => friction > 0.0 && self.rows[normal].is_held(),
+            Kind::Normal { .. } | Kind::Joint(_) => row.is_held(),
         }
     }
 
@@ -437,7 +430,7 @@ impl Newton {
         }
         if holds {
             for index in part.rows.clone() {
-                if let Some(normal) = self.normal_of(index) {
+                if let Some(normal) = self.rows[index].normal() {
                     let impulse = self.rows[normal].impulse_after().max(self.rows[normal].previous);
                     self.rows[index].set_range(impulse);
                 }

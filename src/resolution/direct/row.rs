@@ -25,20 +25,15 @@ pub(super) const LEAST_COMPLIANCE: f64 = 1e-6;
 /// held too, or none, more islands are not solved.
 const HELD: f64 = 0.1;
 
-/// What the impulse of a row may be, N s.
+/// What a row belongs to, and so what its impulse may be.
 #[derive(Clone, Copy, Debug)]
-pub(super) enum Bound {
-    /// At least the first and at most the second: of a joint -∞ and ∞, of a motor what it is able to.
-    Range([f64; 2]),
-    /// Either way, at most `friction` times the impulse of another row.
-    FrictionOf { row: usize, friction: f64 },
-}
-
-impl Bound {
-    /// What presses and does not pull.
-    pub(super) const AT_LEAST_ZERO: Self = Self::Range([0.0, f64::INFINITY]);
-    /// What presses and pulls.
-    pub(super) const NONE: Self = Self::Range([f64::NEG_INFINITY, f64::INFINITY]);
+pub(super) enum Kind {
+    /// The normal of a contact: it presses with no more than `most`, N s, and does not pull.
+    Normal { most: f64 },
+    /// The friction of a contact: either way, at most `friction` times the impulse of the row of its `normal`.
+    Friction { normal: usize, friction: f64 },
+    /// A joint: at least the first and at most the second, N s. Of a motor these are what it is able to, of a rod -∞ and ∞.
+    Joint([f64; 2]),
 }
 
 /// What belongs to each of the three velocities of a mover: of its centre along x and y, and of its turn.
@@ -82,14 +77,11 @@ pub(super) struct Row {
     pub(super) bias: f64,
     /// By how much it yields to a unit of impulse, as springs and motors do, 1/kg.
     pub(super) softness: f64,
-    /// Whether it is one of a joint, which has the least compliance: with more, the joint would bring back each time what the contacts
-    /// of its bodies have gained by that, and they would bear more and more.
-    pub(super) is_of_joint: bool,
     /// What of the bias is how what impulses do not move goes past, m/s.
     pub(super) carried: f64,
     /// Speed that a unit of impulse gives the row by itself, 1/kg.
     pub(super) k: f64,
-    pub(super) bound: Bound,
+    pub(super) kind: Kind,
     /// λ, N s.
     pub(super) impulse: f64,
     /// The range of λ now, N s: of friction it follows the other row.
@@ -102,8 +94,8 @@ pub(super) struct Row {
     taken: Taken,
     /// u where it has last responded, m/s.
     speed: f64,
-    /// What a step adds to u, m/s.
-    gain: f64,
+    /// What a Newton step adds to u, m/s.
+    speed_of_step: f64,
 }
 
 /// What a matrix has of a row.
@@ -123,56 +115,68 @@ pub(super) struct Slope {
 
 impl Row {
     /// A row that asks for nothing yet.
-    pub(super) fn new(bound: Bound) -> Self {
+    pub(super) fn new(kind: Kind) -> Self {
         Self {
             jacobian: [[0.0; 3]; 2],
             bias: 0.0,
             softness: 0.0,
             carried: 0.0,
-            is_of_joint: false,
             k: 1.0,
-            bound,
+            kind,
             impulse: 0.0,
             range: [0.0; 2],
             stiffness: 1.0,
             previous: 0.0,
             taken: Taken::default(),
             speed: 0.0,
-            gain: 0.0,
+            speed_of_step: 0.0,
         }
     }
 
     /// Bounds the impulse for the Newton step to come, with friction by this impulse along the normal, N s.
     pub(super) fn set_range(&mut self, along_normal: f64) {
-        self.range = match self.bound {
-            Bound::Range(range) => range,
-            Bound::FrictionOf { friction, .. } => [-friction * along_normal, friction * along_normal],
+        self.range = match self.kind {
+            Kind::Normal { most } => [0.0, most],
+            Kind::Friction { friction, .. } => [-friction * along_normal, friction * along_normal],
+            Kind::Joint(range) => range,
         };
     }
 
-    /// Lets the row give back this share of a change of its impulse from that of now.
+    /// Lets the row give back this share of a change of its impulse from that of now. Joints have the least compliance: with more, they would bring
+    /// back each time what the contacts of their bodies have gained by that, and these would bear more and more.
     pub(super) fn yield_by(&mut self, compliance: f64) {
-        let compliance = if self.is_of_joint { LEAST_COMPLIANCE } else { compliance };
+        let compliance = if self.is_of_joint() { LEAST_COMPLIANCE } else { compliance };
         self.stiffness = 1.0 / (compliance * self.k + self.softness);
         self.previous = self.impulse;
     }
 
-    /// Whether it is along the normal of a contact.
-    pub(super) fn presses(&self) -> bool {
-        matches!(self.bound, Bound::Range([0.0, _])) && !self.is_of_joint
+    pub(super) fn is_normal(&self) -> bool {
+        matches!(self.kind, Kind::Normal { .. })
+    }
+
+    pub(super) fn is_of_joint(&self) -> bool {
+        matches!(self.kind, Kind::Joint(_))
+    }
+
+    /// Of friction the row of the normal that bounds it.
+    pub(super) fn normal(&self) -> Option<usize> {
+        match self.kind {
+            Kind::Friction { normal, .. } => Some(normal),
+            Kind::Normal { .. } | Kind::Joint(_) => None,
+        }
     }
 
     /// Whether bodies that overlap are to move apart by it.
     pub(super) fn pushes_apart(&self) -> bool {
-        self.presses() && self.bias < self.carried
+        self.is_normal() && self.bias < self.carried
     }
 
     /// How fast it goes the way that its impulse is to stop, at these velocities and with nothing pushed apart, m/s or rad/s. Friction follows.
     pub(super) fn closing(&self, velocities: &[Triple; 2]) -> f64 {
-        match self.bound {
-            Bound::FrictionOf { .. } => 0.0,
-            Bound::Range(_) if self.presses() => -(self.along(velocities) + self.carried),
-            Bound::Range([least, greatest]) => {
+        match self.kind {
+            Kind::Normal { .. } => -(self.along(velocities) + self.carried),
+            Kind::Friction { .. } => 0.0,
+            Kind::Joint([least, greatest]) => {
                 let speed = self.speed(velocities);
                 if speed < 0.0 && greatest > 0.0 || speed > 0.0 && least < 0.0 { speed.abs() } else { 0.0 }
             }
@@ -182,9 +186,9 @@ impl Row {
     /// How much harder a motor can still drive, as an impulse by the root of the mass that it drives, kg^½ m/s; 0 of one without a bound, and
     /// of what is no motor.
     pub(super) fn driving(&self) -> f64 {
-        match self.bound {
-            Bound::Range([least, greatest])
-                if self.is_of_joint && least < greatest && least.is_finite() && greatest.is_finite() =>
+        match self.kind {
+            Kind::Joint([least, greatest])
+                if least < greatest && least.is_finite() && greatest.is_finite() =>
             {
                 least.abs().max(greatest) * self.k.sqrt()
             }
@@ -209,7 +213,7 @@ impl Row {
     }
 
     /// Adds Jᵀ λ to these numbers.
-    pub(super) fn push(&self, impulse: f64, to: &mut [Triple; 2]) {
+    pub(super) fn apply(&self, impulse: f64, to: &mut [Triple; 2]) {
         for (to, jacobian) in to.iter_mut().zip(&self.jacobian) {
             for (to, entry) in to.iter_mut().zip(jacobian) {
                 *to += entry * impulse;
@@ -279,19 +283,23 @@ impl Row {
 
     /// Takes up what a step from where it has responded will add.
     pub(super) fn look_ahead(&mut self, step: &[Triple; 2]) {
-        self.gain = self.along(step);
+        self.speed_of_step = self.along(step);
     }
 
     /// The impulse at the end of the step.
     pub(super) fn impulse_after(&self) -> f64 {
-        self.answer(self.speed + self.gain)
+        self.answer(self.speed + self.speed_of_step)
     }
 
     /// The slope of what the row adds to φ, at a share of the step.
     pub(super) fn slope(&self, share: f64) -> Slope {
-        let impulse = self.answer(self.speed + share * self.gain);
-        let growth = if self.yields_at(impulse) { self.gain * self.gain * self.stiffness } else { 0.0 };
-        Slope { value: -impulse * self.gain, growth }
+        let impulse = self.answer(self.speed + share * self.speed_of_step);
+        let growth = if self.yields_at(impulse) {
+            self.speed_of_step * self.speed_of_step * self.stiffness
+        } else {
+            0.0
+        };
+        Slope { value: -impulse * self.speed_of_step, growth }
     }
 
     /// Has the row take part in the matrix, as it is now, or not. Returns whether that changes the matrix.

@@ -3,6 +3,9 @@
 use super::*;
 use crate::testing::Random;
 
+/// A contact that presses with whatever it takes.
+const PRESSES: Kind = Kind::Normal { most: f64::INFINITY };
+
 /// Movers of these masses, kg, at rest, that can be turned as easily as moved.
 fn movers(masses: &[f64]) -> Newton {
     let masses: Vec<Triple> = masses.iter().map(|&mass| [mass; 3]).collect();
@@ -10,8 +13,8 @@ fn movers(masses: &[f64]) -> Newton {
 }
 
 /// Adds a row on the x velocity of one mover, or of the second against the first.
-fn add_row(newton: &mut Newton, movers: [Option<u32>; 2], bound: Bound) -> usize {
-    newton.add_pair(movers, [bound].into_iter());
+fn add_row(newton: &mut Newton, movers: [Option<u32>; 2], kind: Kind) -> usize {
+    newton.add_pair(movers, [kind].into_iter());
     let inverse_masses =
         movers.map(|mover| mover.map_or(0.0, |mover| newton.masses[mover as usize][0].recip()));
     let row = newton.rows.last_mut().unwrap();
@@ -39,10 +42,10 @@ fn solve(newton: &mut Newton) {
 }
 
 /// The impulse of one row of a mover of 2 kg that moves at `speed`, with nothing else.
-fn impulse_alone(bound: Bound, speed: f64) -> f64 {
+fn impulse_alone(kind: Kind, speed: f64) -> f64 {
     let mut newton = movers(&[2.0]);
     newton.free[0][0] = speed;
-    add_row(&mut newton, [None, Some(0)], bound);
+    add_row(&mut newton, [None, Some(0)], kind);
     // The first solve begins from no impulse and may leave a part of the compliance; the next begins from what it found.
     for _ in 0..3 {
         solve(&mut newton);
@@ -55,20 +58,20 @@ fn impulse_alone(bound: Bound, speed: f64) -> f64 {
 /// m/s is 2e-5 N s.
 #[test]
 fn a_row_stops_its_mover_as_far_as_its_bounds_allow() {
-    let (free, motor) = (Bound::Range([f64::NEG_INFINITY, f64::INFINITY]), Bound::Range([-1.0, 3.0]));
+    let (free, motor) = (Kind::Joint([f64::NEG_INFINITY, f64::INFINITY]), Kind::Joint([-1.0, 3.0]));
     for speed in [-4.0, -1.0, -0.01, 0.0, 0.3, 0.5, 4.0_f64] {
         let wanted = -2.0 * speed;
         let expected = [
             (free, wanted),
-            (Bound::AT_LEAST_ZERO, wanted.max(0.0)),
+            (PRESSES, wanted.max(0.0)),
             (motor, wanted.clamp(-1.0, 3.0)),
-            (Bound::Range([0.0; 2]), 0.0),
+            (Kind::Joint([0.0; 2]), 0.0),
         ];
-        for (bound, expected) in expected {
-            let found = impulse_alone(bound, speed);
+        for (kind, expected) in expected {
+            let found = impulse_alone(kind, speed);
             assert!(
                 (found - expected).abs() <= 2e-5,
-                "{found} in the place of {expected} N s, {bound:?} at {speed} m/s"
+                "{found} in the place of {expected} N s, {kind:?} at {speed} m/s"
             );
         }
     }
@@ -81,8 +84,8 @@ fn friction_is_bounded_by_the_impulse_of_its_row() {
     for (friction, slip) in [(0.5, 1.0), (0.5, 1.4), (0.5, 1.6), (0.5, -9.0), (0.0, 1.0)] {
         let mut newton = movers(&[2.0]);
         newton.free[0] = [-3.0, slip, 0.0];
-        let row = add_row(&mut newton, [None, Some(0)], Bound::AT_LEAST_ZERO);
-        let along = add_row(&mut newton, [None, Some(0)], Bound::FrictionOf { row, friction });
+        let row = add_row(&mut newton, [None, Some(0)], PRESSES);
+        let along = add_row(&mut newton, [None, Some(0)], Kind::Friction { normal: row, friction });
         newton.rows[along].jacobian = [[0.0; 3], [0.0, 1.0, 0.0]];
         for _ in 0..5 {
             solve(&mut newton);
@@ -100,11 +103,7 @@ fn free_rows_make_a_chain_move_as_one() {
     let mut newton = movers(&[1.0; 10]);
     newton.free[9][0] = 5.0;
     for mover in 1..10 {
-        add_row(
-            &mut newton,
-            [Some(mover - 1), Some(mover)],
-            Bound::Range([f64::NEG_INFINITY, f64::INFINITY]),
-        );
+        add_row(&mut newton, [Some(mover - 1), Some(mover)], Kind::Joint([f64::NEG_INFINITY, f64::INFINITY]));
     }
     for _ in 0..5 {
         solve(&mut newton);
@@ -115,13 +114,13 @@ fn free_rows_make_a_chain_move_as_one() {
     }
 }
 
-/// A bound of each kind by chance, the friction that of an earlier row that presses.
-fn any_bound(random: &mut Random, pressing: Option<usize>) -> Bound {
+/// A row of each kind by chance, the friction that of an earlier row that presses.
+fn any_kind(random: &mut Random, pressing: Option<usize>) -> Kind {
     match (random.below(4), pressing) {
-        (0, _) => Bound::Range([f64::NEG_INFINITY, f64::INFINITY]),
-        (1, _) => Bound::Range([-0.3, 0.5]),
-        (2, Some(row)) => Bound::FrictionOf { row, friction: 0.6 },
-        _ => Bound::AT_LEAST_ZERO,
+        (0, _) => Kind::Joint([f64::NEG_INFINITY, f64::INFINITY]),
+        (1, _) => Kind::Joint([-0.3, 0.5]),
+        (2, Some(row)) => Kind::Friction { normal: row, friction: 0.6 },
+        _ => PRESSES,
     }
 }
 
@@ -144,8 +143,8 @@ fn what_is_found_satisfies_the_complementarity_conditions_of_every_kind_of_row()
         for number in 0..count + random.below(count + 1) {
             let (mover, other) = (number % count, random.below(count));
             let other = (other != mover && random.below(3) > 0).then_some(other);
-            let bound = any_bound(&mut random, pressing);
-            let index = add_row(&mut newton, [other, Some(mover)], bound);
+            let kind = any_kind(&mut random, pressing);
+            let index = add_row(&mut newton, [other, Some(mover)], kind);
             let jacobian = [(); 2].map(|()| [(); 3].map(|()| random.random_range(-1.0..1.0)));
             let square = |side: usize| jacobian[side].iter().map(|entry: &f64| entry * entry).sum::<f64>();
             let row = &mut newton.rows[index];
@@ -156,7 +155,7 @@ fn what_is_found_satisfies_the_complementarity_conditions_of_every_kind_of_row()
             row.k = square(1) / masses[mover as usize]
                 + other.map_or(0.0, |other| square(0) / masses[other as usize]);
             leave_unmoved(row, [other, Some(mover)]);
-            if matches!(bound, Bound::Range([0.0, _])) {
+            if matches!(kind, Kind::Normal { .. }) {
                 pressing = Some(index);
             }
         }
@@ -207,8 +206,8 @@ fn friction_is_bounded_by_what_presses_in_the_end() {
             let movers = [(other != mover).then_some(other), Some(mover)];
             let angle: f64 = random.random_range(0.0..core::f64::consts::TAU);
             let (normal, tangent) = ([angle.cos(), angle.sin(), 0.0], [-angle.sin(), angle.cos(), 1.0]);
-            let row = add_row(&mut newton, movers, Bound::AT_LEAST_ZERO);
-            let along = add_row(&mut newton, movers, Bound::FrictionOf { row, friction: FRICTION });
+            let row = add_row(&mut newton, movers, PRESSES);
+            let along = add_row(&mut newton, movers, Kind::Friction { normal: row, friction: FRICTION });
             for (row, [x, y, turn]) in [(row, normal), (along, tangent)] {
                 newton.rows[row].jacobian = [[-x, -y, turn], [x, y, turn]];
                 newton.rows[row].k *= 1.0 + turn;
@@ -239,7 +238,7 @@ fn speed_of(row: &Row, movers: [usize; 2], velocities: &[Triple]) -> f64 {
 fn the_fall_back_sweeps_satisfy_a_row_by_itself() {
     let mut newton = movers(&[2.0]);
     newton.free[0][0] = -1.0;
-    add_row(&mut newton, [None, Some(0)], Bound::AT_LEAST_ZERO);
+    add_row(&mut newton, [None, Some(0)], PRESSES);
     let mut part = newton.part_from([0; 3]);
     part.is_unsolved = true;
     newton.solve(&mut part);
@@ -250,7 +249,7 @@ fn the_fall_back_sweeps_satisfy_a_row_by_itself() {
 #[test]
 fn what_rests_is_held_whatever_the_ground_does() {
     let resting = |carried: f64| {
-        let mut row = Row::new(Bound::AT_LEAST_ZERO);
+        let mut row = Row::new(PRESSES);
         (row.bias, row.carried) = (carried, carried);
         row.set_range(0.0);
         row
