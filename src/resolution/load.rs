@@ -3,7 +3,7 @@
 //! A load is measured by the overlap that sweeps would leave under it, see [`sag`]. In a *sag share* that overlap is divided by the width of
 //! the thinner body, so that one limit holds for bodies of all sizes. The words for a load, here and there:
 //!
-//! - it is **great** if its sag share is above [`CALM_SHARE`] × [`DIRECT_SHARE`];
+//! - it is **great** if its sag share is above [`GREAT_SHARE`];
 //! - it is **still** if it is great and its bodies hardly move against each other, and **passing** if it is great and they do;
 //! - it **lasts** if it was still for [`LASTING_STEPS`] steps in a row;
 //! - it is a **blow** if it is great, does not last, and its bodies are not deep in each other;
@@ -40,6 +40,9 @@ pub(super) const LASTING_STEPS: u8 = 4;
 /// Hysteresis: what was done for a load is undone only below this share of the limit that asked for it, no unit. With one limit for both,
 /// islands change their tier again and again, never sleep, and card houses fall.
 pub(super) const CALM_SHARE: f32 = 0.7;
+
+/// What is solved directly is calm below this sag share, no unit, and no load below it is looked at.
+pub(super) const GREAT_SHARE: f32 = CALM_SHARE * DIRECT_SHARE;
 
 /// Hysteresis: what was done for a load is undone only after so many steps in a row below that, as each change moves bodies, and
 /// these may load others. With 10, card houses fall.
@@ -184,7 +187,7 @@ impl LoadMeasure {
     #[inline(always)]
     pub(crate) fn note_load(self, contact: &Contact, load: &mut ContactLoad, speed: f32) -> bool {
         let sag = self.sag(speed);
-        if sag <= CALM_SHARE * DIRECT_SHARE * contact.thickness {
+        if sag <= GREAT_SHARE * contact.thickness {
             (load.great_steps, load.still_steps) = (0, 0);
             return false;
         }
@@ -284,7 +287,7 @@ mod tests {
                 "step {step}: {island:?}"
             );
         }
-        assert!(!measure.note_load(&contact, &mut load, speed_for(0.5 * CALM_SHARE * DIRECT_SHARE)));
+        assert!(!measure.note_load(&contact, &mut load, speed_for(0.5 * GREAT_SHARE)));
         assert!(
             measure.note_load(&contact, &mut load, great) && !load.lasts(),
             "a new load has to last anew"

@@ -2,7 +2,7 @@
 //! last one noted of loads, see [`load`](super::load), which says what a load is that lasts, or is a blow.
 //!
 //! What sweeps leave wrong at rest is known beforehand: under a load that is new to it a contact sags to where its bias makes up for what it
-//! yields, 14 % of k λ in half a substep (see [`sag`]). Where that is more than an eightieth
+//! yields in half a substep, see [`sag`](super::softness::sag). Where that is more than [`DIRECT_SHARE`] of the width
 //! of the thinner body, in a contact whose bodies hardly move against each other, for a few steps, the island is solved
 //! directly, if that is little work. In a small island one step is enough: that is a blow.
 //!
@@ -30,7 +30,7 @@ use crate::collision::Contact;
 use crate::resolution::direct::work_of_factorization;
 use crate::resolution::islands::{Islands, find_island};
 use crate::resolution::load::{
-    CALM_SHARE, CALM_STEPS, ContactLoad, DIRECT_SHARE, IslandLoad, LASTING_STEPS, Loads, begins_at_rest,
+    CALM_STEPS, ContactLoad, DIRECT_SHARE, GREAT_SHARE, IslandLoad, LASTING_STEPS, Loads, begins_at_rest,
 };
 use crate::resolution::squeezes::is_squeezed;
 use crate::resolution::tier::Tier;
@@ -198,68 +198,43 @@ impl Tiers {
         if self.seen.contains(slot) || is_left_alone {
             return;
         }
-        let (load, is_driven) = self.find_loaded_island(slot, loads, tables);
-        // At least half of it was: a heap is not solved directly because a few bodies that were, as they were struck, fall on it.
-        let direct_count = self.island.iter().filter(|&&slot| tables.graph.is_direct(slot)).count();
-        let was_direct = 2 * direct_count >= self.island.len();
-        // Between walls and what a kinematic body presses on, a blow may have no solution: bodies left a box with a paddle.
-        let is_joined = tables.is_joined(&self.island);
-        let blows_count = !is_driven && self.island.len() <= most_in_small_island(is_joined);
-        let history = self.history(tick, tables);
-        let of_contacts = match (blows_count, is_joined) {
-            (true, true) => load.still.max(load.passing),
-            (true, false) => load.still,
-            (false, _) => load.lasting,
-        };
-        // What presses bodies into each other is no load of their contacts when they are solved directly, but sweeps would wind one up.
-        let largest = if was_direct { of_contacts.max(history.direct.sag_share) } else { of_contacts };
-        let is_hopeless =
-            !was_direct && (history.is_given_up() || history.times_dear > 0 && largest <= RETRY_SHARE);
-        let is_cooling = history.cooldown_end > tick;
-        let share = if was_direct { CALM_SHARE * DIRECT_SHARE } else { DIRECT_SHARE };
-        let is_calm = was_direct && largest <= share;
-        let stays = is_calm && history.direct.calm_steps < CALM_STEPS;
-        let is_asked = rule.adapts && !is_cooling && !is_hopeless && (largest > share || stays);
-        let overspent = if was_direct && !blows_count { history.direct.overspent_with(largest) } else { 0.0 };
-        let is_too_dear = overspent > MOST_OVERSPENT;
-        let is_squeezed = is_asked
-            && load.lasting > 0.0
-            && is_squeezed(&self.island, tables.bodies, tables.connections(), rule);
-        let squeezed_steps = if is_squeezed { history.direct.squeezed_steps + 1 } else { 0 };
-        // In what is solved directly it may be a blow.
-        let stays_squeezed = is_squeezed && (!was_direct || squeezed_steps >= LASTING_STEPS);
-        if is_asked && !stays_squeezed && !is_too_dear && self.can_be_direct(tables) {
-            let calm_steps = if is_calm {
-                history.direct.calm_steps + 1
-            } else if load.lasting <= share {
-                CALM_AT_FIRST
-            } else {
-                0
-            };
-            self.solve_directly([calm_steps, squeezed_steps], overspent, tables);
+        let island = self.look_at_island(slot, tick, loads, tables);
+        let history = &island.history;
+        if !rule.adapts || !island.asks(tick) {
+            // The next blow may come at any time, and few bodies are soon looked at.
+            let steps = if island.counts_blows { 0 } else { RETRY_STEPS };
+            self.sweep(history.cooldown_end.max(tick + steps), tables);
+            if island.is_calm() {
+                self.change_histories(|of_body| of_body.times_dear = 0);
+            }
             return;
         }
-        let cooldown = if is_too_dear {
-            Cooldown::AfterTooDear
-        } else {
-            let steps = match (is_asked, blows_count) {
-                (true, _) => UNSUITED_STEPS,
-                // The next blow may come at any time, and few bodies are soon looked at.
-                (false, true) => 0,
-                (false, false) => RETRY_STEPS,
-            };
-            Cooldown::Until(history.cooldown_end.max(tick + steps))
-        };
-        self.sweep(tick, cooldown, is_calm, tables);
+        let overspent = island.overspent();
+        if overspent > MOST_OVERSPENT {
+            self.set_tier(Tier::Swept, tables);
+            self.change_histories(|of_body| of_body.leave_alone(tick));
+            return;
+        }
+        let is_squeezed =
+            island.load.lasting > 0.0 && is_squeezed(&self.island, tables.bodies, tables.connections(), rule);
+        let squeezed_steps = if is_squeezed { history.direct.squeezed_steps + 1 } else { 0 };
+        // In what is solved directly it may be a blow.
+        let stays_squeezed = is_squeezed && (!island.was_direct || squeezed_steps >= LASTING_STEPS);
+        if stays_squeezed || !self.order_if_little_work(tables) {
+            self.sweep(tick + UNSUITED_STEPS, tables);
+            return;
+        }
+        self.solve_directly([island.calm_steps(), squeezed_steps], overspent, tables);
     }
 
-    /// Finds the island of the body in `slot`. Returns its load, and whether a kinematic body that moves touches it.
-    fn find_loaded_island(
+    /// Finds the island of the body in `slot`, and what it bears and has been through.
+    fn look_at_island(
         &mut self,
         slot: u32,
+        tick: u64,
         loads: &Loads,
         tables: &TierTables<'_>,
-    ) -> (IslandLoad, bool) {
+    ) -> LoadedIsland {
         let (mut load, mut is_driven, bodies) = (IslandLoad::default(), false, tables.bodies);
         let drives = |slot| !bodies.is_dynamic(slot) && bodies.state(slot).is_moving();
         let look_at = |index: u32, contact: &Contact| {
@@ -268,7 +243,15 @@ impl Tiers {
         };
         self.island.clear();
         find_island(slot, bodies, tables.connections(), &mut self.seen, &mut self.island, look_at);
-        (load, is_driven)
+        let is_joined = tables.is_joined(&self.island);
+        let direct_count = self.island.iter().filter(|&&slot| tables.graph.is_direct(slot)).count();
+        LoadedIsland {
+            load,
+            is_joined,
+            counts_blows: !is_driven && self.island.len() <= most_in_small_island(is_joined),
+            was_direct: 2 * direct_count >= self.island.len(),
+            history: self.history(tick, tables),
+        }
     }
 
     /// What the island has been through, but for what was long ago.
@@ -301,7 +284,7 @@ impl Tiers {
             },
         );
         let may_sag = rule.sag_share_under(rule.weight(&self.island), softest) > DIRECT_SHARE;
-        if begins && may_sag && self.can_be_direct(tables) {
+        if begins && may_sag && self.order_if_little_work(tables) {
             for &slot in &self.island {
                 self.seen.insert(slot);
             }
@@ -316,27 +299,24 @@ impl Tiers {
         overspent: f32,
         tables: &mut TierTables<'_>,
     ) {
-        for &slot in &self.island {
-            let of_body = &mut self.histories[slot as usize].direct;
-            (of_body.calm_steps, of_body.squeezed_steps) = (calm_steps, squeezed_steps);
-            of_body.overspent = overspent;
-        }
+        self.change_histories(|History { direct, .. }| {
+            (direct.calm_steps, direct.squeezed_steps, direct.overspent) =
+                (calm_steps, squeezed_steps, overspent);
+        });
         self.set_tier(Tier::Direct, tables);
         self.direct.push(&self.island);
     }
 
-    /// Has the island swept, and not looked at while it cools down.
-    fn sweep(&mut self, tick: u64, cooldown: Cooldown, is_calm: bool, tables: &mut TierTables<'_>) {
+    /// Has the island swept, and not looked at until its cooldown ends.
+    fn sweep(&mut self, cooldown_end: u64, tables: &mut TierTables<'_>) {
         self.set_tier(Tier::Swept, tables);
+        self.change_histories(|of_body| of_body.cooldown_end = cooldown_end);
+    }
+
+    /// Changes what the bodies of the island have been through.
+    fn change_histories(&mut self, change: impl Fn(&mut History)) {
         for &slot in &self.island {
-            let of_body = &mut self.histories[slot as usize];
-            if is_calm {
-                of_body.times_dear = 0;
-            }
-            match cooldown {
-                Cooldown::Until(end) => of_body.cooldown_end = end,
-                Cooldown::AfterTooDear => of_body.leave_alone(tick),
-            }
+            change(&mut self.histories[slot as usize]);
         }
     }
 
@@ -374,8 +354,9 @@ impl Tiers {
         self.island.extend(&self.hubs);
     }
 
-    /// Whether the island can be solved directly; then it is in the order of the matrix. It has to be small enough.
-    fn can_be_direct(&mut self, tables: &TierTables<'_>) -> bool {
+    /// Brings the island in the order of the matrix, and returns whether it is little enough work to solve it directly. What has too many bodies
+    /// is not even ordered.
+    fn order_if_little_work(&mut self, tables: &TierTables<'_>) -> bool {
         let joined = self.island.iter().filter(|&&slot| tables.joints.hold(slot)).count();
         if self.island.len() > LARGEST_DIRECT_ISLAND || joined > MOST_DIRECT_JOINED {
             return false;
@@ -395,13 +376,71 @@ impl Tiers {
     }
 }
 
-/// How long an island that is left to sweeps is not looked at.
-#[derive(Clone, Copy, Debug)]
-enum Cooldown {
-    /// Until this tick.
-    Until(u64),
-    /// As [`History::leave_alone`] says, for longer each time. It takes the place of every other, also of a longer one.
-    AfterTooDear,
+/// What is known of an island when its tier is decided.
+#[derive(Debug)]
+struct LoadedIsland {
+    load: IslandLoad,
+    /// Whether joints hold any of its bodies.
+    is_joined: bool,
+    /// Whether a blow is a reason to solve it directly: it is small, and no kinematic body that moves touches it. Between walls and what such a
+    /// body presses on a blow may have no solution: bodies left a box with a paddle.
+    counts_blows: bool,
+    /// Whether at least half of it was solved directly in the last step: a heap is not solved so because a few bodies that were, as they were
+    /// struck, fall on it.
+    was_direct: bool,
+    history: IslandHistory,
+}
+
+impl LoadedIsland {
+    /// The greatest sag share of a load that counts.
+    fn sag_share(&self) -> f32 {
+        let of_contacts = match (self.counts_blows, self.is_joined) {
+            (true, true) => self.load.still.max(self.load.passing),
+            (true, false) => self.load.still,
+            (false, _) => self.load.lasting,
+        };
+        // What presses bodies into each other is no load of their contacts when they are solved directly, but sweeps would wind one up.
+        if self.was_direct { of_contacts.max(self.history.direct.sag_share) } else { of_contacts }
+    }
+
+    /// Whether it is solved directly, and sweeps would be enough now.
+    fn is_calm(&self) -> bool {
+        self.was_direct && self.sag_share() <= GREAT_SHARE
+    }
+
+    /// Whether it asks to be solved directly, or to stay so.
+    fn asks(&self, tick: u64) -> bool {
+        let history = &self.history;
+        if history.cooldown_end > tick {
+            false
+        } else if self.was_direct {
+            !self.is_calm() || history.direct.calm_steps < CALM_STEPS
+        } else {
+            let least = if history.times_dear > 0 { RETRY_SHARE } else { DIRECT_SHARE };
+            self.sag_share() > least && !history.is_given_up()
+        }
+    }
+
+    /// What direct solves have taken beyond their worth. It is always worth it in an island that counts blows.
+    fn overspent(&self) -> f32 {
+        if self.was_direct && !self.counts_blows {
+            self.history.direct.overspent_with(self.sag_share())
+        } else {
+            0.0
+        }
+    }
+
+    /// For how many steps it counts as calm when it is solved directly in the step to come.
+    fn calm_steps(&self) -> u8 {
+        let least = if self.was_direct { GREAT_SHARE } else { DIRECT_SHARE };
+        if self.is_calm() {
+            self.history.direct.calm_steps + 1
+        } else if self.load.lasting <= least {
+            CALM_AT_FIRST
+        } else {
+            0
+        }
+    }
 }
 
 /// The most bodies of a small island.
