@@ -127,7 +127,7 @@ impl RefinementTables<'_> {
     /// Whether a contact crushes a light body by a heavy one, whether it trembles or not.
     fn is_crushing(&self, index: u32, load: ContactLoad) -> bool {
         let inverse_mass = |slot: u32| self.bodies.motions[slot as usize].inverse_mass;
-        let [a, b] = self.contacts[index].colliders.map(inverse_mass);
+        let [a, b] = self.contacts[index].slots.map(inverse_mass);
         let [of_heavy, of_light] = [a.min(b), a.max(b)];
         load.is_heavy() && of_heavy > 0.0 && of_light > CRUSHING_RATIO * of_heavy
     }

@@ -432,13 +432,12 @@ impl LoadedIsland {
 
     /// For how many steps it counts as calm when it is solved directly in the step to come.
     fn calm_steps(&self) -> u8 {
-        let least = if self.was_direct { GREAT_SHARE } else { DIRECT_SHARE };
-        if self.is_calm() {
-            self.history.direct.calm_steps + 1
-        } else if self.load.lasting <= least {
-            CALM_AT_FIRST
-        } else {
-            0
+        let calm_steps = self.history.direct.calm_steps;
+        match self.was_direct {
+            true if self.is_calm() => calm_steps + 1,
+            true if self.load.lasting <= GREAT_SHARE => calm_steps.min(CALM_AT_FIRST),
+            false if self.load.lasting <= DIRECT_SHARE => CALM_AT_FIRST,
+            _ => 0,
         }
     }
 }

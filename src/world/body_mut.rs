@@ -62,6 +62,7 @@ read_like_body_ref! {
     velocity() -> Vec2;
     angular_velocity() -> f32;
     velocity_at(place: impl Into<Point>) -> Vec2;
+    kinetic_energy() -> f64;
     mass() -> f32;
     mass_override() -> Option<f32>;
     inertia() -> f32;

@@ -119,6 +119,16 @@ impl<'a> BodyRef<'a> {
         self.velocity() + (place.into() - self.motion().pose.center).perp() * self.state().angular_velocity
     }
 
+    /// ½ m v² + ½ I w², J; 0 for fixed and kinematic bodies. [`World::kinetic_energy`] is the sum.
+    pub fn kinetic_energy(&self) -> f64 {
+        if !self.is_dynamic() {
+            return 0.0;
+        }
+        let (record, state) = (self.record(), self.state());
+        let [x, y, w] = [state.velocity.x, state.velocity.y, state.angular_velocity].map(f64::from);
+        0.5 * (f64::from(record.mass) * (x * x + y * y) + f64::from(record.inertia) * w * w)
+    }
+
     /// Mass, kg; infinite for fixed and kinematic bodies.
     pub fn mass(&self) -> f32 {
         if self.is_dynamic() { self.record().mass } else { f32::INFINITY }

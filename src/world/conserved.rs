@@ -13,13 +13,7 @@ impl World {
 
     /// Σ ½ m v² + ½ I w² over all dynamic bodies, J.
     pub fn kinetic_energy(&self) -> f64 {
-        self.dynamic_bodies()
-            .map(|Moving { mass, inertia, state, .. }| {
-                let (x, y) = (f64::from(state.velocity.x), f64::from(state.velocity.y));
-                let w = f64::from(state.angular_velocity);
-                0.5 * (mass * (x * x + y * y) + inertia * w * w)
-            })
-            .sum()
+        self.bodies().map(|(_, body)| body.kinetic_energy()).sum()
     }
 
     /// Potential energy of all dynamic bodies, J: 0 at the origin for forces, at infinity for global

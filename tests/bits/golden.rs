@@ -22,7 +22,7 @@ const GOLDEN: &[(&str, u64)] = &[
     ("pile", 0x6748_24EA_14C2_276D),
     ("pool", 0x624C_F9AE_11B2_4D5D),
     ("materials", 0xB205_0F2C_4C4A_83B5),
-    ("platforms", 0x2687_DE5F_B649_A550),
+    ("platforms", 0xA200_98D9_08CA_8607),
     ("far_tower", 0xA088_7AFD_EC9D_88A7),
     ("card_house", 0xC769_C537_1659_26A5),
     ("bounce", 0x1558_2EDA_59DA_0250),

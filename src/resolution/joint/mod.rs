@@ -117,7 +117,7 @@ impl JointSolver {
     pub(super) fn acting(&self, row: u32) -> Option<Acting> {
         let row = &self.rows[row as usize];
         let [a, b] = row.bodies.map(|body| &self.bodies[body as usize]);
-        let slack = if row.is_free { 0.0 } else { row.speed(a, b) - row.met_at? };
+        let slack = if row.acts { 0.0 } else { row.speed(a, b) - row.met_at? };
         let mut j = row.j;
         for (j, place) in j.iter_mut().zip(row.bodies) {
             if self.bodies[place as usize].inverse_inertia == 0.0 {

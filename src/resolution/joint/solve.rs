@@ -198,7 +198,7 @@ impl Problem<'_> {
             self.look(cluster, aim);
             for &row in &cluster.rows {
                 let row = &mut self.rows[row as usize];
-                row.is_free &= row.role == Role::Rigid;
+                row.acts &= row.role == Role::Rigid;
             }
             self.step(cluster);
         }
@@ -216,7 +216,7 @@ impl Problem<'_> {
             let [a, b] = row.bodies.map(|body| &self.bodies[body as usize]);
             let ahead = (aim == Aim::Way).then(|| row.ahead(a, b, self.times.h));
             row.look(a, b, ahead, self.times);
-            (row.wanted, row.is_free) = (row.wanted_alone(), false);
+            (row.wanted, row.acts) = (row.wanted_alone(), false);
         }
         for row in vector {
             self.give_wanted(row);
@@ -285,9 +285,9 @@ impl Problem<'_> {
         // After the move springs bear what they bore before.
         let acts = aim != Aim::Speed || matches!(x.role, Role::Speed { .. });
         let inward = x.own() * x.residual + y.own() * y.residual;
-        let is_free =
+        let acts =
             acts && x.k > 0.0 && y.k > 0.0 && is_inside(length(x.own(), y.own()), x.most(self.times), inward);
-        (self.rows[first].is_free, self.rows[first + 1].is_free) = (is_free, is_free);
+        (self.rows[first].acts, self.rows[first + 1].acts) = (acts, acts);
     }
 
     /// The same over a cluster. What meets its bounds is free no more, and the others do without it: as if it still bore what was wanted of
@@ -299,8 +299,8 @@ impl Problem<'_> {
             let mut is_cut = false;
             for &row in &cluster.rows {
                 let row = &mut self.rows[row as usize];
-                if row.is_free && row.impulse != row.wanted {
-                    (row.is_free, is_cut) = (false, true);
+                if row.acts && row.impulse != row.wanted {
+                    (row.acts, is_cut) = (false, true);
                 }
             }
             if !is_cut {
@@ -322,24 +322,24 @@ impl Problem<'_> {
     fn step(&mut self, cluster: &mut Cluster) {
         let Self { rows, bodies, .. } = self;
         let Cluster { rows: order, factor, free, .. } = cluster;
-        let is_free = |row: &u32| rows[*row as usize].is_free;
+        let acts = |row: &u32| rows[*row as usize].acts;
         // A vector at its bound follows by itself.
-        if !order.iter().any(|row| is_free(row) || rows[*row as usize].heads_pair) {
+        if !order.iter().any(|row| acts(row) || rows[*row as usize].heads_pair) {
             return;
         }
-        let is_new = order.iter().zip(&*free).any(|(row, was)| is_free(row) != *was);
+        let is_new = order.iter().zip(&*free).any(|(row, was)| acts(row) != *was);
         if is_new {
             for (row, free) in order.iter().zip(free.iter_mut()) {
-                *free = rows[*row as usize].is_free;
+                *free = rows[*row as usize].acts;
             }
             factor.factorize(|row, column| {
                 let (j, k) = (&rows[order[row] as usize], &rows[order[column] as usize]);
-                if j.is_free && k.is_free { coupling(j, k, row == column, bodies) } else { 0.0 }
+                if j.acts && k.acts { coupling(j, k, row == column, bodies) } else { 0.0 }
             });
         }
         for (x, &row) in factor.x.iter_mut().zip(order.iter()) {
             let row = &rows[row as usize];
-            *x = if row.is_free { -row.residual } else { 0.0 };
+            *x = if row.acts { -row.residual } else { 0.0 };
         }
         factor.solve();
         for (&row, &gain) in order.iter().zip(&factor.x) {
@@ -357,7 +357,7 @@ fn wanted(rows: &mut [Row], row: usize, times: Times) -> f64 {
         let [x, y] = [row, row + 1].map(|row| {
             let row = &rows[row];
             // What is at its bound follows by itself.
-            (if row.is_free { row.wanted } else { row.wanted_alone() }) - row.taken_back
+            (if row.acts { row.wanted } else { row.wanted_alone() }) - row.taken_back
         });
         let (length, most) = (length(x, y), rows[row].most(times));
         let share = if length > most { most / length } else { 1.0 };

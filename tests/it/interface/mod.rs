@@ -174,10 +174,13 @@ fn energy_and_momenta_are_those_of_the_textbook() {
     let mut world = World::new(Settings::default());
     world.add_force(Force::EARTH_GRAVITY);
     let body = Body::dynamic(Shape::obb(2.0, 1.0)).at([3.0, 4.0]).velocity([1.0, -2.0]).angular_velocity(3.0);
-    world.add(body.mass(2.0)).unwrap();
+    let id = world.add(body.mass(2.0)).unwrap();
     let inertia = 2.0 * (4.0 + 1.0) / 12.0;
     assert_relative(world.kinetic_energy(), 0.5 * 2.0 * 5.0 + 0.5 * inertia * 9.0, 1e-6, "½mv² + ½Iw²");
     assert_relative(world.potential_energy(), 2.0 * 9.81 * 4.0, 1e-6, "mgh");
+    let driven = world.add(Body::kinematic(Shape::circle(1.0)).velocity([7.0, 0.0])).unwrap();
+    let of = |id| world.body(id).unwrap().kinetic_energy();
+    assert_eq!((of(id), of(driven)), (world.kinetic_energy(), 0.0));
     assert_relative(world.energy(), world.kinetic_energy() + world.potential_energy(), 1e-12, "sum");
     assert_eq!(world.momentum(), Vec2::new(2.0, -4.0));
     let about_origin = 2.0 * (3.0 * -2.0 - 4.0) + inertia * 3.0;
