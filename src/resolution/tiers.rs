@@ -58,11 +58,10 @@ const SMALL_ISLAND: usize = 4;
 /// The same where any of them are joined, also for blows between bodies that pass each other.
 const SMALL_JOINED_ISLAND: usize = MOST_DIRECT_JOINED;
 
-/// For how many steps an island counts as calm already when it comes to be solved directly, by a blow or as it begins at rest, and no load
-/// lasts yet. If it stays calm it is solved so in the first step and in `CALM_STEPS - CALM_AT_FIRST` more, `LASTING_STEPS + 2` in all. So it is
-/// kept by a load that begins in one of the first three, as that lasts when they are over, and no longer if there is none.
-/// Two steps less leave none to spare, and no case of stacks, structures or heaps was found that they break.
-const CALM_AT_FIRST: u8 = CALM_STEPS - LASTING_STEPS - 1;
+/// For how many calm steps an island is solved directly after a blow, or as it begins at rest: a load that begins in one of the first two lasts
+/// before they are over, and keeps it so for [`CALM_STEPS`]. Two steps less leave none to spare, and no case of stacks, structures or heaps was
+/// found that they break.
+const STEPS_AFTER_BLOW: u8 = LASTING_STEPS + 1;
 
 /// The cooldown of an island that asks for the direct solve, but does not suit it: it is too much work, or squeezed. To find it every ten steps, and to order it, takes 7 % of
 /// the step of a drum; a heap that comes apart waits for no longer than two seconds.
@@ -224,7 +223,7 @@ impl Tiers {
             self.sweep(tick + UNSUITED_STEPS, tables);
             return;
         }
-        self.solve_directly([island.calm_steps(), squeezed_steps], overspent, tables);
+        self.solve_directly([island.calm_steps_left(), squeezed_steps], overspent, tables);
     }
 
     /// Finds the island of the body in `slot`, and what it bears and has been through.
@@ -288,20 +287,21 @@ impl Tiers {
             for &slot in &self.island {
                 self.seen.insert(slot);
             }
-            self.solve_directly([CALM_AT_FIRST, 0], 0.0, tables);
+            self.solve_directly([STEPS_AFTER_BLOW, 0], 0.0, tables);
         }
     }
 
     /// Has the island solved directly, its bodies in the order of the matrix.
     fn solve_directly(
         &mut self,
-        [calm_steps, squeezed_steps]: [u8; 2],
+        [calm_steps_left, squeezed_steps]: [u8; 2],
         overspent: f32,
         tables: &mut TierTables<'_>,
     ) {
         self.change_histories(|History { direct, .. }| {
-            (direct.calm_steps, direct.squeezed_steps, direct.overspent) =
-                (calm_steps, squeezed_steps, overspent);
+            direct.calm_steps_left = calm_steps_left;
+            direct.squeezed_steps = squeezed_steps;
+            direct.overspent = overspent;
         });
         self.set_tier(Tier::Direct, tables);
         self.direct.push(&self.island);
@@ -414,7 +414,7 @@ impl LoadedIsland {
         if history.cooldown_end > tick {
             false
         } else if self.was_direct {
-            !self.is_calm() || history.direct.calm_steps < CALM_STEPS
+            !self.is_calm() || history.direct.calm_steps_left > 0
         } else {
             let least = if history.times_dear > 0 { RETRY_SHARE } else { DIRECT_SHARE };
             self.sag_share() > least && !history.is_given_up()
@@ -430,14 +430,14 @@ impl LoadedIsland {
         }
     }
 
-    /// For how many steps it counts as calm when it is solved directly in the step to come.
-    fn calm_steps(&self) -> u8 {
-        let calm_steps = self.history.direct.calm_steps;
+    /// For how many calm steps it is solved directly after the step to come.
+    fn calm_steps_left(&self) -> u8 {
+        let left = self.history.direct.calm_steps_left;
         match self.was_direct {
-            true if self.is_calm() => calm_steps + 1,
-            true if self.load.lasting <= GREAT_SHARE => calm_steps.min(CALM_AT_FIRST),
-            false if self.load.lasting <= DIRECT_SHARE => CALM_AT_FIRST,
-            _ => 0,
+            true if self.is_calm() => left - 1,
+            true if self.load.lasting <= GREAT_SHARE => left.max(STEPS_AFTER_BLOW),
+            false if self.load.lasting <= DIRECT_SHARE => STEPS_AFTER_BLOW,
+            _ => CALM_STEPS,
         }
     }
 }

@@ -3,7 +3,7 @@
 //!
 //! Islands are found anew in each step, so what is known of them is kept in their bodies.
 
-use crate::resolution::load::{DIRECT_SHARE, DirectOutcome};
+use crate::resolution::load::{CALM_STEPS, DIRECT_SHARE, DirectOutcome};
 use crate::resolution::tier::Tier;
 
 /// Cooldown of an island that was left to sweeps as its load is too small, and the first cooldown of one whose direct solve took too much:
@@ -46,8 +46,8 @@ pub(super) struct History {
 /// How the direct solve goes, since the island is solved so.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct DirectHistory {
-    /// For how many steps in a row sweeps would have been enough; see also `CALM_AT_FIRST`.
-    pub(super) calm_steps: u8,
+    /// For how many steps more in which sweeps would be enough it is solved so, up to [`CALM_STEPS`].
+    pub(super) calm_steps_left: u8,
     /// What it has taken beyond its worth, in the unit of [`MOST_OVERSPENT`].
     pub(super) overspent: f32,
     /// Multiplications for each body in each substep that was asked for, in the last step.
@@ -79,7 +79,7 @@ impl History {
     /// again, or is about to end.
     pub(super) fn is_to_change(&self, tick: u64, tier: Tier) -> bool {
         match tier {
-            Tier::Direct => self.direct.calm_steps > 0,
+            Tier::Direct => self.direct.calm_steps_left < CALM_STEPS,
             Tier::Swept => !is_given_up(self.times_dear) && self.retry_tick + RETRY_STEPS > tick,
         }
     }
@@ -124,7 +124,7 @@ impl IslandHistory {
 impl DirectHistory {
     fn worst(self, other: Self) -> Self {
         Self {
-            calm_steps: self.calm_steps.min(other.calm_steps),
+            calm_steps_left: self.calm_steps_left.max(other.calm_steps_left),
             overspent: self.overspent.max(other.overspent),
             work: self.work.max(other.work),
             was_in_vain: self.was_in_vain || other.was_in_vain,
@@ -150,28 +150,31 @@ mod tests {
 
     #[test]
     fn an_island_has_the_worst_of_its_bodies_and_nothing_of_a_direct_solve_that_has_ended() {
-        let direct = |calm_steps, overspent| DirectHistory { calm_steps, overspent, ..Default::default() };
-        let calm = History { cooldown_end: 3, direct: direct(9, 1.0), ..History::default() };
-        let troubled = History { cooldown_end: 7, times_dear: 1, direct: direct(2, 5.0), ..calm };
+        let direct =
+            |calm_steps_left, overspent| DirectHistory { calm_steps_left, overspent, ..Default::default() };
+        let calm = History { cooldown_end: 3, direct: direct(2, 1.0), ..History::default() };
+        let troubled = History { cooldown_end: 7, times_dear: 1, direct: direct(9, 5.0), ..calm };
         let seen = |tiers: [Tier; 2]| {
             let island = IslandHistory::of_bodies([calm, troubled].into_iter().zip(tiers));
             assert_eq!((island.cooldown_end, island.times_dear), (7, 1));
-            (island.direct.calm_steps, island.direct.overspent)
+            (island.direct.calm_steps_left, island.direct.overspent)
         };
-        assert_eq!(seen([Tier::Direct, Tier::Direct]), (2, 5.0));
-        assert_eq!(seen([Tier::Direct, Tier::Swept]), (9, 1.0));
+        assert_eq!(seen([Tier::Direct, Tier::Direct]), (9, 5.0));
+        assert_eq!(seen([Tier::Direct, Tier::Swept]), (2, 1.0));
         assert_eq!(seen([Tier::Swept, Tier::Swept]), (0, 0.0));
     }
 
     #[test]
     fn an_island_changes_its_tier_while_a_retry_is_due_and_where_the_direct_solve_is_not_needed() {
         let mut history = History::default();
-        assert!(!history.is_to_change(1000, Tier::Swept) && !history.is_to_change(1000, Tier::Direct));
+        assert!(!history.is_to_change(1000, Tier::Swept));
         history.leave_alone(1000);
         assert!(history.is_to_change(history.retry_tick, Tier::Swept));
         assert!(!history.is_to_change(history.retry_tick + RETRY_STEPS, Tier::Swept));
-        let direct = DirectHistory { calm_steps: 1, ..DirectHistory::default() };
-        assert!(History { direct, ..history }.is_to_change(2000, Tier::Direct));
+        for (calm_steps_left, changes) in [(CALM_STEPS, false), (CALM_STEPS - 1, true), (0, true)] {
+            let direct = DirectHistory { calm_steps_left, ..DirectHistory::default() };
+            assert_eq!(History { direct, ..history }.is_to_change(2000, Tier::Direct), changes);
+        }
     }
 
     #[test]
