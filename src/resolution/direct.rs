@@ -19,11 +19,15 @@
 //! ```
 //!
 //! with 3 rows for each body, in an order that keeps rows near those of their neighbours (E. Cuthill & J. McKee,
-//! 1969). The limits of friction are held until the minimum is found, then set from the normal impulses, and so on until they stay, or for ten
-//! Newton steps (a fixed-point iteration: K. Kunisch & G. Stadler, "Generalized Newton methods for the 2D-Signorini contact problem with
+//! 1969). The limits of friction are held until the minimum is found, then set from the normal impulses, and so on until they stay (a
+//! fixed-point iteration: K. Kunisch & G. Stadler, "Generalized Newton methods for the 2D-Signorini contact problem with
 //! friction in function space", 2005). To hold them keeps H symmetric and φ convex. There may be two solutions, one in which a body sticks and
 //! one in which it slips. What rests has to stay at rest, so the limits begin high: with the greater of the last normal impulse and that of
 //! the first Newton step, in which all is held.
+//!
+//! Some limits go to and fro without end. After some steps they are held where they are: friction that is over its limit takes energy, and
+//! heaps of gravel lie still by it. Only where one side moves by itself, as a belt does, does friction give energy. There limits go on, and only
+//! fall.
 //!
 //! Where walls leave a body too little room, no impulses are enough, and what has not lessened the overlap must not be kept as λ₀. So λ₀ is no more
 //! than a multiple of what all bodies of the island can press with, and what is squeezed yields to the rest.

@@ -25,7 +25,7 @@ const SWEEPS: usize = 20;
 const WORK_OF_ROW: u64 = 21;
 
 /// For so many Newton steps the limits of friction follow the normal impulses, each time that all is balanced with those from before. Then they
-/// are held, so that the steps end. With half as many, gears jam: teeth stick to flanks that press no longer. With half as many again, a car
+/// are held, or only fall, so that the steps end. With half as many, gears jam: teeth stick to flanks that press no longer. With half as many again, a car
 /// on stones takes half as long again, and gears run no better.
 const LIMIT_STEPS: usize = 10;
 
@@ -256,6 +256,16 @@ impl Newton {
         }
     }
 
+    /// Lowers the bounds of friction that must not be above what the impulses of now allow.
+    fn lower_limits(&mut self, part: &Part) {
+        for index in part.rows.clone() {
+            if let Some(normal) = self.rows[index].normal() {
+                let along_normal = self.rows[normal].impulse;
+                self.rows[index].lower_range(along_normal);
+            }
+        }
+    }
+
     fn follow_limit(&mut self, index: usize) {
         let along_normal = self.rows[index].normal().map_or(0.0, |normal| self.rows[normal].impulse);
         self.rows[index].set_range(along_normal);
@@ -323,10 +333,11 @@ impl Newton {
         for number in 0.. {
             self.respond(part);
             if self.is_balanced(part) {
-                if number >= LIMIT_STEPS {
-                    return true;
+                if number < LIMIT_STEPS {
+                    self.follow_limits(part);
+                } else {
+                    self.lower_limits(part);
                 }
-                self.follow_limits(part);
                 if self.rows[part.rows.clone()].iter().all(Row::stays) {
                     return true;
                 }

@@ -117,6 +117,37 @@ fn a_load_that_is_solved_directly_rides_on_the_belt() {
     assert_near(place(&world, high)[1], 1.5, 1e-3, "the tower stands");
 }
 
+/// A belt drags nothing faster than it goes itself, whatever jams on it: light and heavy crates, in turn, before a wall, where friction between
+/// them bears on friction with the belt. To the speed that friction gives in a substep, µ g h.
+#[test]
+fn crates_that_jam_before_a_wall_are_never_faster_than_the_belt() {
+    for (heavy, gap) in [5.0, 50.0].into_iter().flat_map(|heavy| [0.6, 0.8, 1.0, 1.2].map(|gap| (heavy, gap)))
+    {
+        let mut world = earth();
+        add(&mut world, belt(2.0).friction(0.6));
+        add(&mut world, Body::fixed(Shape::aabb(1.0, 4.0)).at([6.5, 2.0]).restitution(0.0));
+        let crates: Vec<_> = (0..6)
+            .map(|place| {
+                let mass = if place % 2 == 0 { heavy } else { 5.0 };
+                let shape = Shape::obb(0.5, 0.5);
+                let body = Body::dynamic(shape).at([5.0 - gap * f64::from(place), 0.25]).mass(mass);
+                add(&mut world, body.restitution(0.0).friction(0.6))
+            })
+            .collect();
+        for tick in 0..600 {
+            world.step();
+            for &id in &crates {
+                let [vx, vy] = velocity(&world, id);
+                let speed = vx.hypot(vy);
+                assert!(
+                    speed < 2.0 + 0.6 * G / 240.0,
+                    "{speed} m/s at tick {tick}, {heavy} kg, {gap} m apart"
+                );
+            }
+        }
+    }
+}
+
 /// Pressed against a wall by the belt it comes to rest, sleeps, and wakes as the belt goes the other way.
 #[test]
 fn a_belt_that_turns_round_wakes_what_lies_on_it() {
