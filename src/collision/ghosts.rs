@@ -24,6 +24,14 @@ impl Placed<'_> {
     fn other_center(&self, side: usize) -> Vec2 {
         if side == 0 { self.offset } else { -self.offset }
     }
+
+    /// A place of the other shape that is behind its surface, m from the centre of one, where that is met along a normal out of the one. A line
+    /// has none but behind itself.
+    fn inside_other(&self, side: usize, outward: Vec2) -> Vec2 {
+        let other = self.shapes[1 - side];
+        let behind = if matches!(other, Shape::Segment(_)) { other.extent() } else { 0.0 };
+        self.other_center(side) + outward * behind
+    }
 }
 
 /// The manifold that was found, or what there is in its place if it is a ghost.
@@ -86,7 +94,8 @@ fn is_allowed(manifold: &Manifold, side: usize, exposure: &Exposure, placed: Pla
     let places =
         manifold.points().iter().map(|point| if side == 0 { point.anchor_a } else { point.anchor_b });
     let is_of_corners = manifold.is_of_corners();
-    let (outward, center) = (rotation.unrotate(outward), rotation.unrotate(placed.other_center(side)));
+    let (outward, center) =
+        (rotation.unrotate(outward), rotation.unrotate(placed.inside_other(side, outward)));
     // Where the face goes on from a corner, the normal of a round corner there would turn within the step, though the ground is flat.
     if is_of_corners && exposure.face_beyond(hull, outward, center).is_some() {
         return false;

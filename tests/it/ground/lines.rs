@@ -203,3 +203,27 @@ fn edges_beside_lines_follow_edits() {
     assert!(goes_over(&mut world));
     world.validate().unwrap();
 }
+
+/// An L of two pieces that share its outer corner, with a box of its mass that falls on its upright leg at an angle: it lies flat again, with its
+/// centre of mass as high as follows from its areas, wherever the middle of the line is. A line has no inside by which its pieces could tell
+/// where it is.
+#[test]
+fn a_corner_that_two_pieces_share_stays_on_a_line() {
+    let (side, leg) = (0.5_f32, 0.175_f32);
+    let outline = [[0.0, 0.0], [side, 0.0], [side, leg], [leg, leg], [leg, side], [0.0, side]];
+    let areas = [side * leg, leg * (side - leg)].map(f64::from);
+    let heights = [0.5 * leg, 0.5 * (leg + side)].map(f64::from);
+    let height = (areas[0] * heights[0] + areas[1] * heights[1]) / (areas[0] + areas[1]);
+    for middle in [-12.0, -0.3, 0.0, 0.3, 12.0] {
+        let mut world = earth_with(Settings::default());
+        add(&mut world, segment([middle - 20.0, 0.0], [middle + 20.0, 0.0]));
+        let pieces = Body::dynamic_pieces(Shape::concave(outline).unwrap());
+        let struck = add(&mut world, pieces.mass(1.0));
+        let falling = Body::dynamic(Shape::rectangle(side, side)).at([0.25, 1.2]).angle(0.1);
+        add(&mut world, falling.velocity([0.0, -3.0]).mass(1.0));
+        for _ in 0..120 {
+            world.step();
+        }
+        assert_near(place(&world, struck)[1], height, 1e-3, &format!("with its middle at {middle} m"));
+    }
+}
