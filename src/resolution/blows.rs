@@ -5,11 +5,12 @@
 //! body these sums are what its momentum has changed by, but for forces.
 //!
 //! A blow that begins in the last substep of a step goes on in the next: what is about to meet is slowed down to reach the
-//! surface, and stopped there. It is told when it is over.
+//! surface, and stopped there. It is told when it is over, also if the bodies have parted or one was removed since.
 //!
 //! Runs three times per substep, before the bodies move, after it and at the end, on the blocks with a contact that is asked about: one
 //! whose bodies approach as fast as a hit, or collide, or all of them, if the settings say so. Nothing where there is none.
 
+use crate::body::{BodyId, ColliderId};
 use crate::collision::{Contact, Contacts};
 use crate::compute::{self, COLUMN, Column, Columns, Job, Lane, LaneVec2, Width, columns};
 use crate::math::{Point, Vec2};
@@ -59,11 +60,10 @@ pub(crate) struct Blow {
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Begun {
     /// Of the contact: there may be another one in its place by now.
-    contact: Key,
-    /// Speed of approach, m/s.
-    pub(crate) speed: f32,
-    /// Impulse on b so far, N s.
-    on_b: Vec2,
+    pub(crate) contact: Key,
+    pub(crate) bodies: [BodyId; 2],
+    pub(crate) colliders: [ColliderId; 2],
+    pub(crate) so_far: Collision,
 }
 
 /// Sums of a block of contacts over the substeps so far.
@@ -110,6 +110,8 @@ pub(crate) struct Blows {
     of_step: Vec<Blow>,
     /// Those of the step before that were not over.
     begun: Vec<Begun>,
+    /// Scratch: those of them whose contact has ended since.
+    cut_off: Vec<Begun>,
     /// Scratch: by index of the contact, the places of its parts.
     order: Vec<(u32, u32)>,
     /// Scratch.
@@ -117,7 +119,7 @@ pub(crate) struct Blows {
 }
 
 // What the last step has done, and left to the next, is part of the state of a world.
-clone_into_buffers!(Blows { of_step, begun } scratch { blocks, impacts, others, order, merged });
+clone_into_buffers!(Blows { of_step, begun } scratch { blocks, impacts, others, cut_off, order, merged });
 
 impl Blows {
     /// Forgets the last step.
@@ -126,6 +128,7 @@ impl Blows {
         self.impacts.clear();
         self.others.clear();
         self.of_step.clear();
+        self.cut_off.clear();
     }
 
     /// Takes up a block with a contact that is asked about, as a step of so many substeps begins.
@@ -141,11 +144,9 @@ impl Blows {
 
     /// Takes up the contacts whose blows were not over as the last step ended.
     pub(crate) fn take_up_unfinished(&mut self, contacts: &Contacts, graph: &mut ConstraintGraph) {
-        let is_there =
-            |begun: &Begun| contacts.has(begun.contact) && graph.home(begun.contact.index()).is_some();
-        self.begun.retain(is_there);
         for place in 0..self.begun.len() {
-            if let Some(home) = graph.home(self.begun[place].contact.index()) {
+            let contact = self.begun[place].contact;
+            if let Some(home) = graph.home(contact.index()).filter(|_| contacts.has(contact)) {
                 self.ask_about(home, graph);
             }
         }
@@ -228,9 +229,9 @@ impl Blows {
         }
     }
 
-    /// Adds the collisions of contacts that `are_asked` about, as the step has ended.
-    pub(crate) fn end_step(&mut self, are_asked: impl Fn(u32) -> bool) {
-        let Self { impacts, others, of_step, begun, .. } = self;
+    /// Adds the collisions of contacts that were not touching, or of all, and what the step before has left, as the step has ended.
+    pub(crate) fn end_step(&mut self, contacts: &Contacts, all: bool) {
+        let Self { impacts, others, of_step, begun, cut_off, .. } = self;
         let new = |contact| Blow {
             contact,
             on_b: Vec2::ZERO,
@@ -240,13 +241,14 @@ impl Blows {
             begun: None,
         };
         // Those of one contact in the order of time, after the sums of its substeps.
-        let asked = impacts.iter().filter(|impact| are_asked(impact.contact));
+        let asked = impacts.iter().filter(|impact| all || !contacts[impact.contact].is_touching);
         of_step.extend(asked.map(|&Impact { contact, collision }| Blow {
             on_b: collision.on_b,
             first: Some(collision),
             ..new(contact)
         }));
         of_step.extend(others.iter().map(|&(contact, on_b)| Blow { on_b, ..new(contact) }));
+        cut_off.extend(begun.extract_if(.., |begun| !contacts.has(begun.contact)));
         of_step
             .extend(begun.drain(..).map(|begun| Blow { begun: Some(begun), ..new(begun.contact.index()) }));
         if of_step.is_empty() {
@@ -269,10 +271,18 @@ impl Blows {
     }
 
     /// Leaves a blow that is not over to the next step.
-    pub(crate) fn leave(&mut self, blow: &Blow, contacts: &Contacts) {
-        let contact = &contacts[blow.contact];
-        let speed = blow.begun.map_or(contact.approach_speed, |begun| begun.speed);
-        self.begun.push(Begun { contact: contacts.key_of(blow.contact), speed, on_b: blow.whole() });
+    pub(crate) fn leave(&mut self, blow: Begun) {
+        self.begun.push(blow);
+    }
+
+    /// Of how many parts the blows of the step are known, before it ends.
+    pub(crate) fn parts(&self) -> usize {
+        self.impacts.len() + self.of_step.len() + self.begun.len()
+    }
+
+    /// The blows that the step before has left, and whose contact has ended since.
+    pub(crate) fn cut_off(&self) -> &[Begun] {
+        &self.cut_off
     }
 
     /// What the contacts that were asked about have done over the step, by ascending index.
@@ -299,9 +309,22 @@ impl Blow {
         self.begun = self.begun.or(part.begun);
     }
 
-    /// Impulse on b, with what the step before has left of it, N s.
-    pub(crate) fn whole(&self) -> Vec2 {
-        self.begun.map_or(self.on_b, |begun| begun.on_b + self.on_b)
+    /// Whether the substeps have pressed the bodies together.
+    pub(crate) fn has_pressed(&self) -> bool {
+        self.by_point != [0.0; 2]
+    }
+
+    /// All of it, with what the step before has left, of a contact between bodies of which a has this centre now.
+    pub(crate) fn whole(&self, contact: &Contact, center_a: Point) -> Collision {
+        let begun = self.begun.map(|begun| begun.so_far);
+        let on_b = begun.map_or(self.on_b, |begun| begun.on_b + self.on_b);
+        let speed = begun.map_or(contact.approach_speed, |begun| begun.speed);
+        match begun {
+            Some(begun) if self.first.is_none() && !self.has_pressed() => Collision { on_b, ..begun },
+            _ => {
+                Collision { speed, point: self.point(contact, center_a), normal: self.normal(contact), on_b }
+            }
+        }
     }
 
     /// From a to b: as they met first, or as they touch in the end.
@@ -310,7 +333,7 @@ impl Blow {
     }
 
     /// Where the blow was given: where they met first, or the middle of what pressed, from the centre of a as it is now.
-    pub(crate) fn point(&self, contact: &Contact, center_a: Point) -> Point {
+    fn point(&self, contact: &Contact, center_a: Point) -> Point {
         if let Some(first) = self.first {
             return first.point;
         }

@@ -82,11 +82,12 @@ pub struct HitEvent {
     pub point: Point,
     /// Direction in which b was pushed away from a; length 1.
     pub normal: Vec2,
-    /// Impulse along the normal over the tick, N s, on b, and its opposite on a.
+    /// Impulse of the whole blow along the normal, N s, on b, and its opposite on a.
     pub normal_impulse: f32,
-    /// Impulse of friction over the tick, N s, on b along the normal turned left, and its opposite on a.
+    /// The same of friction, N s, on b along the normal turned left, and its opposite on a.
     pub tangent_impulse: f32,
-    /// The tick in which it happened: what [`World::ticks`](crate::World::ticks) was at the end of it, so 1 for the first.
+    /// The tick in which it was over: what [`World::ticks`](crate::World::ticks) was at the end of it, so 1 for the first. What does not
+    /// bounce and meets at the end of a tick is slowed down in that tick and stopped in the next.
     pub tick: u64,
 }
 

@@ -2,7 +2,7 @@
 
 use crate::body::{BodyId, ColliderId};
 use crate::collision::{Contact, ManifoldPoint};
-use crate::resolution::{Blow, Encounter, Impact};
+use crate::resolution::{Begun, Blow, Collision, Encounter, Impact};
 use crate::world::World;
 use crate::world::events::{ContactEvent, HitEvent};
 
@@ -37,8 +37,7 @@ impl World {
     /// Reports which contacts began, ended or hit.
     pub(in crate::world) fn report_events(&mut self) {
         self.begin_encountered();
-        let (contacts, asks_all) = (&self.contacts, self.settings.sum_impulses);
-        self.solver.blows.end_step(|index| asks_all || !contacts[index].is_touching);
+        self.solver.blows.end_step(&self.contacts, self.settings.sum_impulses);
         for &Impact { contact: index, collision } in self.solver.blows.impacts() {
             let contact = &mut self.contacts[index];
             // Of several impacts, the first is what the bodies met with. What does not bounce was slowed down before.
@@ -48,17 +47,32 @@ impl World {
             }
             self.contacts.note_change(index);
         }
+        for place in 0..self.solver.blows.cut_off().len() {
+            let blow = self.solver.blows.cut_off()[place];
+            let hit = self.hit_of(&blow);
+            self.events.hits.push(hit);
+        }
         for place in 0..self.solver.blows.of_step().len() {
             let blow = self.solver.blows.of_step()[place];
+            let contact = &mut self.contacts[blow.contact];
+            // Of what touches, or met slowly, it is not known, unless the settings ask for all impulses, which change no event.
+            let is_known = !contact.is_touching && contact.approach_speed >= self.settings.hit_threshold;
+            if is_known && blow.has_pressed() && !contact.has_touched() {
+                contact.has_bounced = true;
+                self.contacts.note_change(blow.contact);
+            }
             let contact = &self.contacts[blow.contact];
             if !self.is_hit(&blow, contact) {
                 continue;
             }
+            let (bodies, colliders) = self.ids_of(blow.contact);
+            let so_far = blow.whole(contact, self.bodies.center(contact.slots[0]));
+            let whole = Begun { contact: self.contacts.key_of(blow.contact), bodies, colliders, so_far };
             if self.is_over(&blow, contact) {
-                let hit = self.hit_of(&blow, contact);
+                let hit = self.hit_of(&whole);
                 self.events.hits.push(hit);
             } else {
-                self.solver.blows.leave(&blow, &self.contacts);
+                self.solver.blows.leave(whole);
             }
         }
         let (changing, tick) = (self.contacts.take_changing(), self.next_tick());
@@ -86,12 +100,11 @@ impl World {
     /// about.
     fn is_hit(&self, blow: &Blow, contact: &Contact) -> bool {
         let threshold = self.settings.hit_threshold;
-        // What has pressed within the step need not in the end.
-        if !contact.has_touched() && blow.by_point == [0.0; 2] {
-            return false;
+        if blow.begun.is_some() || !contact.has_touched() {
+            return blow.begun.is_some();
         }
-        if !contact.is_touching || blow.begun.is_some() {
-            return contact.approach_speed >= threshold || blow.begun.is_some();
+        if !contact.is_touching {
+            return contact.approach_speed >= threshold;
         }
         let beyond = blow.on_b.dot(blow.normal(contact)) - blow.load_before;
         let least = (threshold * self.reduced_mass(contact)).max(LOAD_SHARE * blow.load_before);
@@ -104,7 +117,7 @@ impl World {
         if contact.has_bounced || contact.is_touching && blow.begun.is_none() {
             return true;
         }
-        let speed = blow.begun.map_or(contact.approach_speed, |begun| begun.speed);
+        let speed = blow.begun.map_or(contact.approach_speed, |begun| begun.so_far.speed);
         let way = speed * self.substep_seconds();
         let [a, b] = contact.slots.map(|slot| self.bodies.state(slot));
         let comes = |point: &ManifoldPoint| {
@@ -120,16 +133,14 @@ impl World {
         1.0 / (a + b)
     }
 
-    fn hit_of(&self, blow: &Blow, contact: &Contact) -> HitEvent {
-        let ([a, b], colliders) = self.ids_of(blow.contact);
-        let (normal, on_b) = (blow.normal(contact), blow.whole());
-        let speed = blow.begun.map_or(contact.approach_speed, |begun| begun.speed);
+    fn hit_of(&self, Begun { bodies: [a, b], colliders, so_far, .. }: &Begun) -> HitEvent {
+        let Collision { speed, point, normal, on_b } = *so_far;
         HitEvent {
-            a,
-            b,
-            colliders,
+            a: *a,
+            b: *b,
+            colliders: *colliders,
             speed: speed.max(0.0),
-            point: blow.point(contact, self.bodies.center(contact.slots[0])),
+            point,
             normal,
             normal_impulse: on_b.dot(normal),
             tangent_impulse: on_b.dot(normal.perp()),

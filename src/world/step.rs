@@ -168,7 +168,8 @@ impl World {
                 // Bodies with points are, whatever their boxes say, which may part meanwhile. Pairs of fast ones come again.
                 let is_kept = |[a, b]: [u32; 2]| !(broad_phase.is_fast(a) || broad_phase.is_fast(b));
                 let is_close = has_points || (broad_phase.overlap(a, b) && is_kept([a, b]));
-                let is_misplaced = graph.is_misplaced(index, contact);
+                // What touched, and has no points, is in no graph either if its body was given another shape.
+                let is_misplaced = graph.is_misplaced(index, contact) || (contact.is_touching && !has_points);
                 *is_close_now = (!is_close || is_misplaced).then_some(is_close);
             }
         });
@@ -358,10 +359,7 @@ impl World {
 
     /// How many contacts may have begun or ceased to touch.
     fn changing_count(&self) -> usize {
-        self.contacts.changing_count()
-            + self.solver.blows.impacts().len()
-            + self.solver.blows.of_step().len()
-            + self.solver.continuous.encounters().len()
+        self.contacts.changing_count() + self.solver.blows.parts() + self.solver.continuous.encounters().len()
     }
 
     /// Stops the kinematic bodies that were to get somewhere in this tick.
@@ -386,6 +384,7 @@ impl World {
         for place in first..self.events.left.len() {
             self.remove(self.events.left[place]);
         }
+        self.events.ended.append(&mut self.events.ended_by_edit);
     }
 
     fn put_to_sleep(&mut self) {

@@ -193,6 +193,24 @@ fn a_ball_that_grows_keeps_touching_the_floor() {
     assert_relative(f64::from(world.body(id).unwrap().mass()), core::f64::consts::PI, 1e-5, "mass");
 }
 
+/// Discs and boxes that touch a wall become smaller ones of either kind: the contact ends in the next step, and is told to.
+#[test]
+fn a_body_that_shrinks_away_from_a_wall_ends_its_contact() {
+    let shapes = [Shape::circle(0.5), Shape::rectangle(1.0, 1.0)];
+    let smaller = [Shape::circle(0.3), Shape::rectangle(0.6, 0.6)];
+    for (shape, small) in shapes.into_iter().flat_map(|shape| smaller.map(|small| (shape, small))) {
+        let mut world = World::new(Settings::default());
+        add(&mut world, Body::fixed(Shape::rectangle(1.0, 1.0)));
+        let id = add(&mut world, Body::dynamic(shape).at([1.0, 0.0]));
+        run(&mut world, 0.1);
+        world.body_mut(id).unwrap().set_shape(small).unwrap();
+        world.step();
+        let ended: Vec<_> = world.events().ended().iter().filter_map(|event| event.other(id)).collect();
+        assert_eq!(ended.len(), 1, "{shape:?} to {small:?}");
+        assert!(world.contacts_of(id).all(|contact| !contact.is_touching()));
+    }
+}
+
 /// Each value that a description was given can be read, of it and of the body.
 #[test]
 fn every_value_of_a_description_can_be_read() {

@@ -54,6 +54,23 @@ fn bodies_that_leave_the_bounds_are_removed_and_reported() {
     assert!(world.body(outside).is_some() && world.body(stays).is_some());
 }
 
+/// A pair of boxes that touch leaves the bounds one after the other: in the tick in which the first has left, its contact has ended.
+#[test]
+fn what_leaves_the_bounds_ends_its_contacts_in_the_same_tick() {
+    let bounds = Some(Aabb::new(Vec2::splat(-5.0), Vec2::splat(5.0)));
+    let mut world = World::new(Settings { bounds, ..Settings::default() });
+    let [first, second] = [4.0, 3.0].map(|x| {
+        let body = Body::dynamic(Shape::rectangle(1.0, 1.0)).at([x, 0.0]).velocity([3.0, 0.0]);
+        add(&mut world, body.restitution(0.0))
+    });
+    while world.events().left().is_empty() {
+        world.step();
+    }
+    assert_eq!(world.events().left(), [first]);
+    let ended: Vec<_> = world.events().ended().iter().map(|event| (event.other(first), event.tick)).collect();
+    assert_eq!(ended, [(Some(second), world.ticks())]);
+}
+
 /// A body that was taken out and put back goes on as one that never was.
 #[test]
 fn a_body_put_back_moves_on() {

@@ -349,3 +349,42 @@ fn a_clone_into_a_world_that_was_another_tells_the_same_hits() {
         }
     }
 }
+
+/// Discs without restitution that meet a crate off its middle, and glance off it or stop: each is told to have begun, and hit, however far into
+/// the tick that is. What was slowed down in one tick and has gone in the next is told in that, with all that its momentum has changed by. And a
+/// crate that is removed in between was hit all the same.
+#[test]
+fn no_blow_without_restitution_is_lost() {
+    let mut cut_off = 0;
+    for (mass, speed) in
+        [1.0, 10.0, 1e4].into_iter().flat_map(|mass| [3.0, 8.0, 20.0].map(|speed| (mass, speed)))
+    {
+        for number in 0..35_u8 {
+            let (height, tilt) = (0.1 * (f64::from(number % 7) - 3.0), 0.1 * f32::from(number / 7));
+            let mut world = world_with(false, false);
+            let body = Body::dynamic(Shape::obb(1.0, 1.0)).mass(mass).at([4.0, 0.0]).angle(tilt);
+            let target = add(&mut world, body.restitution(0.0));
+            let disc = Body::dynamic(Shape::circle(0.25)).mass(1.0).at([0.0, height]);
+            let disc = add(&mut world, disc.velocity([speed, 0.0]).restitution(0.0));
+            let mut began = 0;
+            let hit = (0..120).find_map(|_| {
+                let before = world.body(disc).unwrap().velocity();
+                world.step();
+                let change = world.body(disc).unwrap().velocity() - before;
+                began += world.events().began().len();
+                let hit = world.events().hits().first().copied();
+                if change.length() > 1.0 && hit.is_none() && number % 2 == 0 {
+                    world.remove(target).unwrap();
+                    cut_off += 1;
+                }
+                hit
+            });
+            let case = format!("{mass} kg at {speed} m/s, {height} m off, tilted by {tilt}");
+            assert_eq!((began, hit.is_some()), (1, true), "{case}");
+            let change = world.body(disc).unwrap().velocity() - Vec2::new(speed, 0.0);
+            let missing = hit.unwrap().impulse_on(disc) - change;
+            assert_near(missing.length().into(), 0.0, 1e-5 * f64::from(speed), &case);
+        }
+    }
+    assert!(cut_off > 5, "{cut_off} crates were removed in between");
+}
