@@ -153,8 +153,8 @@ impl Collider {
         self
     }
 
-    /// Coefficient of rolling resistance, no unit, as [`Body::rolling_resistance`](crate::Body::rolling_resistance) says. It slows
-    /// the collider down where it is a circle around the centre of mass of its body; what other shapes have slows down circles that roll on them.
+    /// Coefficient of rolling resistance, no unit, as [`Body::rolling_resistance`](crate::Body::rolling_resistance) says. It is of
+    /// what rolls, a circle around the centre of mass of its body, or of what is rolled on: any other shape.
     #[must_use]
     pub fn rolling_resistance(mut self, coefficient: f32) -> Self {
         self.role.rolling_resistance = Some(coefficient);

@@ -149,8 +149,9 @@ impl Body {
     /// [`Settings::restitution_mix`](crate::Settings::restitution_mix): by default their average, and 0 where one of them is 0: such a
     /// body bounces off nothing.
     ///
-    /// A contact that bears a load bounces only what comes faster than the load makes up for, and not what a blow elsewhere drives into it: a ball
-    /// that falls on one that lies on the floor gives it its momentum, which the floor takes. In weightlessness it comes back.
+    /// Where two bodies press on each other, as what lies on the floor does, only a blow bounces that is more than that load takes in a substep, and
+    /// no blow that comes through from another body: a ball that falls on one that lies on the floor gives it its momentum, and the floor takes
+    /// that. In weightlessness it comes back.
     #[must_use]
     pub fn restitution(mut self, restitution: f32) -> Self {
         self.material.restitution = restitution;
@@ -238,8 +239,8 @@ impl Body {
     ///
     /// It may be of any type and moves as another of that type; it sees bodies of every type, asleep or awake, and other
     /// sensors, as far as [filters](Self::filter) let the two meet. What it overlaps is found at the end of each step, touching
-    /// included. A body that passes it within one step is reported as begun and ended in that step, unless it turned off on its
-    /// way, or the sensor is as fast.
+    /// included. A body that flies straight through a slow sensor within one step is reported as begun and ended in that step. One that is
+    /// thrown aside on its way, or that a sensor as fast as itself passes, may be missed.
     #[must_use]
     pub fn sensor(mut self, is_sensor: bool) -> Self {
         self.role.is_sensor = is_sensor;

@@ -240,8 +240,8 @@ impl Joint {
         Self::new(JointKind::Friction, a, b.into())
     }
 
-    /// Couples the angles of two bodies, each held by a joint of its own: `a` turns by `-ratio` times what `b` turns. The size of `ratio` is
-    /// from 10⁻⁶ to 10⁶. Where its anchors are does not matter.
+    /// Couples the angles of two bodies, each held by a joint of its own: `a` turns by `-ratio` times what `b` turns. Of wheels that mesh it is
+    /// the radius of `b` over that of `a`. Its size is from 10⁻⁶ to 10⁶. Where its anchors are does not matter.
     pub fn gear(a: BodyId, b: BodyId, ratio: f64) -> Self {
         Self { ratio, ..Self::new(JointKind::Gear, a, Some(b)) }
     }

@@ -279,6 +279,9 @@ impl<'a> BodyMut<'a> {
     /// [`velocity`](BodyRef::velocity) is what the way takes until the tick is over. Then the body stops and its velocity is 0, so that it is 0
     /// whenever it is read after a step.
     ///
+    /// Its velocity changes from tick to tick, and not in between: what lies on a lift that is braked at nearly g parts from it by millimetres,
+    /// and its contacts end and begin.
+    ///
     /// Faster than [`Settings::max_speed`](crate::Settings::max_speed) it is late. It takes the shorter way round. Refused where
     /// the pose is none, as by [`set_pose`](Self::set_pose), or the body is not kinematic.
     ///

@@ -40,7 +40,8 @@ pub enum PositionCorrection {
 /// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Settings {
-    /// Ticks per second of simulated time, 1/s, 0.1 to 10⁶. Default 60.
+    /// Ticks per second of simulated time, 1/s, 0.1 to 10⁶. Default 60. What the tests check begins at 10; at 1 and below, with four substeps,
+    /// bodies fall through floors.
     pub tick_rate: f32,
     /// Most ticks that one [`advance`](crate::World::advance) takes, 1 to 10⁶: time beyond them is dropped, so that the world
     /// falls behind in a slow frame instead of making the next one slower still. Default 8.
@@ -58,8 +59,8 @@ pub struct Settings {
     /// - The whole world takes two, four or eight times as many substeps, while heavy bodies would press light ones flat in an island that
     ///   is swept. It does not where more than 32 joints are awake, and never takes more than 256.
     ///
-    /// The two do not exclude each other. An island that is solved directly asks for no more substeps, but takes them as all do while another
-    /// asks. [`Counters`](crate::Counters) tell of both. Neither is done without [`split_kick`](Self::split_kick), or where
+    /// Both may be done at once: an island that is solved directly needs no more substeps, but all islands take as many as the one that needs the
+    /// most. [`Counters`](crate::Counters) tell of both. Neither is done without [`split_kick`](Self::split_kick), or where
     /// [`position_correction`](Self::position_correction) is a projection.
     pub adaptive: bool,
     /// Sequential-impulse sweeps over all contacts before the bodies move, per substep, 1 to 1000. Default 1.

@@ -13,6 +13,10 @@ const SHALLOW: f32 = 4.0;
 /// Rounds in which a character is pushed out of what overlaps it: two things beside each other take two.
 const ROUNDS: usize = 4;
 
+/// Out of a wedge a way is at most so many times as long as the overlap is deep, no unit: a slope of 75° and a wall need as much. Out of a
+/// press that closes on it a character is not squeezed far along.
+const LONGEST_WAY: f32 = 4.0;
+
 impl Trip<'_> {
     /// The first thing on a way, m; what carries the character is none.
     pub(super) fn cast(&self, way: Vec2) -> Option<ShapeHit> {
@@ -83,10 +87,15 @@ impl Trip<'_> {
     /// Gets out of what has moved into the character. If there is no room for that it stays where it is, and what is the deepest in
     /// it is returned.
     pub(super) fn get_out(&mut self) -> Option<BodyId> {
-        let start = self.at;
+        let (start, mut before) = (self.at, Vec2::ZERO);
         for _ in 0..ROUNDS {
             let (depth, normal, _) = self.deepest_overlap()?;
-            self.at += normal * (depth + self.skin);
+            // What would push it back into the one before is left along that: out of a wedge.
+            let along = if normal.dot(before) < 0.0 { before.perp() } else { normal };
+            let share = along.dot(normal);
+            let out = if share.abs() * LONGEST_WAY > 1.0 { along / share } else { normal };
+            self.at += out * (depth + self.skin);
+            before = normal;
         }
         let (depth, _, body) = self.deepest_overlap()?;
         if depth <= self.skin {

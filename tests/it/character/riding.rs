@@ -179,3 +179,25 @@ fn it_moves_and_is_drawn_alike_at_any_frame_rate() {
     let places = [20, 30, 60, 144, 240].map(ride);
     assert!(places.iter().all(|place| *place == places[0]), "{places:?}");
 }
+
+/// Set between a wall and a slope, 3 cm too low: there is room above, and it is lifted by so much, and by what its gaps to both
+/// take.
+#[test]
+fn it_gets_out_of_a_wedge() {
+    let (width, height, depth) = (0.4_f32, 0.9_f32, 0.03);
+    for angle in [0.4_f32, 0.8, 1.2] {
+        let mut world = space();
+        add(&mut world, Body::fixed(Shape::rectangle(1.0, 9.0)).at([0.5 + 0.5 * width, 0.0]));
+        // The upper face of a block falls to the right through the lower left corner of the character, where that is to be.
+        let (normal, size) = (Vec2::from_angle(core::f32::consts::FRAC_PI_2 - angle), 0.5_f32);
+        let middle = Vec2::new(-0.5 * width, -0.5 * height) - normal * (0.5 * size);
+        add(&mut world, Body::fixed(Shape::rectangle(size, size)).at(middle).angle(-angle));
+        let shape = Shape::rectangle(width, height);
+        let mut mover = Mover::new(Character::new(shape).at([0.0, -depth])).unwrap();
+        let moved = mover.move_by(&mut world, [0.0, 0.0]);
+        assert_eq!(moved.crushed_by, None, "{angle} rad");
+        let (place, gap) = (mover.position(), skin(shape) as f32);
+        let (x, y) = (place.x as f32, place.y as f32);
+        assert!(x.abs() <= 2.0 * gap && (0.0..=8.0 * gap).contains(&y), "{angle} rad: at {x}, {y}");
+    }
+}
