@@ -7,7 +7,7 @@
 //! directly, if that is little work. In a small island one step is enough: that is a blow.
 //!
 //! The island goes back to sweeps
-//! - when its load has been small for [`CALM_STEPS`] steps in a row, and nothing presses its bodies into each other;
+//! - when its load has been small for [`CALM_STEPS`](super::load::CALM_STEPS) steps in a row, and nothing presses its bodies into each other;
 //! - when it has been [squeezed](super::squeezes) for [`LASTING_STEPS`];
 //! - at once when the direct solve has taken more than it is worth, as in heaps in which contacts come and go, or would be too much work. It is
 //!   always worth it in a small island that no kinematic body drives.
@@ -21,6 +21,7 @@
 //! blow to a small one, are never looked at.
 
 mod history;
+mod loaded_island;
 mod tables;
 
 pub(crate) use tables::TierTables;
@@ -29,13 +30,12 @@ use crate::body::NONE;
 use crate::collision::Contact;
 use crate::resolution::direct::work_of_factorization;
 use crate::resolution::islands::{Islands, find_island};
-use crate::resolution::load::{
-    CALM_STEPS, ContactLoad, DIRECT_SHARE, GREAT_SHARE, IslandLoad, LASTING_STEPS, Loads, begins_at_rest,
-};
+use crate::resolution::load::{ContactLoad, DIRECT_SHARE, IslandLoad, LASTING_STEPS, Loads, begins_at_rest};
 use crate::resolution::squeezes::is_squeezed;
 use crate::resolution::tier::Tier;
 use crate::resolution::tier_rule::TierRule;
 use crate::resolution::tiers::history::{History, IslandHistory, MOST_OVERSPENT, RETRY_STEPS};
+use crate::resolution::tiers::loaded_island::{LoadedIsland, STEPS_AFTER_BLOW};
 use crate::store::BitSet;
 
 /// Islands whose factorization takes more multiplications than this are not solved directly: a step of the world would be
@@ -58,18 +58,9 @@ const SMALL_ISLAND: usize = 4;
 /// The same where any of them are joined, also for blows between bodies that pass each other.
 const SMALL_JOINED_ISLAND: usize = MOST_DIRECT_JOINED;
 
-/// For how many calm steps an island is solved directly after a blow, or as it begins at rest: a load that begins in one of the first two lasts
-/// before they are over, and keeps it so for [`CALM_STEPS`]. Two steps less leave none to spare, and no case of stacks, structures or heaps was
-/// found that they break.
-const STEPS_AFTER_BLOW: u8 = LASTING_STEPS + 1;
-
 /// The cooldown of an island that asks for the direct solve, but does not suit it: it is too much work, or squeezed. To find it every ten steps, and to order it, takes 7 % of
 /// the step of a drum; a heap that comes apart waits for no longer than two seconds.
 const UNSUITED_STEPS: u64 = 120;
-
-/// What the direct solve took too much for is not solved so again unless the sag share of a contact is above this, no unit: it would be lifted
-/// out of its sag, and fall back. Where it is tried again all the same, piles at rest move again and card houses of five levels fall.
-const RETRY_SHARE: f32 = 0.05;
 
 /// A body that touches more others is a hub: ordered as any other, a plate on 200 balls takes 1.5 times as long.
 const HUB_NEIGHBOURS: usize = 12;
@@ -373,72 +364,6 @@ impl Tiers {
             self.first.push(first);
         }
         work_of_factorization(&self.first) <= LARGEST_FACTORIZATION
-    }
-}
-
-/// What is known of an island when its tier is decided.
-#[derive(Debug)]
-struct LoadedIsland {
-    load: IslandLoad,
-    /// Whether joints hold any of its bodies.
-    is_joined: bool,
-    /// Whether a blow is a reason to solve it directly: it is small, and no kinematic body that moves touches it. Between walls and what such a
-    /// body presses on a blow may have no solution: bodies left a box with a paddle.
-    counts_blows: bool,
-    /// Whether at least half of it was solved directly in the last step: a heap is not solved so because a few bodies that were, as they were
-    /// struck, fall on it.
-    was_direct: bool,
-    history: IslandHistory,
-}
-
-impl LoadedIsland {
-    /// The greatest sag share of a load that counts.
-    fn sag_share(&self) -> f32 {
-        let of_contacts = match (self.counts_blows, self.is_joined) {
-            (true, true) => self.load.still.max(self.load.passing),
-            (true, false) => self.load.still,
-            (false, _) => self.load.lasting,
-        };
-        // What presses bodies into each other is no load of their contacts when they are solved directly, but sweeps would wind one up.
-        if self.was_direct { of_contacts.max(self.history.direct.sag_share) } else { of_contacts }
-    }
-
-    /// Whether it is solved directly, and sweeps would be enough now.
-    fn is_calm(&self) -> bool {
-        self.was_direct && self.sag_share() <= GREAT_SHARE
-    }
-
-    /// Whether it asks to be solved directly, or to stay so.
-    fn asks(&self, tick: u64) -> bool {
-        let history = &self.history;
-        if history.cooldown_end > tick {
-            false
-        } else if self.was_direct {
-            !self.is_calm() || history.direct.calm_steps_left > 0
-        } else {
-            let least = if history.times_dear > 0 { RETRY_SHARE } else { DIRECT_SHARE };
-            self.sag_share() > least && !history.is_given_up()
-        }
-    }
-
-    /// What direct solves have taken beyond their worth. It is always worth it in an island that counts blows.
-    fn overspent(&self) -> f32 {
-        if self.was_direct && !self.counts_blows {
-            self.history.direct.overspent_with(self.sag_share())
-        } else {
-            0.0
-        }
-    }
-
-    /// For how many calm steps it is solved directly after the step to come.
-    fn calm_steps_left(&self) -> u8 {
-        let left = self.history.direct.calm_steps_left;
-        match self.was_direct {
-            true if self.is_calm() => left - 1,
-            true if self.load.lasting <= GREAT_SHARE => left.max(STEPS_AFTER_BLOW),
-            false if self.load.lasting <= DIRECT_SHARE => STEPS_AFTER_BLOW,
-            _ => CALM_STEPS,
-        }
     }
 }
 
