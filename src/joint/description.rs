@@ -203,8 +203,8 @@ impl Joint {
         Self::new(JointKind::Distance, a, b.into())
     }
 
-    /// A rope between two anchors, as long as they are apart unless [`max_length`](Self::max_length) says otherwise: a joint of the kind
-    /// [`Distance`](JointKind::Distance) with limits.
+    /// A rope between two anchors, as long as they are apart, at least 10⁻⁶ m, unless [`max_length`](Self::max_length) says otherwise: a joint of
+    /// the kind [`Distance`](JointKind::Distance) with limits.
     pub fn rope(a: BodyId, b: impl Into<Option<BodyId>>) -> Self {
         Self { is_as_long_as_now: true, ..Self::distance(a, b) }
     }
