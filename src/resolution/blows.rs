@@ -61,10 +61,13 @@ pub(crate) struct Blow {
 pub(crate) struct Begun {
     /// Of the contact: there may be another one in its place by now.
     pub(crate) contact: Key,
-    pub(crate) bodies: [BodyId; 2],
-    pub(crate) colliders: [ColliderId; 2],
+    /// They are told also if one of the bodies is gone.
+    pub(crate) ids: Ids,
     pub(crate) so_far: Collision,
 }
+
+/// The bodies of a contact, and their shapes that touch.
+pub(crate) type Ids = ([BodyId; 2], [ColliderId; 2]);
 
 /// Sums of a block of contacts over the substeps so far.
 #[derive(Clone, Copy, Debug, Default)]

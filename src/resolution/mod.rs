@@ -35,7 +35,7 @@ mod tier_rule;
 mod tiers;
 
 pub(crate) use asked::Asked;
-pub(crate) use blows::{Begun, Blow, Collision, Impact};
+pub(crate) use blows::{Begun, Blow, Collision, Ids, Impact};
 pub(crate) use constraint::StepResidual;
 pub(crate) use constraint_graph::ConstraintGraph;
 pub(crate) use events::Encounter;

@@ -1,8 +1,7 @@
 //! What began, ended and hit in a step, as its contacts tell.
 
-use crate::body::{BodyId, ColliderId};
 use crate::collision::{Contact, ManifoldPoint};
-use crate::resolution::{Begun, Blow, Collision, Encounter, Impact};
+use crate::resolution::{Begun, Blow, Collision, Encounter, Ids, Impact};
 use crate::world::World;
 use crate::world::events::{ContactEvent, HitEvent};
 
@@ -47,11 +46,9 @@ impl World {
             }
             self.contacts.note_change(index);
         }
-        for place in 0..self.solver.blows.cut_off().len() {
-            let blow = self.solver.blows.cut_off()[place];
-            let hit = self.hit_of(&blow);
-            self.events.hits.push(hit);
-        }
+        let tick = self.next_tick();
+        let cut_off = self.solver.blows.cut_off().iter();
+        self.events.hits.extend(cut_off.map(|&Begun { ids, so_far, .. }| hit_of(ids, so_far, tick)));
         for place in 0..self.solver.blows.of_step().len() {
             let blow = self.solver.blows.of_step()[place];
             let contact = &mut self.contacts[blow.contact];
@@ -65,17 +62,16 @@ impl World {
             if !self.is_hit(&blow, contact) {
                 continue;
             }
-            let (bodies, colliders) = self.ids_of(blow.contact);
+            let ids = self.ids_of(blow.contact);
             let so_far = blow.whole(contact, self.bodies.center(contact.slots[0]));
-            let whole = Begun { contact: self.contacts.key_of(blow.contact), bodies, colliders, so_far };
             if self.is_over(&blow, contact) {
-                let hit = self.hit_of(&whole);
-                self.events.hits.push(hit);
+                self.events.hits.push(hit_of(ids, so_far, tick));
             } else {
-                self.solver.blows.leave(whole);
+                let contact = self.contacts.key_of(blow.contact);
+                self.solver.blows.leave(Begun { contact, ids, so_far });
             }
         }
-        let (changing, tick) = (self.contacts.take_changing(), self.next_tick());
+        let changing = self.contacts.take_changing();
         for &index in &changing {
             let contact = &mut self.contacts[index];
             let is_touching = contact.has_touched();
@@ -91,7 +87,7 @@ impl World {
     }
 
     /// The bodies of a contact, and their shapes that touch.
-    fn ids_of(&self, contact: u32) -> ([BodyId; 2], [ColliderId; 2]) {
+    fn ids_of(&self, contact: u32) -> Ids {
         let Contact { slots, colliders, .. } = &self.contacts[contact];
         (slots.map(|slot| self.id_of(slot)), colliders.map(|slot| self.collider_id(slot)))
     }
@@ -100,15 +96,15 @@ impl World {
     /// about.
     fn is_hit(&self, blow: &Blow, contact: &Contact) -> bool {
         let threshold = self.settings.hit_threshold;
-        if blow.begun.is_some() || !contact.has_touched() {
-            return blow.begun.is_some();
+        if blow.begun.is_some() {
+            return true;
         }
         if !contact.is_touching {
-            return contact.approach_speed >= threshold;
+            return contact.has_touched() && contact.approach_speed >= threshold;
         }
         let beyond = blow.on_b.dot(blow.normal(contact)) - blow.load_before;
         let least = (threshold * self.reduced_mass(contact)).max(LOAD_SHARE * blow.load_before);
-        self.settings.sum_impulses && beyond >= least
+        self.settings.sum_impulses && contact.has_touched() && beyond >= least
     }
 
     /// Whether a blow is over: what met has bounced, reached the surface, or approaches no more. Else it has only been slowed
@@ -132,19 +128,23 @@ impl World {
         let [a, b] = contact.slots.map(|slot| self.bodies.motions[slot as usize].inverse_mass);
         1.0 / (a + b)
     }
+}
 
-    fn hit_of(&self, Begun { bodies: [a, b], colliders, so_far, .. }: &Begun) -> HitEvent {
-        let Collision { speed, point, normal, on_b } = *so_far;
-        HitEvent {
-            a: *a,
-            b: *b,
-            colliders: *colliders,
-            speed: speed.max(0.0),
-            point,
-            normal,
-            normal_impulse: on_b.dot(normal),
-            tangent_impulse: on_b.dot(normal.perp()),
-            tick: self.next_tick(),
-        }
+/// What is told of a blow that is over.
+fn hit_of(
+    ([a, b], colliders): Ids,
+    Collision { speed, point, normal, on_b }: Collision,
+    tick: u64,
+) -> HitEvent {
+    HitEvent {
+        a,
+        b,
+        colliders,
+        speed: speed.max(0.0),
+        point,
+        normal,
+        normal_impulse: on_b.dot(normal),
+        tangent_impulse: on_b.dot(normal.perp()),
+        tick,
     }
 }

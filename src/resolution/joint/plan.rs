@@ -21,8 +21,8 @@ pub(super) struct Cluster {
     pub(super) factor: Factor,
     /// Whether other clusters push the same bodies, so that one look is not enough.
     pub(super) is_swept: bool,
-    /// Which rows were free when it was factorized, in this order; of this phase.
-    pub(super) free: Vec<bool>,
+    /// Which rows acted when it was factorized, in this order; of this phase.
+    pub(super) acted: Vec<bool>,
 }
 
 /// Joints that hang together.
@@ -166,5 +166,5 @@ fn cluster(joints: &[Place], order: &[u32]) -> (Cluster, u64) {
         before.push((place, first));
     }
     let (factor, work) = Factor::new(&entries);
-    (Cluster { free: vec![false; rows.len()], rows, factor, is_swept: false }, work)
+    (Cluster { acted: vec![false; rows.len()], rows, factor, is_swept: false }, work)
 }

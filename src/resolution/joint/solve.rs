@@ -1,4 +1,4 @@
-//! A phase of the joints: clusters solved one after the other, each by Newton's method with the rows that are free.
+//! A phase of the joints: clusters solved one after the other, each by Newton's method with the rows that act.
 
 use crate::resolution::joint::JointSolver;
 use crate::resolution::joint::geometry::{Base, JointBody};
@@ -53,7 +53,7 @@ impl JointSolver {
         if is_new {
             (*is_linear, *diverges) = (false, false);
             for cluster in clusters.iter_mut() {
-                cluster.free.fill(false);
+                cluster.acted.fill(false);
             }
         }
         if let [cluster] = &mut clusters[..]
@@ -72,7 +72,7 @@ impl JointSolver {
     }
 
     /// Spreads over an island the changes of velocity that others have made, from those that bodies have kept, by what is linear of the last
-    /// step: rows that were free bear what it takes so that their coordinates change as fast as before.
+    /// step: rows that acted bear what it takes so that their coordinates change as fast as before.
     pub(super) fn spread(&mut self, island: &mut Island) {
         let Island { clusters, bodies: members, times, touches, .. } = island;
         for row in rows_of(clusters) {
@@ -136,7 +136,7 @@ impl Problem<'_> {
         }
         self.give_back(cluster);
         self.diverges |= !self.is_nearly_there(cluster);
-        // Rows are free as they are in what is left.
+        // Rows act as they do in what is left.
         self.look(cluster, Aim::Way);
         true
     }
@@ -235,7 +235,7 @@ impl Problem<'_> {
         }
     }
 
-    /// Newton's method with the rows that are free. Returns whether it came to an end.
+    /// Newton's method with the rows that act. Returns whether it came to an end.
     fn descend(&mut self, cluster: &mut Cluster, aim: Aim) -> bool {
         for solve in 0..=MOST_SOLVES {
             self.look(cluster, aim);
@@ -279,18 +279,20 @@ impl Problem<'_> {
         }
     }
 
-    /// Finds whether the two rows of a vector are free: it is within its bound, or is to come back from it.
+    /// Finds whether the two rows of a vector act: it is within its bound, or is to come back from it.
     fn look_at_vector(&mut self, first: usize, aim: Aim) {
         let [x, y] = [&self.rows[first], &self.rows[first + 1]];
         // After the move springs bear what they bore before.
-        let acts = aim != Aim::Speed || matches!(x.role, Role::Speed { .. });
+        let may_act = aim != Aim::Speed || matches!(x.role, Role::Speed { .. });
         let inward = x.own() * x.residual + y.own() * y.residual;
-        let acts =
-            acts && x.k > 0.0 && y.k > 0.0 && is_inside(length(x.own(), y.own()), x.most(self.times), inward);
+        let acts = may_act
+            && x.k > 0.0
+            && y.k > 0.0
+            && is_inside(length(x.own(), y.own()), x.most(self.times), inward);
         (self.rows[first].acts, self.rows[first + 1].acts) = (acts, acts);
     }
 
-    /// The same over a cluster. What meets its bounds is free no more, and the others do without it: as if it still bore what was wanted of
+    /// The same over a cluster. What meets its bounds acts no more, and the others do without it: as if it still bore what was wanted of
     /// it, they would throw light bodies off.
     fn spread_over(&mut self, cluster: &mut Cluster) {
         for _ in 0..TURNS {
@@ -318,19 +320,19 @@ impl Problem<'_> {
         }
     }
 
-    /// One solve of the rows that are free, cut to what they may bear.
+    /// One solve of the rows that act, cut to what they may bear.
     fn step(&mut self, cluster: &mut Cluster) {
         let Self { rows, bodies, .. } = self;
-        let Cluster { rows: order, factor, free, .. } = cluster;
+        let Cluster { rows: order, factor, acted, .. } = cluster;
         let acts = |row: &u32| rows[*row as usize].acts;
         // A vector at its bound follows by itself.
         if !order.iter().any(|row| acts(row) || rows[*row as usize].heads_pair) {
             return;
         }
-        let is_new = order.iter().zip(&*free).any(|(row, was)| acts(row) != *was);
+        let is_new = order.iter().zip(&*acted).any(|(row, was)| acts(row) != *was);
         if is_new {
-            for (row, free) in order.iter().zip(free.iter_mut()) {
-                *free = rows[*row as usize].acts;
+            for (row, acted) in order.iter().zip(acted.iter_mut()) {
+                *acted = rows[*row as usize].acts;
             }
             factor.factorize(|row, column| {
                 let (j, k) = (&rows[order[row] as usize], &rows[order[column] as usize]);

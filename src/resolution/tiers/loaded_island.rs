@@ -70,7 +70,7 @@ impl LoadedIsland {
     pub(super) fn calm_steps_left(&self) -> u8 {
         let left = self.history.direct.calm_steps_left;
         match self.was_direct {
-            true if self.is_calm() => left - 1,
+            true if self.is_calm() => left.saturating_sub(1),
             true if self.load.lasting <= GREAT_SHARE => left.max(STEPS_AFTER_BLOW),
             false if self.load.lasting <= DIRECT_SHARE => STEPS_AFTER_BLOW,
             _ => CALM_STEPS,
