@@ -232,7 +232,8 @@ impl Blows {
         }
     }
 
-    /// Adds the collisions of contacts that were not touching, or of all, and what the step before has left, as the step has ended.
+    /// Adds the collisions of contacts that were not touching, or whose blow was not over, or of all, and what the step before has left, as the
+    /// step has ended.
     pub(crate) fn end_step(&mut self, contacts: &Contacts, all: bool) {
         let Self { impacts, others, of_step, begun, cut_off, .. } = self;
         let new = |contact| Blow {
@@ -244,14 +245,18 @@ impl Blows {
             begun: None,
         };
         // Those of one contact in the order of time, after the sums of its substeps.
-        let asked = impacts.iter().filter(|impact| all || !contacts[impact.contact].is_touching);
+        cut_off.extend(begun.extract_if(.., |begun| !contacts.has(begun.contact)));
+        // They were left by ascending index.
+        let goes_on =
+            |contact: u32| begun.binary_search_by_key(&contact, |begun| begun.contact.index()).is_ok();
+        let is_asked = |contact: u32| all || !contacts[contact].is_touching || goes_on(contact);
+        let asked = impacts.iter().filter(|impact| is_asked(impact.contact));
         of_step.extend(asked.map(|&Impact { contact, collision }| Blow {
             on_b: collision.on_b,
             first: Some(collision),
             ..new(contact)
         }));
         of_step.extend(others.iter().map(|&(contact, on_b)| Blow { on_b, ..new(contact) }));
-        cut_off.extend(begun.extract_if(.., |begun| !contacts.has(begun.contact)));
         of_step
             .extend(begun.drain(..).map(|begun| Blow { begun: Some(begun), ..new(begun.contact.index()) }));
         if of_step.is_empty() {
@@ -301,7 +306,7 @@ impl Blows {
 }
 
 impl Blow {
-    /// Adds what else the same contact has done, later.
+    /// Adds what else the same contact has done: its collisions in the order of time, then what the step before has left.
     fn add(&mut self, part: &Self) {
         self.on_b += part.on_b;
         for (sum, of_point) in self.by_point.iter_mut().zip(part.by_point) {

@@ -7,12 +7,14 @@
 //! directly, if that is little work. In a small island one step is enough: that is a blow.
 //!
 //! The island goes back to sweeps
-//! - when its load has been small for [`CALM_STEPS`](super::load::CALM_STEPS) steps in a row, and nothing presses its bodies into each other;
+//! - when its load has been small for [`CALM_STEPS`](super::load::CALM_STEPS) steps in a row, or [`STEPS_AFTER_BLOW`] where no load lasted, and
+//!   nothing presses its bodies into each other;
 //! - when it has been [squeezed](super::squeezes) for [`LASTING_STEPS`];
 //! - at once when the direct solve has taken more than it is worth, as in heaps in which contacts come and go, or would be too much work. It is
 //!   always worth it in a small island that no kinematic body drives.
 //!
-//! Then it has a cooldown, in which it is not looked at. What took too much is tried again only if much would sag.
+//! Then it has a cooldown, in which it is not looked at, but a small one can be struck at any time. What took too much is tried again only if much
+//! would sag, after longer each time, and is given up in the end.
 //!
 //! A heap of great weight that begins at rest is solved directly from its first step on: its loads have yet to build up,
 //! and it would fall meanwhile.
@@ -208,7 +210,7 @@ impl Tiers {
         let is_squeezed =
             island.load.lasting > 0.0 && is_squeezed(&self.island, tables.bodies, tables.connections(), rule);
         let squeezed_steps = if is_squeezed { history.direct.squeezed_steps + 1 } else { 0 };
-        // In what is solved directly it may be a blow.
+        // What is solved directly may look squeezed in the moment of a blow.
         let stays_squeezed = is_squeezed && (!island.was_direct || squeezed_steps >= LASTING_STEPS);
         if stays_squeezed || !self.order_if_little_work(tables) {
             self.sweep(tick + UNSUITED_STEPS, tables);

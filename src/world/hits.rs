@@ -52,9 +52,10 @@ impl World {
         for place in 0..self.solver.blows.of_step().len() {
             let blow = self.solver.blows.of_step()[place];
             let contact = &mut self.contacts[blow.contact];
-            // Of what touches, or met slowly, it is not known, unless the settings ask for all impulses, which change no event.
-            let is_known = !contact.is_touching && contact.approach_speed >= self.settings.hit_threshold;
-            if is_known && blow.has_pressed() && !contact.has_touched() {
+            // They met and parted within the step. Of those that met slowly it is only known if the settings ask for all impulses, and these
+            // change no event.
+            let met_fast = !contact.is_touching && contact.approach_speed >= self.settings.hit_threshold;
+            if met_fast && blow.has_pressed() && !contact.has_touched() {
                 contact.has_bounced = true;
                 self.contacts.note_change(blow.contact);
             }

@@ -15,7 +15,7 @@ const STIFF_MASS: f64 = 100.0;
 /// sweeps, and overlap by a hundredth of a stone. Few islands that need more come to an end, and a step of the world would be seen to take long.
 const MOST_STEPS: usize = 30;
 
-/// Tries at most to find how far to go along a step. Each is a root of the slope, or halves what is left of the way: 1e-6 in all.
+/// Tries at most to find how far to go along a step. Each is a root of the slope, or halves what is left of the way: halves alone come to 1e-6.
 const MOST_TRIES: usize = 20;
 
 /// Sweeps over an island that Newton's method did not solve. Fewer leave more small piles awake.
@@ -45,7 +45,7 @@ pub(super) struct Part {
     compliance: f64,
     /// The same before it falls with the mass of the island.
     full_compliance: f64,
-    /// Whether Newton's method failed in this step. It would fail in the substeps to come too, at the price of thirty factorizations in each
+    /// Whether Newton's method failed in this step. It would fail in the substeps to come too, at the price of [`MOST_STEPS`] factorizations in each
     /// stage, so the rows are swept over until the step ends.
     pub(super) is_unsolved: bool,
     /// Multiplications of a factorization, and of all factorizations and sweeps in this step.
@@ -180,7 +180,7 @@ impl Newton {
         LEVERAGE * (mass * closing + mass.sqrt() * driving)
     }
 
-    /// Lets no row press with more than this, N s, and friction follow.
+    /// Lets no row begin by pressing with more than this, N s, and friction follow.
     fn bound_impulses(&mut self, part: &Part, most: f64) {
         let rows = self.rows[part.rows.clone()].iter_mut();
         rows.filter(|row| row.is_normal()).for_each(|row| row.impulse = row.impulse.min(most));

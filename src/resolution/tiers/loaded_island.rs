@@ -47,14 +47,13 @@ impl LoadedIsland {
     /// Whether it asks to be solved directly, or to stay so.
     pub(super) fn asks(&self, tick: u64) -> bool {
         let history = &self.history;
-        if history.cooldown_end > tick {
-            false
-        } else if self.was_direct {
-            !self.is_calm() || history.direct.calm_steps_left > 0
-        } else {
-            let least = if history.times_dear > 0 { RETRY_SHARE } else { DIRECT_SHARE };
-            self.sag_share() > least && !history.is_given_up()
+        if self.was_direct {
+            // Few of its bodies may be in a cooldown, which have come to it since.
+            return !self.is_calm() || history.direct.calm_steps_left > 0;
         }
+        let is_barred = history.cooldown_end > tick || history.is_given_up();
+        let least = if history.times_dear > 0 { RETRY_SHARE } else { DIRECT_SHARE };
+        self.sag_share() > least && !is_barred
     }
 
     /// What direct solves have taken beyond their worth. It is always worth it in an island that counts blows.
@@ -115,6 +114,11 @@ mod tests {
         assert!(asks(1.1 * RETRY_SHARE, once, 0) && !asks(0.9 * RETRY_SHARE, once, 0));
         let cools = IslandHistory { cooldown_end: 7, ..IslandHistory::default() };
         assert!(!asks(1.0, cools, 6) && asks(1.0, cools, 7));
+        let joined_by_one = LoadedIsland { history: cools, ..island(true, 1.0, 0.0) };
+        assert!(
+            joined_by_one.asks(6),
+            "a body that cools down does not end the direct solve of what it falls on"
+        );
     }
 
     #[test]
