@@ -25,10 +25,6 @@ pub(super) const LEAST_COMPLIANCE: f64 = 1e-6;
 /// held too, or none, more islands are not solved.
 const HELD: f64 = 0.1;
 
-/// Friction with what moves by itself may be over its limit by this share of it, no unit. With three times the limit crates that jam on a belt
-/// are still no faster than it; with as much as limits that go to and fro come to, they are thrown at 15 m/s.
-const OVER_LIMIT: f64 = 0.1;
-
 /// What a row belongs to, and so what its impulse may be.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Kind {
@@ -146,12 +142,12 @@ impl Row {
         };
     }
 
-    /// Lowers the bound of friction with a belt, or what else moves by itself, to what this impulse along the normal allows, N s, if it is above
-    /// that by more than a share of [`OVER_LIMIT`].
+    /// Lowers the bound of friction with a belt, or what else moves by itself, to what this impulse along the normal allows, N s: held above that,
+    /// it throws crates that jam on the belt at 15 m/s.
     pub(super) fn lower_range(&mut self, along_normal: f64) {
         if let Kind::Friction { friction, .. } = self.kind
             && self.carried != 0.0
-            && self.range[1] > (1.0 + OVER_LIMIT) * friction * along_normal
+            && self.range[1] > friction * along_normal
         {
             self.set_range(along_normal);
         }
