@@ -45,7 +45,7 @@ pub(crate) struct Blow {
     pub(crate) contact: u32,
     /// Impulse on b, and its opposite on a, N s.
     pub(crate) on_b: Vec2,
-    /// By point: the part of it along the normal that the substeps have brought, N s.
+    /// By point: the part of it along the normal that substeps and seams have brought, N s.
     pub(crate) by_point: [f32; 2],
     /// What it would be along the normal if the contact had borne in each substep what it bore in the last before, N s: what
     /// touched already is told from a blow by it, if impulses are summed up of all.
@@ -256,7 +256,12 @@ impl Blows {
             first: Some(collision),
             ..new(contact)
         }));
-        of_step.extend(others.iter().map(|&(contact, on_b)| Blow { on_b, ..new(contact) }));
+        // Of circles, which press with one point.
+        of_step.extend(others.iter().map(|&(contact, on_b)| Blow {
+            on_b,
+            by_point: [on_b.length(), 0.0],
+            ..new(contact)
+        }));
         of_step
             .extend(begun.drain(..).map(|begun| Blow { begun: Some(begun), ..new(begun.contact.index()) }));
         if of_step.is_empty() {
@@ -317,7 +322,7 @@ impl Blow {
         self.begun = self.begun.or(part.begun);
     }
 
-    /// Whether the substeps have pressed the bodies together.
+    /// Whether substeps or seams have pressed the bodies together.
     pub(crate) fn has_pressed(&self) -> bool {
         self.by_point != [0.0; 2]
     }

@@ -108,10 +108,11 @@ impl World {
         self.settings.sum_impulses && contact.has_touched() && beyond >= least
     }
 
-    /// Whether a blow is over: what met has bounced, reached the surface, or approaches no more. Else it has only been slowed
-    /// down to reach it.
+    /// Whether a blow is over: what met has bounced, reached the surface, parted again, or approaches no more. Else it has only been
+    /// slowed down to reach it.
     fn is_over(&self, blow: &Blow, contact: &Contact) -> bool {
-        if contact.has_bounced || contact.is_touching && blow.begun.is_none() {
+        let touched_before = contact.is_touching && blow.begun.is_none();
+        if contact.has_bounced || touched_before || !contact.has_touched() {
             return true;
         }
         let speed = blow.begun.map_or(contact.approach_speed, |begun| begun.so_far.speed);

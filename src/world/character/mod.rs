@@ -106,7 +106,7 @@ pub struct Moved {
     /// What stopped it from above.
     pub ceiling: Option<ShapeHit>,
     /// The body that it still overlaps, as there is no room beside it. The character is not moved by it then, does not fall, and can
-    /// walk out of it; what becomes of it is for the game to say.
+    /// walk out of it, on the nearer side, which may be the far one; what becomes of it is for the game to say.
     pub crushed_by: Option<BodyId>,
 }
 

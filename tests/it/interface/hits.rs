@@ -388,3 +388,47 @@ fn no_blow_without_restitution_is_lost() {
     }
     assert!(cut_off > 5, "{cut_off} crates were removed in between");
 }
+
+/// Where two links of a chain meet on a hill, the disc meets one of them at a time of its own: it is told to be hit as by level ground, with m v up
+/// to the square of the slope, from every height.
+#[test]
+fn a_disc_that_stops_at_a_convex_corner_hits_it() {
+    for number in 0..50_u8 {
+        let mut world = world_with(false, false);
+        add(&mut world, Ground::chain([[-3.0, -0.1], [0.0, 0.0], [3.0, -0.1]]).unwrap());
+        let disc = Body::dynamic(Shape::circle(0.3)).at([0.002, 2.0 + 0.02 * f64::from(number)]).mass(1.0);
+        add(&mut world, disc.velocity([0.0, -10.0]).restitution(0.0));
+        let (mut began, mut hits) = (0, Vec::new());
+        for _ in 0..30 {
+            world.step();
+            began += world.events().began().len();
+            hits.extend_from_slice(world.events().hits());
+        }
+        let given: f32 = hits.iter().map(|hit| hit.normal_impulse).sum();
+        assert!(began >= 1 && !hits.is_empty(), "{began} began, {hits:?}");
+        assert_relative(given.into(), 10.0, 0.1 * 0.1 / 9.0, "m v");
+    }
+}
+
+/// Boxes without restitution that tumble against a wall: what hits them is told no later than its contact has ended.
+#[test]
+fn no_hit_is_told_after_its_contact_has_ended() {
+    for number in 0..60_u8 {
+        let mut world = world_with(false, false);
+        add(&mut world, Body::fixed(Shape::rectangle(1.0, 6.0)).at([0.5, 0.0]));
+        let body = Body::dynamic(Shape::rectangle(1.0, 0.5)).at([-2.0 - 0.013 * f64::from(number % 20), 0.0]);
+        let body = body.angle(0.05 * f32::from(number)).velocity([10.0, 0.0]);
+        add(&mut world, body.mass(1.0).restitution(0.0));
+        let mut touching = 0_usize;
+        for tick in 0..60 {
+            world.step();
+            let events = world.events();
+            assert!(
+                events.hits().is_empty() || touching + events.began().len() > 0,
+                "throw {number}, tick {tick}: {:?}",
+                events.hits()
+            );
+            touching = touching + events.began().len() - events.ended().len();
+        }
+    }
+}
