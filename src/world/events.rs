@@ -283,8 +283,8 @@ impl Events {
     }
 
     /// Bodies that met with at least the speed of [`Settings::hit_threshold`](crate::Settings::hit_threshold), each pair once per
-    /// tick; and blows that ran through bodies at rest, if [`Settings::sum_impulses`](crate::Settings::sum_impulses) says so. So does it of a
-    /// second blow while two bodies touch, as of the other corner of one that tumbles against a wall: by default only the first is told.
+    /// tick. With [`Settings::sum_impulses`](crate::Settings::sum_impulses) also blows that ran through bodies at rest, and a second blow while two
+    /// bodies touch, as of the other corner of one that tumbles against a wall. Without it only the first is told.
     pub fn hits(&self) -> &[HitEvent] {
         &self.hits
     }
