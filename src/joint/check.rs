@@ -16,7 +16,7 @@ const LARGEST_DAMPING: f64 = 1e6;
 const FASTEST: f64 = 1e9;
 /// Angles, rad: 10^8 turns, of which an `f64` still tells 10^-7 rad.
 const LARGEST_ANGLE: f64 = 1e9;
-/// Ratios of gears.
+/// Ratios of gears and pulleys.
 const RATIOS: [f64; 2] = [1e-6, 1e6];
 
 fn check(
@@ -61,6 +61,10 @@ impl Joint {
         }
         if let Some(target) = self.target {
             check_point("the target", target)?;
+        }
+        if let Some([wheel_a, wheel_b]) = self.wheels {
+            check_point("the first wheel", wheel_a)?;
+            check_point("the second wheel", wheel_b)?;
         }
         if let Some(length) = self.length {
             check("the length", f64::from(length), [SHORTEST, FARTHEST], "m")?;
@@ -122,6 +126,7 @@ impl Joint {
                 Err(JointError::NoStrength)
             }
             JointKind::Gear => check("the size of the ratio", self.ratio.abs(), RATIOS, ""),
+            JointKind::Pulley => check("the ratio", self.ratio, RATIOS, ""),
             JointKind::Ratchet => check("the angle of a tooth", self.ratio, RATIOS, "rad"),
             _ => Ok(()),
         }
@@ -129,7 +134,7 @@ impl Joint {
 
     /// Checks that the kind has every option that was given.
     fn validate_options(&self) -> Result<(), JointError> {
-        use JointKind::{Distance, Drag, Friction, Motor, Prismatic, Ratchet, Revolute, Weld, Wheel};
+        use JointKind::{Distance, Drag, Friction, Motor, Prismatic, Pulley, Ratchet, Revolute, Weld, Wheel};
         if let Some(ForeignOption { name, kinds }) = self.foreign {
             return Err(JointError::NoSuchOption { kind: self.kind, option: name, kinds });
         }
@@ -144,7 +149,7 @@ impl Joint {
             ),
             (self.rest != 0.0, "rest of its spring", &[Revolute, Prismatic, Wheel, Motor, Ratchet]),
             (self.axis.is_some(), "axis", &[Prismatic, Wheel]),
-            (self.length.is_some(), "length", &[Distance]),
+            (self.length.is_some(), "length", &[Distance, Pulley]),
             (self.target.is_some(), "target", &[Drag]),
             (self.max_force.is_some(), "greatest force", &[Drag, Motor, Friction]),
             (self.max_torque.is_some(), "greatest torque", &[Motor, Friction]),

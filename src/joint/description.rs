@@ -44,6 +44,8 @@ pub enum JointKind {
     Gear,
     /// Turning about a common point, but not back over a tooth.
     Ratchet,
+    /// Everything but what would take more rope than there is, of one that goes from `a` over two wheels to `b`.
+    Pulley,
 }
 
 impl fmt::Display for JointKind {
@@ -59,6 +61,7 @@ impl fmt::Display for JointKind {
             Self::Friction => "friction",
             Self::Gear => "gear",
             Self::Ratchet => "ratchet",
+            Self::Pulley => "pulley",
         })
     }
 }
@@ -98,7 +101,7 @@ pub(crate) enum Anchors {
 ///
 /// Where `b` is `None`, the body `a` is joined to the world. Angle and translation are those of `b` (or the world) as seen from `a`. The
 /// angle is 0 as the bodies are when the joint is added, and the translation is 0 where the two anchors are at one place. The bodies do
-/// not touch each other unless [`collide_connected`](Self::collide_connected) says so.
+/// not touch each other unless [`collide_connected`](Self::collide_connected) says so; those of a pulley do.
 ///
 /// ```
 /// use rustycs::prelude::*;
@@ -124,7 +127,8 @@ pub struct Joint {
     pub(crate) is_as_long_as_now: bool,
     pub(crate) motor: Option<Motor>,
     pub(crate) spring: Option<Spring>,
-    /// Of a distance joint: the length, or the rest of its spring, m; `None` for the distance of the anchors.
+    /// Of a distance joint: the length, or the rest of its spring, m; `None` for the distance of the anchors. Of a pulley, that of its rope;
+    /// `None` for what of it is in use.
     pub(crate) length: Option<f32>,
     /// Where the spring is at rest: an angle, rad, or a translation, m.
     pub(crate) rest: f64,
@@ -132,8 +136,10 @@ pub struct Joint {
     pub(crate) target: Option<Point>,
     pub(crate) max_force: Option<f32>,
     pub(crate) max_torque: Option<f32>,
-    /// Gear: how far `a` turns back for a turn of `b`. Ratchet: the angle of a tooth, rad.
+    /// Gear: how far `a` turns back for a turn of `b`. Ratchet: the angle of a tooth, rad. Pulley: how far `a` goes for a metre of `b`.
     pub(crate) ratio: f64,
+    /// Where the rope of a pulley leaves for `a` and for `b`, m.
+    pub(crate) wheels: Option<[Point; 2]>,
     pub(crate) breaks_at: Option<[f32; 2]>,
     pub(crate) collide_connected: bool,
     pub(crate) enabled: bool,
@@ -172,6 +178,7 @@ impl Joint {
             max_force: None,
             max_torque: None,
             ratio: 1.0,
+            wheels: None,
             breaks_at: None,
             collide_connected: false,
             enabled: true,
@@ -252,6 +259,50 @@ impl Joint {
         Self { ratio: tooth, ..Self::new(JointKind::Ratchet, a, b.into()) }
     }
 
+    /// Two bodies on one rope over two wheels, which are fixed in the world: at `wheel_a` it leaves for `a`, and at `wheel_b` for `b`, m. With
+    /// the distances of the anchors from their wheels
+    ///
+    /// ```text
+    /// distance of a + ratio × distance of b ≤ length
+    /// ```
+    ///
+    /// The rope does not stretch, weighs nothing, and can be slack. It is [as long](Self::length) as it takes when it is added, unless said. With
+    /// a [`ratio`](Self::ratio) it is a block and tackle. The anchors are the centres of the bodies, unless said. The bodies touch each
+    /// other, which those of other kinds do not: they hang side by side.
+    ///
+    /// An anchor that is drawn up to its wheel goes on through it, as the wheel is a place and has no size: let something stop
+    /// it before that, as a [rope](Self::rope) of its own, or a beam that it comes to lie against.
+    ///
+    /// ```
+    /// use rustycs::prelude::*;
+    ///
+    /// let mut world = World::new(Settings::default());
+    /// world.add_force(Force::EARTH_GRAVITY);
+    /// let car = world.add(Body::dynamic(Shape::rectangle(1.0, 2.0)).at([-1.0, 0.0]).mass(500.0))?;
+    /// let weight = world.add(Body::dynamic(Shape::rectangle(0.5, 1.0)).at([1.0, 0.0]).mass(300.0))?;
+    /// // From the middle of the roof up; the machine of G. Atwood (1784) has g (m_a - m_b)/(m_a + m_b).
+    /// let lift = Joint::pulley(car, weight, [-1.0, 9.0], [1.0, 9.0]).local_anchors([0.0, 1.0], [0.0, 0.5]);
+    /// let lift = world.add_joint(lift)?;
+    /// for _ in 0..60 {
+    ///     world.step();
+    /// }
+    /// let speed = world.body(weight).unwrap().velocity().y;
+    /// assert!((speed - 9.81 * 200.0 / 800.0).abs() < 1e-4);
+    /// assert!(world.joint(lift).unwrap().error().distance < 1e-6);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn pulley(a: BodyId, b: BodyId, wheel_a: impl Into<Point>, wheel_b: impl Into<Point>) -> Self {
+        let wheels = Some([wheel_a.into(), wheel_b.into()]);
+        Self { wheels, collide_connected: true, ..Self::new(JointKind::Pulley, a, Some(b)) }
+    }
+
+    /// The ratio of a pulley, or of a [gear](Self::gear), no unit; 1 unless said. Of a pulley it is from 10⁻⁶ to 10⁶: how far `a` goes up for each
+    /// metre that `b` comes down, and how many times the tension of the rope `b` bears. With 3, `b` hangs in a block on three strands, and a
+    /// third of its weight at `a` holds it.
+    pub fn ratio(self, ratio: f64) -> Self {
+        Self { ratio, ..self.option_of("ratio", &[JointKind::Gear, JointKind::Pulley]) }
+    }
+
     /// Both anchors at one place of the world, m, as it is when the joint is added.
     pub fn at(self, place: impl Into<Point>) -> Self {
         Self { anchors: Anchors::At(place.into()), ..self }
@@ -312,7 +363,7 @@ impl Joint {
 
     /// A spring by its frequency, from 10⁻⁶ to 10⁶ Hz, and damping ratio, from 0, which swings for ever, by 1, which comes to rest soonest,
     /// to 10⁶. The frequency is that of the two masses on it, or their moments of inertia, about their centres; other joints slow it. All kinds
-    /// but friction joints and gears take one.
+    /// but friction joints, gears and pulleys take one.
     pub fn spring(self, hertz: f32, damping_ratio: f32) -> Self {
         Self { spring: Some(Spring { hertz, damping_ratio }), ..self }
     }
@@ -333,7 +384,8 @@ impl Joint {
         Self { rest, ..self }
     }
 
-    /// The length of a distance joint, or that at which its spring is at rest, m.
+    /// The length of a distance joint, or that at which its spring is at rest, m. Of a pulley that of its rope: the most that the distance of
+    /// `a` from its wheel, and the ratio times that of `b` from its own, may be. From 10⁻⁶ to 10¹² m.
     pub fn length(self, length: f32) -> Self {
         Self { length: Some(length), ..self }
     }
@@ -360,7 +412,7 @@ impl Joint {
         Self { breaks_at: Some([force, torque]), ..self }
     }
 
-    /// Whether the two bodies touch each other. They do not unless said.
+    /// Whether the two bodies touch each other. They do not unless said; those of a pulley do.
     pub fn collide_connected(self, collide: bool) -> Self {
         Self { collide_connected: collide, ..self }
     }

@@ -56,7 +56,7 @@ pub(crate) struct JointRecord {
     pub(crate) axis: Vec2,
     /// Angle of `b` from `a` when the joint was added, rad.
     pub(crate) reference: f64,
-    /// Length of a distance joint, m; where a gear began, rad.
+    /// Length of a distance joint, or of the rope of a pulley, m; where a gear began, rad.
     pub(crate) length: f64,
     pub(crate) state: JointState,
     /// The next joint of `a` and of `b`.
@@ -112,6 +112,12 @@ impl JointRecord {
             End::World(point) => point,
         };
         [place(self.slot_a, self.anchor_a), b]
+    }
+
+    /// How much of the rope of a pulley is in use, m: from a to its wheel, and the ratio times that from b to its own.
+    pub(crate) fn rope(&self, bodies: &Bodies) -> Option<f64> {
+        let ([a, b], [wheel_a, wheel_b]) = (self.anchors(bodies), self.description.wheels?);
+        Some(wheel_a.distance(a) + self.description.ratio * wheel_b.distance(b))
     }
 }
 
@@ -173,7 +179,8 @@ impl Joints {
         let (anchor_a, end) = match description.anchors {
             Anchors::Centers => {
                 let end = pose_b.map_or(pose_a.center, |pose| pose.center);
-                let is_common = !matches!(description.kind, JointKind::Distance | JointKind::Gear);
+                let is_common =
+                    !matches!(description.kind, JointKind::Distance | JointKind::Gear | JointKind::Pulley);
                 (if is_common { pose_a.to_local(end) } else { Vec2::ZERO }, end_at(end))
             }
             Anchors::At(place) => (pose_a.to_local(place), end_at(place)),
@@ -205,6 +212,11 @@ impl Joints {
         if record.description.kind == JointKind::Gear {
             // Base angles are those of a, and of b but for the reference.
             record.length = angles[0] + record.description.ratio * angles[0];
+        }
+        if record.description.length.is_none()
+            && let Some(rope) = record.rope(bodies)
+        {
+            record.length = rope.max(SHORTEST);
         }
         if record.description.kind == JointKind::Drag {
             record.end = End::World(record.description.target.unwrap_or(place_b));
@@ -273,11 +285,12 @@ impl Joints {
         self.of_body(slot).any(|index| self.all[index].description.enabled)
     }
 
-    /// Whether a joint holds the body in `slot` to something that nothing moves.
+    /// Whether a joint holds the body in `slot` to something that nothing moves: a fixed body, the world, or a wheel in it.
     pub(crate) fn holds_to_ground(&self, slot: u32, bodies: &Bodies) -> bool {
         self.of_body(slot).any(|index| {
             let other = self.all[index].other(slot);
-            self.all[index].description.enabled && (other == NONE || !bodies.is_dynamic(other))
+            let Joint { enabled, wheels, .. } = &self.all[index].description;
+            *enabled && (other == NONE || !bodies.is_dynamic(other) || wheels.is_some())
         })
     }
 

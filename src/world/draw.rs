@@ -39,7 +39,7 @@ pub enum DrawnPart {
     Sensor,
     /// The normal of a contact of bodies that touch, from one of its points on.
     Contact,
-    /// From the anchor of a joint on one body to that on the other.
+    /// From the anchor of a joint on one body to that on the other; of a pulley by way of its wheels.
     Joint,
 }
 
@@ -86,7 +86,11 @@ impl World {
         }
         for (_, joint) in self.joints() {
             let [a, b] = joint.anchors();
-            line(DrawnPart::Joint, a, b);
+            let mut from = a;
+            for to in joint.wheels().into_iter().flatten().chain([b]) {
+                line(DrawnPart::Joint, from, to);
+                from = to;
+            }
         }
     }
 }

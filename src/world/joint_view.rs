@@ -114,11 +114,33 @@ impl<'a> JointRef<'a> {
         (b - a).normalized_or_zero()
     }
 
+    /// Where the rope of a pulley leaves for `a`, and for `b`, m; `None` for other kinds.
+    pub fn wheels(&self) -> Option<[Point; 2]> {
+        self.record().description.wheels
+    }
+
+    /// How long it is, m: the most that its [`translation`](Self::translation) may be, of the rope of a pulley, and of a distance joint as far
+    /// as it has one. `None` where there is none, as of a spring.
+    pub fn length(&self) -> Option<f64> {
+        let JointRecord { description, length, .. } = self.record();
+        let is_free = description.spring.is_some() || description.motor.is_some();
+        match (description.kind, description.limits) {
+            (JointKind::Distance, Some([_, most])) => Some(most).filter(|most| most.is_finite()),
+            (JointKind::Distance, None) if is_free => None,
+            (JointKind::Distance | JointKind::Pulley, _) => Some(*length),
+            _ => None,
+        }
+    }
+
     /// Where the anchor of `b` is from the anchor of `a`, m.
     ///
-    /// Of a prismatic or wheel joint it is the way along the axis, with its sign: positive where `b` is ahead of `a`. Of all other kinds it is
-    /// the distance of the two anchors, which is never negative.
+    /// Of a prismatic or wheel joint it is the way along the axis, with its sign: positive where `b` is ahead of `a`. Of a pulley it is how much
+    /// of its rope is in use: the distance of the anchor on `a` from its wheel, and the ratio times that of the one on `b` from its own; less
+    /// than its [`length`](Self::length) where it is slack. Of all other kinds it is the distance of the two anchors, which is never negative.
     pub fn translation(&self) -> f64 {
+        if let Some(rope) = self.record().rope(&self.world.bodies) {
+            return rope;
+        }
         let [a, b] = self.anchors();
         let (axis, gap) = (self.direction(), [b.x - a.x, b.y - a.y]);
         f64::from(axis.x) * gap[0] + f64::from(axis.y) * gap[1]
@@ -126,16 +148,23 @@ impl<'a> JointRef<'a> {
 
     /// How fast the joint moves.
     ///
-    /// Of prismatic, distance and drag joints it is how fast the [`translation`](Self::translation) grows, m/s. Of all other kinds, wheels too,
+    /// Of prismatic, distance and drag joints and pulleys it is how fast the [`translation`](Self::translation) grows, m/s. Of all other kinds, wheels too,
     /// it is the [`angular_speed`](Self::angular_speed), rad/s. So it is the speed that a [motor](Joint::motor) of the joint drives.
     pub fn speed(&self) -> f64 {
-        if !matches!(self.kind(), JointKind::Prismatic | JointKind::Distance | JointKind::Drag) {
-            return self.angular_speed();
-        }
         let [a, b] = self.anchors();
         let velocity_at = |body: BodyId, place: Point| {
             self.world.body(body).map_or(Vec2::ZERO, |body| body.velocity_at(place))
         };
+        if let (Some([wheel_a, wheel_b]), Some(body_b)) = (self.wheels(), self.body_b()) {
+            let away = |body, anchor: Point, wheel: Point| {
+                f64::from((anchor - wheel).normalized_or_zero().dot(velocity_at(body, anchor)))
+            };
+            let ratio = self.record().description.ratio;
+            return away(self.body_a(), a, wheel_a) + ratio * away(body_b, b, wheel_b);
+        }
+        if !matches!(self.kind(), JointKind::Prismatic | JointKind::Distance | JointKind::Drag) {
+            return self.angular_speed();
+        }
         // The axis turns with a, and so the point of a that is at the anchor of b is what b slides along.
         let of_a = if self.kind() == JointKind::Prismatic { b } else { a };
         let of_b = self.body_b().map_or(Vec2::ZERO, |body| velocity_at(body, b));
@@ -144,6 +173,8 @@ impl<'a> JointRef<'a> {
 
     /// The force on `b` (or the world) at its anchor, N, on average over the last step; that on `a` is opposite. Times the length of
     /// the step it is the impulse, N s, that of a blow too. While its bodies sleep it is that of the step in which they fell asleep.
+    ///
+    /// A pulley pulls each body to its own wheel: `b` with this force, the ratio times the tension of the rope, and `a` with the tension.
     pub fn force(&self) -> Vec2 {
         self.record().state.force
     }
@@ -308,7 +339,8 @@ impl<'a> JointMut<'a> {
         self.steer(|joint| joint.spring = None);
     }
 
-    /// Sets the length of a distance joint, m.
+    /// Sets the length of a distance joint, or of the rope of a pulley, m: a winch. What is too far apart for it comes together at no more than
+    /// 3 m/s.
     ///
     /// # Errors
     /// [`JointError`], if the length is one that [`World::add_joint`] refuses, or the joint is of another kind.

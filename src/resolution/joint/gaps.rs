@@ -63,7 +63,11 @@ impl JointSolver {
             let row = &self.rows[row];
             let speed = row.closing_speed(island.times);
             let turning = |&body: &u32| self.bodies[body as usize].pace_of([0.0, 0.0, speed]);
-            if row.coordinate.is_angle() { row.bodies.iter().map(turning).fold(0.0, f64::max) } else { speed }
+            if row.coordinate.is_angle() {
+                row.bodies.iter().map(turning).fold(0.0, f64::max)
+            } else {
+                speed * row.coordinate.leverage()
+            }
         };
         rows_of(&island.clusters).map(pace).fold(0.0, f64::max)
     }

@@ -37,6 +37,18 @@ pub(super) fn perp(a: V2) -> V2 {
     [-a[1], a[0]]
 }
 
+#[inline(always)]
+pub(super) fn length(a: V2) -> f64 {
+    dot(a, a).sqrt()
+}
+
+/// The direction of `a`, of length 1. That from a place to itself may be any.
+#[inline(always)]
+fn direction(a: V2) -> V2 {
+    let length = length(a);
+    if length > 0.0 { [a[0] / length, a[1] / length] } else { [0.0, 1.0] }
+}
+
 /// `v` turned by the rotation (cos, sin).
 #[inline(always)]
 pub(super) fn rotate(q: V2, v: V2) -> V2 {
@@ -208,6 +220,8 @@ pub(super) struct Base {
     pub(super) r_a: V2,
     pub(super) r_b: V2,
     pub(super) axis: V2,
+    /// From the wheels of a pulley to the anchors on a and b, m; 0 of other kinds.
+    pub(super) ropes: [V2; 2],
     /// Angles of a and b since the joint was added, rad, each of any number of turns.
     pub(super) angles: V2,
 }
@@ -219,6 +233,7 @@ pub(super) struct Geometry {
     r_a: V2,
     r_b: V2,
     axis: V2,
+    ropes: [V2; 2],
     angles: V2,
 }
 
@@ -232,6 +247,7 @@ impl Base {
             r_a,
             r_b,
             axis: rotate(a.turn, self.axis),
+            ropes: [add(self.ropes[0], moved_a), add(self.ropes[1], moved_b)],
             angles: [self.angles[0] + a.angle, self.angles[1] + b.angle],
         }
     }
@@ -255,6 +271,8 @@ pub(super) enum Coordinate {
     Angle,
     /// The angle of a and a ratio times that of b.
     Gear(f64),
+    /// The distance of the anchor on a from its wheel, and a ratio times that of the one on b from its own.
+    Pulley(f64),
 }
 
 impl Coordinate {
@@ -270,32 +288,55 @@ impl Coordinate {
             Self::Y | Self::PinY => at.gap[1],
             Self::Along => dot(at.axis, at.gap),
             Self::Across => cross(at.axis, at.gap),
-            Self::Distance => dot(at.gap, at.gap).sqrt(),
+            Self::Distance => length(at.gap),
             Self::Angle => at.angles[1] - at.angles[0],
             Self::Gear(ratio) => at.angles[0] + ratio * at.angles[1],
+            Self::Pulley(ratio) => length(at.ropes[0]) + ratio * length(at.ropes[1]),
         }
+    }
+
+    /// The size of the joint as it measures that, m: what its lengths are rounded by goes with it. 1 for angles.
+    pub(super) fn size(self, base: &Base) -> f64 {
+        let Base { gap, r_a, r_b, ropes, .. } = base;
+        match self {
+            Self::Angle | Self::Gear(_) => 1.0,
+            Self::Pulley(ratio) => {
+                length(*r_a) + length(ropes[0]) + ratio * (length(*r_b) + length(ropes[1]))
+            }
+            _ => length(*r_a) + length(*r_b) + length(*gap),
+        }
+    }
+
+    /// How many times as fast as this changes one of its bodies may be, no unit.
+    pub(super) fn leverage(self) -> f64 {
+        if let Self::Pulley(ratio) = self { ratio.recip().max(1.0) } else { 1.0 }
     }
 
     /// How far its anchors are from the centres of a and b, m, if it holds them in a place.
     pub(super) fn arms(self, at: &Geometry) -> Option<[f64; 2]> {
-        let length = |r: V2| dot(r, r).sqrt();
         (!self.is_angle()).then(|| [length(at.r_a), length(at.r_b)])
     }
 
     /// How stiffly the bodies a and b are pulled back, N/m, and turned back, N m/rad, by a `load` on it, N.
     ///
     /// A force f at an arm r turns a body back with r · f. A rod under the tension T, of the length l, pulls what goes to the side
-    /// back with T/l.
+    /// back with T/l; and so do the two ends of the rope of a pulley, each with its own.
     pub(super) fn geometric_stiffness(self, at: &Geometry, load: f64) -> [[f64; 2]; 2] {
         if self.is_angle() {
             return [[0.0; 2]; 2];
         }
-        let [_, [x, y, _]] = self.jacobian(at);
-        let force = [load * x, load * y];
-        let distance = self.value(at);
-        let pull = if self == Self::Distance && distance > 0.0 { -load / distance } else { 0.0 };
-        let turn = |r: V2, force: f64| force + pull * dot(r, r);
-        [[pull, turn(at.r_a, -dot(at.r_a, force))], [pull, turn(at.r_b, dot(at.r_b, force))]]
+        // On each side how many times it pulls, and how long it is, m.
+        let [rope_a, rope_b] = match self {
+            Self::Distance => [[1.0, length(at.gap)]; 2],
+            Self::Pulley(ratio) => [[1.0, length(at.ropes[0])], [ratio, length(at.ropes[1])]],
+            _ => [[0.0; 2]; 2],
+        };
+        let side = |[x, y, _]: V3, r: V2, [times, length]: [f64; 2]| {
+            let pull = if length > 0.0 { -load * times / length } else { 0.0 };
+            [pull, dot(r, [load * x, load * y]) + pull * dot(r, r)]
+        };
+        let [j_a, j_b] = self.jacobian(at);
+        [side(j_a, at.r_a, rope_a), side(j_b, at.r_b, rope_b)]
     }
 
     /// Its Jacobian: how fast it grows with the velocities of a and of b.
@@ -317,15 +358,17 @@ impl Coordinate {
             Self::PinY => of_both([0.0, 1.0]),
             Self::Along => of_a(at.axis),
             Self::Across => of_a(perp(at.axis)),
-            Self::Distance => {
-                let distance = self.value(at);
-                // Two anchors in one place: any direction serves.
-                let u =
-                    if distance > 0.0 { [at.gap[0] / distance, at.gap[1] / distance] } else { [0.0, 1.0] };
-                between(u, at.r_a, at.r_b)
-            }
+            Self::Distance => between(direction(at.gap), at.r_a, at.r_b),
             Self::Angle => [[0.0, 0.0, -1.0], [0.0, 0.0, 1.0]],
             Self::Gear(ratio) => [[0.0, 0.0, 1.0], [0.0, 0.0, ratio]],
+            // d/dt |d| = d/|d| · (v + w × r), where d is from a wheel that does not move to the anchor at r.
+            Self::Pulley(ratio) => {
+                let away = |times: f64, rope: V2, r: V2| {
+                    let u = direction(rope);
+                    [times * u[0], times * u[1], times * cross(r, u)]
+                };
+                [away(1.0, at.ropes[0], at.r_a), away(ratio, at.ropes[1], at.r_b)]
+            }
         }
     }
 }

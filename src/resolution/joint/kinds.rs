@@ -5,7 +5,7 @@ use core::f64::consts::TAU;
 use crate::joint::{JointKind, JointRecord, Spring};
 use crate::resolution::joint::geometry::Coordinate;
 use crate::resolution::joint::geometry::Coordinate::{
-    Across, Along, Angle, Distance, Gear, PinX, PinY, X, Y,
+    Across, Along, Angle, Distance, Gear, PinX, PinY, Pulley, X, Y,
 };
 use crate::resolution::joint::row::{Role, Row};
 
@@ -66,6 +66,10 @@ pub(super) fn rows_of(joint: &JointRecord, inverse: Inverse, rows: &mut Vec<Row>
             push_brakes(joint, rows);
         }
         JointKind::Gear => rows.push(held_at(Gear(joint.description.ratio), joint.length)),
+        JointKind::Pulley => {
+            let rope = Role::Limits([f64::NEG_INFINITY, joint.length]);
+            rows.push(Row::new(Pulley(joint.description.ratio), rope));
+        }
         JointKind::Ratchet => {
             rows.extend([rigid(PinX), rigid(PinY)]);
             push_spring(joint, Angle, inverse, rows);

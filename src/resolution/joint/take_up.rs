@@ -7,7 +7,7 @@ use crate::joint::{End, JointRecord, Joints, Pace};
 use crate::math::{Point, Rot, Vec2, atan2_f64};
 use crate::resolution::constraint_graph::ConstraintGraph;
 use crate::resolution::joint::JointSolver;
-use crate::resolution::joint::geometry::{Base, JointBody, dot, nearest, rotate};
+use crate::resolution::joint::geometry::{Base, JointBody, nearest, rotate};
 use crate::resolution::joint::kinds::{Inverse, rows_of};
 use crate::resolution::joint::plan::{Place, plan};
 
@@ -104,13 +104,11 @@ impl JointSolver {
             Inverse { mass: a.inverse_mass + b.inverse_mass, inertia: a.inverse_inertia + b.inverse_inertia };
         let first = self.rows.len();
         rows_of(record, inverse, &mut self.rows);
-        let length = |v| dot(v, v).sqrt();
-        let size = length(base.r_a) + length(base.r_b) + length(base.gap);
         for (row, load) in self.rows[first..].iter_mut().zip(record.state.loads) {
             row.joint = self.places.len() as u32;
             row.bodies = places;
             row.load = f64::from(load);
-            row.scale = if row.coordinate.is_angle() { 1.0 } else { size.max(SMALLEST) };
+            row.scale = row.coordinate.size(&base).max(SMALLEST);
         }
         let movable = |place: u32| if self.bodies[place as usize].inverse_mass > 0.0 { place } else { 0 };
         self.places.push(Place {
@@ -182,11 +180,20 @@ fn base_of(record: &mut JointRecord, bodies: &Bodies) -> Base {
         *angle = nearest(atan2_f64(q[1], q[0]), *angle);
     }
     let [angle_a, angle_b] = record.state.angles;
+    let rope = |wheel: Point, center: Point, r: [f64; 2]| {
+        let [x, y] = between(wheel, center);
+        [x + r[0], y + r[1]]
+    };
+    let ropes = record
+        .description
+        .wheels
+        .map(|[wheel_a, wheel_b]| [rope(wheel_a, pose_a.center, r_a), rope(wheel_b, center_b, r_b)]);
     Base {
         gap: [offset[0] + r_b[0] - r_a[0], offset[1] + r_b[1] - r_a[1]],
         r_a,
         r_b,
         axis: rotate(q_a, wide(record.axis)),
+        ropes: ropes.unwrap_or_default(),
         angles: [angle_a, angle_b - record.reference],
     }
 }

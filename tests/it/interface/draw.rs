@@ -36,6 +36,21 @@ fn a_world_is_drawn_as_outlines_contacts_and_joints() {
     assert_eq!(of(DrawnPart::Joint).count(), 1);
 }
 
+/// A rope over two wheels is drawn by way of them.
+#[test]
+fn the_rope_of_a_pulley_is_drawn_over_its_wheels() {
+    let mut world = World::new(Settings::default());
+    let [a, b] = [-2.0, 2.0].map(|x| add(&mut world, unit_box(x, 0.0)));
+    world.add_joint(Joint::pulley(a, b, [-1.0, 5.0], [1.0, 5.0])).unwrap();
+    let mut way = Vec::new();
+    world.draw_lines(1.0, |part, from, to| {
+        if part == DrawnPart::Joint {
+            way.push([from.x, from.y, to.x, to.y]);
+        }
+    });
+    assert_eq!(way, [[-2.0, 0.0, -1.0, 5.0], [-1.0, 5.0, 1.0, 5.0], [1.0, 5.0, 2.0, 0.0]]);
+}
+
 /// Between two ticks things are drawn in between.
 #[test]
 fn what_moves_is_drawn_between_two_ticks() {

@@ -32,7 +32,7 @@ fn joint(random: &mut Random, bodies: &[BodyId]) -> Joint {
     let (a, other) = (any(), any());
     let b = Some(other).filter(|_| random.random_bool(0.8));
     let ratio = random.random_range(-3.0..3.0);
-    let joint = match random.random_range(0..11) {
+    let joint = match random.random_range(0..12) {
         0 => Joint::revolute(a, b).limits(-1.0..=random.random_range(-1.0..2.0)),
         1 => Joint::revolute(a, b).motor(random.random_range(-50.0..50.0), power(random, -2.0, 5.0)),
         2 => Joint::prismatic(a, b).axis([1.0, 0.5]).limits(-0.5..=0.5),
@@ -43,6 +43,11 @@ fn joint(random: &mut Random, bodies: &[BodyId]) -> Joint {
         7 => Joint::wheel(a, b).axis([0.0, 1.0]).suspension(4.0, 0.7).travel(-0.2..=0.2).motor(10.0, 50.0),
         8 => Joint::friction(a, b).max_force(10.0).max_torque(1.0),
         9 => Joint::gear(a, other, ratio),
+        10 => {
+            let mut wheel = || [random.random_range(-4.0..4.0), random.random_range(0.0..8.0)];
+            let pulley = Joint::pulley(a, other, wheel(), wheel()).ratio(f64::from(power(random, -1.0, 1.0)));
+            if random.random_bool(0.5) { pulley.length(power(random, -1.0, 1.5)) } else { pulley }
+        }
         _ => Joint::drag(a, [random.random_range(-5.0..5.0), 3.0]).max_force(power(random, 0.0, 5.0)),
     };
     joint.collide_connected(random.random_bool(0.3))

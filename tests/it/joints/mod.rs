@@ -7,6 +7,7 @@ mod kinds;
 mod loads;
 mod machines;
 mod pendulums;
+mod pulleys;
 mod stalled;
 mod stones;
 mod use_of_joints;

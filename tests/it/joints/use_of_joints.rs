@@ -41,6 +41,22 @@ fn a_joint_that_makes_no_sense_is_refused_with_a_sentence_and_nothing_changes() 
             "a prismatic joint has no suspension; leave it out, or take one of these kinds: wheel",
         ),
         (Joint::gear(a, b, 0.0), "the size of the ratio is 0"),
+        (Joint::pulley(a, b, [0.0, 5.0], [f64::NAN, 5.0]), "the second wheel is NaN m; give a finite number"),
+        (Joint::pulley(a, b, [0.0, 5e12], [0.0, 5.0]), "the first wheel is 5e12 m; give a finite number"),
+        (over_wheels(a, b).ratio(0.0), "the ratio is 0; give a finite number from 1e-6 to 1e6"),
+        (over_wheels(a, b).ratio(-1.0), "the ratio is -1; give a finite number from 1e-6 to 1e6"),
+        (over_wheels(a, b).ratio(f64::NAN), "the ratio is NaN; give a finite number from 1e-6 to 1e6"),
+        (over_wheels(a, b).length(0.0), "the length is 0 m; give a finite number from 1e-6 to 1e12 m"),
+        (over_wheels(a, a), "a joint cannot join a body to itself"),
+        (over_wheels(floor, lift), "a joint moves dynamic bodies only; give one that is dynamic"),
+        (
+            over_wheels(a, b).limits(0.0..=1.0),
+            "a pulley joint has no limits; leave it out, or take one of these kinds: revolute, prismatic, distance, wheel",
+        ),
+        (
+            Joint::revolute(a, b).ratio(2.0),
+            "a revolute joint has no ratio; leave it out, or take one of these kinds: gear, pulley",
+        ),
         (
             Joint::revolute(a, b).limits(0.0..=1e300),
             "the upper limit is 1e300 rad; give a finite number from -1e9 to 1e9 rad",
@@ -69,14 +85,20 @@ fn a_joint_that_makes_no_sense_is_refused_with_a_sentence_and_nothing_changes() 
     assert_eq!((world.joint_count(), world.state_hash()), (0, before));
 }
 
+fn over_wheels(a: BodyId, b: BodyId) -> Joint {
+    Joint::pulley(a, b, [-1.0, 5.0], [1.0, 5.0])
+}
+
 /// An option by its name, what gives it, and the kinds that have it.
 type JointOption = (&'static str, fn(Joint) -> Joint, &'static [JointKind]);
 
 /// All options of joints.
-fn options() -> [JointOption; 20] {
-    use JointKind::{Distance, Drag, Friction, Gear, Motor, Prismatic, Ratchet, Revolute, Weld, Wheel};
+fn options() -> [JointOption; 21] {
+    use JointKind::{
+        Distance, Drag, Friction, Gear, Motor, Prismatic, Pulley, Ratchet, Revolute, Weld, Wheel,
+    };
     const ALL: &[JointKind] =
-        &[Revolute, Prismatic, Distance, Weld, Wheel, Motor, Drag, Friction, Gear, Ratchet];
+        &[Revolute, Prismatic, Distance, Weld, Wheel, Motor, Drag, Friction, Gear, Ratchet, Pulley];
     const SPRINGS: &[JointKind] = &[Revolute, Prismatic, Distance, Wheel, Weld, Motor, Drag, Ratchet];
     [
         ("limits", |joint| joint.limits(0.0..=1.0), &[Revolute, Prismatic, Distance, Wheel]),
@@ -87,7 +109,8 @@ fn options() -> [JointOption; 20] {
         ("suspension", |joint| joint.suspension(1.0, 1.0), &[Wheel]),
         ("rest of its spring", |joint| joint.rest(0.5), &[Revolute, Prismatic, Wheel, Motor, Ratchet]),
         ("axis", |joint| joint.axis([1.0, 0.0]), &[Prismatic, Wheel]),
-        ("length", |joint| joint.length(1.0), &[Distance]),
+        ("length", |joint| joint.length(1.0), &[Distance, Pulley]),
+        ("ratio", |joint| joint.ratio(2.0), &[Gear, Pulley]),
         ("target", |joint| joint.target([1.0, 0.0]), &[Drag]),
         ("greatest force", |joint| joint.max_force(1.0), &[Drag, Motor, Friction]),
         ("greatest torque", |joint| joint.max_torque(1.0), &[Motor, Friction]),
@@ -120,6 +143,7 @@ fn a_joint_takes_the_options_of_its_kind_and_no_others() {
         Joint::friction(a, b).max_force(1.0).max_torque(1.0),
         Joint::gear(a, b, 2.0),
         Joint::ratchet(a, b, 0.1),
+        over_wheels(a, b),
     ];
     for joint in joints {
         for (name, give, kinds_that_have_it) in options() {
