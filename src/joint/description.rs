@@ -270,8 +270,8 @@ impl Joint {
     /// a [`ratio`](Self::ratio) it is a block and tackle. The anchors are the centres of the bodies, unless said. The bodies touch each
     /// other, which those of other kinds do not: they hang side by side.
     ///
-    /// An anchor that is drawn up to its wheel goes on through it, as the wheel is a place and has no size: let something stop
-    /// it before that, as a [rope](Self::rope) of its own, or a beam that it comes to lie against.
+    /// An anchor that is drawn up to its wheel goes on through it, as the wheel is a place and has no size, and that close a step takes up to
+    /// a millisecond: let a stop hold it before that, as a [rope](Self::rope) for the other body, or a beam to lie against.
     ///
     /// ```
     /// use rustycs::prelude::*;

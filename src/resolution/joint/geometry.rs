@@ -42,11 +42,11 @@ pub(super) fn length(a: V2) -> f64 {
     dot(a, a).sqrt()
 }
 
-/// The direction of `a`, of length 1. That from a place to itself may be any.
+/// The direction of `a`, of length 1; that from a place to itself is none.
 #[inline(always)]
-fn direction(a: V2) -> V2 {
+fn direction(a: V2) -> Option<V2> {
     let length = length(a);
-    if length > 0.0 { [a[0] / length, a[1] / length] } else { [0.0, 1.0] }
+    (length > 0.0).then(|| [a[0] / length, a[1] / length])
 }
 
 /// `v` turned by the rotation (cos, sin).
@@ -253,6 +253,10 @@ impl Base {
     }
 }
 
+/// Way of an anchor in a step, by its distance from the wheel of its rope, is this many times less than the angle that a body may swing by, no
+/// unit: a quarter. There a body turns back within a radian or two, at its fastest. With all of that angle it may gain a sixth of its energy.
+const FLY_BY: f64 = 4.0;
+
 /// What a row measures.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Coordinate {
@@ -339,6 +343,16 @@ impl Coordinate {
         [side(j_a, at.r_a, rope_a), side(j_b, at.r_b, rope_b)]
     }
 
+    /// How fast bodies may come to swing by it in this step, rad/s: those of a pulley that fly by their wheels, or up to them.
+    pub(super) fn turning(self, at: &Geometry, a: &JointBody, b: &JointBody) -> f64 {
+        let Self::Pulley(_) = self else { return 0.0 };
+        let rate = |[x, y, w]: V3, r: V2, rope: V2| {
+            let [speed, length] = [length(add([x, y], [-w * r[1], w * r[0]])), length(rope)];
+            if length > 0.0 { FLY_BY * speed / length } else { 0.0 }
+        };
+        rate(a.velocity, at.r_a, at.ropes[0]).max(rate(b.velocity, at.r_b, at.ropes[1]))
+    }
+
     /// Its Jacobian: how fast it grows with the velocities of a and of b.
     pub(super) fn jacobian(self, at: &Geometry) -> [V3; 2] {
         // d/dt (u · gap) = u · (v_b + w_b × r_b - v_a - w_a × r_a)
@@ -358,13 +372,15 @@ impl Coordinate {
             Self::PinY => of_both([0.0, 1.0]),
             Self::Along => of_a(at.axis),
             Self::Across => of_a(perp(at.axis)),
-            Self::Distance => between(direction(at.gap), at.r_a, at.r_b),
+            // Two anchors in one place: any direction serves.
+            Self::Distance => between(direction(at.gap).unwrap_or([0.0, 1.0]), at.r_a, at.r_b),
             Self::Angle => [[0.0, 0.0, -1.0], [0.0, 0.0, 1.0]],
             Self::Gear(ratio) => [[0.0, 0.0, 1.0], [0.0, 0.0, ratio]],
             // d/dt |d| = d/|d| · (v + w × r), where d is from a wheel that does not move to the anchor at r.
             Self::Pulley(ratio) => {
                 let away = |times: f64, rope: V2, r: V2| {
-                    let u = direction(rope);
+                    // An anchor that is on its wheel is pulled no way.
+                    let u = direction(rope).unwrap_or_default();
                     [times * u[0], times * u[1], times * cross(r, u)]
                 };
                 [away(1.0, at.ropes[0], at.r_a), away(ratio, at.ropes[1], at.r_b)]

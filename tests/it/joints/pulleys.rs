@@ -324,32 +324,43 @@ fn bodies_on_one_rope_touch_each_other_unless_told_not_to() {
     }
 }
 
-/// An anchor that begins on its wheel, one that is drawn through it, and both on theirs: everything stays finite, nothing gains energy beyond
-/// what a light body at 10 m/s has, and what is heavier hangs by the whole rope in the end.
+/// An anchor that begins on its wheel, or beside it, and one that is drawn through it or past it, and turns about it at hundreds of rad/s, where
+/// steps are short: nothing gains a thousandth of its energy, and the rope stretches by less than a millimetre.
 #[test]
-fn an_anchor_on_its_wheel_breaks_nothing() {
-    for (y_a, y_b) in [(10.0, 5.0), (9.5, 5.0), (10.0, 10.0), (9.999_999, 2.0)] {
-        for m_a in [0.1_f32, 1.0, 3.9] {
-            for x in [-1.0, -1.01] {
-                let mut world = earth();
-                let [a, b] =
-                    [(x, y_a, m_a), (1.0, y_b, 4.0)].map(|(x, y, mass)| add(&mut world, disc(x, y, mass)));
-                let joint = world.add_joint(Joint::pulley(a, b, WHEELS[0], WHEELS[1])).unwrap();
-                let start = world.energy();
-                for tick in 0..600 {
-                    world.step();
-                    let energy = world.energy();
-                    assert!(
-                        energy <= start + 0.1,
-                        "{y_a} m, {m_a} kg, tick {tick}: {energy} J, not {start} J"
-                    );
-                    let gap = world.joint(joint).unwrap().error().distance;
-                    assert!(gap < 0.01, "{y_a} m, {m_a} kg, tick {tick}: {gap} m");
-                }
-                assert!(place(&world, a).into_iter().all(f64::is_finite));
+fn an_anchor_at_its_wheel_breaks_nothing() {
+    for [y_a, y_b] in [[10.0, 5.0], [9.5, 5.0], [9.999_999, 2.0], [0.0, 5.0]] {
+        for (m_a, x) in [(0.1_f32, -1.0), (0.1, -1.01), (0.1, -1.3), (1.0, -1.0), (1.0, -1.01), (1.0, -1.3)] {
+            let what = format!("from {x}, {y_a} m, {m_a} kg");
+            let mut world = earth();
+            let [a, b] =
+                [(x, y_a, m_a), (1.0, y_b, 4.0)].map(|(x, y, mass)| add(&mut world, disc(x, y, mass)));
+            let joint = world.add_joint(Joint::pulley(a, b, WHEELS[0], WHEELS[1])).unwrap();
+            let start = world.energy();
+            for tick in 0..240 {
+                world.step();
+                let energy = world.energy();
+                assert!(energy < 1.001 * start, "{what}, tick {tick}: {energy} J, not {start} J");
+                let gap = world.joint(joint).unwrap().error().distance;
+                assert!(gap < 1e-3, "{what}, tick {tick}: {gap} m");
             }
         }
     }
+}
+
+/// Two anchors that both are on their wheels, by a rope of 10⁻⁶ m: they stay there.
+#[test]
+fn two_anchors_on_their_wheels_stay_there() {
+    let mut world = earth();
+    let [a, b] = [(-1.0, 1.0), (1.0, 4.0)].map(|(x, mass)| add(&mut world, disc(x, 10.0, mass)));
+    let joint = world.add_joint(Joint::pulley(a, b, WHEELS[0], WHEELS[1])).unwrap();
+    assert_eq!(world.joint(joint).unwrap().length(), Some(1e-6));
+    run(&mut world, 1.0);
+    for (id, x) in [(a, -1.0), (b, 1.0)] {
+        let [px, py] = place(&world, id);
+        assert!((px - x).hypot(py - 10.0) < 1e-5, "{px}, {py}");
+    }
+    let view = world.joint(joint).unwrap();
+    assert!(view.force().length().is_finite() && view.speed().is_finite());
 }
 
 /// A winch: the rope is taken in and let out while the load hangs.
