@@ -28,6 +28,7 @@ pub mod conveyor;
 pub mod cradle;
 pub mod dominoes;
 pub mod double_pendulum;
+pub mod elevator;
 pub mod friction_ramp;
 pub mod galaxy;
 pub mod gears;
@@ -249,6 +250,7 @@ pub fn all() -> &'static [Scene] {
         double_pendulum::SCENE,
         ragdolls::SCENE,
         scissor_lift::SCENE,
+        elevator::SCENE,
         radial_engine::SCENE,
         windmill::SCENE,
         swing_doors::SCENE,

@@ -1,6 +1,6 @@
 //! Joints: from the centres of the bodies to the anchors, in the colour of the force; and how far they are off.
 
-use rustycs::{JointKind, Vec2, World};
+use rustycs::{JointKind, JointRef, Vec2, World};
 
 use crate::camera::Camera;
 use crate::canvas::Canvas;
@@ -16,7 +16,7 @@ pub(super) fn draw_joints(
     scale: &mut Scale,
     legend: &mut Legend,
 ) {
-    let acting = || world.joints().map(|(_, joint)| joint).filter(rustycs::JointRef::is_enabled);
+    let acting = || world.joints().map(|(_, joint)| joint).filter(JointRef::is_enabled);
     scale.follow(acting().map(|joint| joint.force().length()).fold(0.0, f32::max));
     let batch = canvas.batch();
     for joint in acting() {
@@ -31,7 +31,9 @@ pub(super) fn draw_joints(
             }
             batch.ring(anchor, 4.0, 1.5, color);
         }
-        batch.line(a, b, 1.5, color);
+        for [from, to] in lines(&joint, camera) {
+            batch.line(from, to, 1.5, color);
+        }
     }
     let gap = acting().map(|joint| joint.error().distance).fold(0.0, f32::max);
     let text = format!("{} joints, largest gap {}", world.joint_count(), with_unit(f64::from(gap), "m"));
@@ -40,17 +42,32 @@ pub(super) fn draw_joints(
     legend.swatches(canvas, &[theme::DEEP], text);
 }
 
+/// From one anchor to the other, on the screen; of a pulley by way of its wheels.
+fn lines(joint: &JointRef<'_>, camera: Camera) -> impl Iterator<Item = [Vec2; 2]> + use<> {
+    let [a, b] = joint.anchors();
+    let ends = joint.wheels().map_or([a, b, b, b], |[wheel_a, wheel_b]| [a, wheel_a, wheel_b, b]);
+    let ends = ends.map(|place| camera.to_screen(place));
+    let count = if joint.wheels().is_some() { 3 } else { 1 };
+    (0..count).map(move |number| [ends[number], ends[number + 1]])
+}
+
 /// What there is of a joint to see where nothing is laid over the scene: rods, ropes and springs, and pins.
 pub(super) fn draw_parts(canvas: &mut Canvas, world: &World, camera: Camera) {
     let batch = canvas.batch();
     for (_, joint) in world.joints() {
         let [a, b] = joint.anchors().map(|place| camera.to_screen(place));
         let area = camera.area();
-        if ![a, b].iter().any(|at: &Vec2| area.contains([at.x, at.y].into())) {
+        let mut ends = lines(&joint, camera).flatten();
+        if !ends.any(|at: Vec2| area.contains([at.x, at.y].into())) {
             continue;
         }
         match joint.kind() {
             JointKind::Distance => batch.line(a, b, 2.0, theme::JOINT.rgba(200)),
+            JointKind::Pulley => {
+                for [from, to] in lines(&joint, camera) {
+                    batch.line(from, to, 2.0, theme::JOINT.rgba(200));
+                }
+            }
             JointKind::Revolute | JointKind::Wheel => batch.dot(b, 2.0, theme::JOINT.rgba(200)),
             _ => {}
         }

@@ -308,6 +308,35 @@ fn the_heavier_one_comes_to_stand_on_the_floor() {
     }
 }
 
+/// A stack in a car feels the counterweight by way of the rope: all that hangs has the acceleration of the machine, and the car is pressed by
+/// m (g - s″), though the upper crate is 50 times heavier than the car, and 500 times the lower.
+#[test]
+fn a_stack_in_a_car_is_pressed_by_its_mass_less_what_it_is_let_down_by() {
+    for (top, weight) in [(5.0_f32, 30.0_f32), (500.0, 300.0), (500.0, 700.0)] {
+        let mut world = earth_with(Settings { sum_impulses: true, ..Settings::default() });
+        let plate = |y: f64, height: f32, mass: f32| {
+            let body = Body::dynamic(Shape::aabb(2.0, height)).at([1.0, y]).mass(mass);
+            body.restitution(0.0)
+        };
+        let car = add(&mut world, plate(0.0, 0.2, 10.0));
+        let lower = add(&mut world, plate(0.6, 1.0, 1.0));
+        add(&mut world, plate(1.6, 1.0, top));
+        let hung = add(&mut world, disc(-1.0, 3.0, weight));
+        world.add_joint(Joint::pulley(hung, car, [-1.0, 30.0], [1.0, 30.0])).unwrap();
+        run(&mut world, 1.0);
+        let all = f64::from(11.0 + top);
+        let (down, tension) = atwood([f64::from(weight), all], 1.0);
+        let what = format!("{top} kg, {weight} kg");
+        assert_near(velocity(&world, car)[1], -down, 2e-3 * G, &what);
+        let pressed = world.contact_between(lower, car).and_then(|contact| contact.impulse_on(car));
+        let pressed = -60.0 * f64::from(pressed.expect("it stands on it").y);
+        assert_relative(pressed, (all - 10.0) * (G - down), 5e-3, &what);
+        let view = world.joints().next().unwrap().1;
+        assert_relative(f64::from(view.force().y), tension, 5e-3, &what);
+        assert!(world.error().penetration < 2e-3, "{what}: {} m", world.error().penetration);
+    }
+}
+
 /// Side by side under one wheel they lie against each other, unless told not to; nothing then parts them but the slope of the ropes.
 #[test]
 fn bodies_on_one_rope_touch_each_other_unless_told_not_to() {
