@@ -296,9 +296,9 @@ impl Joint {
         Self { wheels, collide_connected: true, ..Self::new(JointKind::Pulley, a, Some(b)) }
     }
 
-    /// The ratio of a pulley, or of a [gear](Self::gear), no unit; 1 unless said. Of a pulley it is from 10⁻⁶ to 10⁶: how far `a` goes up for each
-    /// metre that `b` comes down, and how many times the tension of the rope `b` bears. With 3, `b` hangs in a block on three strands, and a
-    /// third of its weight at `a` holds it.
+    /// The ratio of a pulley, from 10⁻⁶ to 10⁶, no unit, 1 unless said: how many metres `a` goes up for each that `b` comes down, and how many
+    /// times the tension of the rope `b` bears. With 3, `b` hangs in a block on three strands, and a third of its weight at `a` holds it. Of
+    /// a [gear](Self::gear) it takes the place of the one that it was made with.
     pub fn ratio(self, ratio: f64) -> Self {
         Self { ratio, ..self.option_of("ratio", &[JointKind::Gear, JointKind::Pulley]) }
     }
@@ -408,6 +408,7 @@ impl Joint {
     /// Breaks where its [force](crate::JointRef::force) (N) or torque (N m) is greater on average over a step: the joint is removed
     /// and [reported](crate::Events::broken). A blow of 10 N s is 600 N in a step of 1/60 s, and 2400 N in one of 1/240 s. A straight row
     /// of hinges between two supports has no slope to carry a load by, and bears any force: leave it slack. Either may be infinite.
+    /// The force of a pulley is that on `b`, the ratio times the tension of its rope.
     pub fn break_at(self, force: f32, torque: f32) -> Self {
         Self { breaks_at: Some([force, torque]), ..self }
     }

@@ -2,7 +2,8 @@
 //!
 //! A [`Joint`] is a description, as a [`Body`](crate::Body) is; [`World::add_joint`](crate::World::add_joint) checks it and
 //! gives its [`JointId`]. What a joint asks of its bodies is a list of rows, each a coordinate (the gap of the anchors, the
-//! angle, the way along an axis, a distance) and a role (rigid, limits, spring, speed); the solver knows only these.
+//! angle, the way along an axis, a distance, how much rope is in use) and a role (rigid, limits, spring, speed); the solver
+//! knows only these.
 //!
 //! ```
 //! use rustycs::prelude::*;

@@ -148,8 +148,9 @@ impl<'a> JointRef<'a> {
 
     /// How fast the joint moves.
     ///
-    /// Of prismatic, distance and drag joints and pulleys it is how fast the [`translation`](Self::translation) grows, m/s. Of all other kinds, wheels too,
-    /// it is the [`angular_speed`](Self::angular_speed), rad/s. So it is the speed that a [motor](Joint::motor) of the joint drives.
+    /// Of prismatic, distance and drag joints and of pulleys it is how fast the [`translation`](Self::translation) grows, m/s. Of all other
+    /// kinds, wheels too, it is the [`angular_speed`](Self::angular_speed), rad/s. So it is the speed that a [motor](Joint::motor) of the
+    /// joint drives.
     pub fn speed(&self) -> f64 {
         let [a, b] = self.anchors();
         let velocity_at = |body: BodyId, place: Point| {

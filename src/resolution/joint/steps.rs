@@ -128,7 +128,9 @@ impl JointSolver {
                 }
             }
             for row in rows {
-                turning = turning.max(row.coordinate.turning(&at, &a, &b));
+                if row.impulse != 0.0 {
+                    turning = turning.max(row.coordinate.turning(&at, &a, &b));
+                }
                 let stiffness = row.coordinate.geometric_stiffness(&at, load(row));
                 for (body, [pull, turn]) in row.bodies.into_iter().zip(stiffness) {
                     let body = &mut self.bodies[body as usize];
