@@ -29,6 +29,9 @@ const LOWEST: f32 = 0.4;
 const TRAVEL: f32 = 7.0;
 const SPEED: f32 = 1.6;
 const FORCE: f32 = 8_000.0;
+/// Near the ends, by how much slower for each metre less that is left, 1/s, and how fast it goes at least, m/s.
+const BRAKES: f32 = 1.5;
+const CREEP: f32 = 0.05;
 /// Masses, kg: of the car without its load, and of the counterweight.
 const EMPTY: f32 = 600.0;
 const WEIGHT: f32 = 1_000.0;
@@ -99,7 +102,7 @@ fn guide(world: &World) -> Option<JointId> {
     world.joints().find(|(_, joint)| joint.user_data() != 0).map(|(id, _)| id)
 }
 
-/// Up, and down again.
+/// Up, and down again, slowly near the ends: a car that stopped at once would leave its weight on a slack rope.
 fn run(world: &mut World) {
     let Some(mut guide) = guide(world).and_then(|id| world.joint_mut(id)) else { return };
     let at = guide.view().translation();
@@ -109,7 +112,8 @@ fn run(world: &mut World) {
         same => same,
     };
     guide.set_user_data(direction);
-    guide.set_motor(if direction == LIFTS { SPEED } else { -SPEED }, FORCE);
+    let (left, sign) = if direction == LIFTS { (f64::from(TRAVEL) - at, 1.0) } else { (at, -1.0) };
+    guide.set_motor(sign * SPEED.min(CREEP + BRAKES * left as f32), FORCE);
 }
 
 fn played(world: &mut World, [lowers, lifts]: [bool; 2]) {

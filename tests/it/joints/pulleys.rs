@@ -440,3 +440,36 @@ fn bodies_beyond_the_rope_come_to_it_without_haste() {
         assert!(f64::from(gap) < 1e-6 * length, "ratio {ratio}: {gap} m");
     }
 }
+
+#[test]
+fn a_pulley_that_makes_no_sense_is_refused_with_a_sentence_and_nothing_changes() {
+    let mut world = earth();
+    let [a, b] = [0.0, 2.0].map(|x| add(&mut world, disc(x, 0.0, 1.0)));
+    let fixed = add(&mut world, Body::fixed(Shape::circle(0.1)));
+    let lift = add(&mut world, Body::kinematic(Shape::circle(0.1)));
+    let rope = |a, b| Joint::pulley(a, b, WHEELS[0], WHEELS[1]);
+    let bad = [
+        (Joint::pulley(a, b, [0.0, 5.0], [f64::NAN, 5.0]), "the second wheel is NaN m; give a finite number"),
+        (Joint::pulley(a, b, [0.0, 5e12], [0.0, 5.0]), "the first wheel is 5e12 m; give a finite number"),
+        (rope(a, b).ratio(0.0), "the ratio is 0; give a finite number from 1e-6 to 1e6"),
+        (rope(a, b).ratio(-1.0), "the ratio is -1; give a finite number from 1e-6 to 1e6"),
+        (rope(a, b).ratio(f64::INFINITY), "the ratio is inf; give a finite number from 1e-6 to 1e6"),
+        (rope(a, b).length(0.0), "the length is 0 m; give a finite number from 1e-6 to 1e12 m"),
+        (rope(a, a), "a joint cannot join a body to itself"),
+        (rope(fixed, lift), "a joint moves dynamic bodies only; give one that is dynamic"),
+        (
+            rope(a, b).limits(0.0..=1.0),
+            "a pulley joint has no limits; leave it out, or take one of these kinds",
+        ),
+        (
+            Joint::revolute(a, b).ratio(2.0),
+            "a revolute joint has no ratio; leave it out, or take one of these",
+        ),
+    ];
+    let before = world.state_hash();
+    for (joint, sentence) in bad {
+        let error = world.add_joint(joint).expect_err(sentence).to_string();
+        assert!(error.starts_with(sentence), "{error}, expected {sentence}");
+    }
+    assert_eq!((world.joint_count(), world.state_hash()), (0, before));
+}

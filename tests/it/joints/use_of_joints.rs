@@ -41,22 +41,6 @@ fn a_joint_that_makes_no_sense_is_refused_with_a_sentence_and_nothing_changes() 
             "a prismatic joint has no suspension; leave it out, or take one of these kinds: wheel",
         ),
         (Joint::gear(a, b, 0.0), "the size of the ratio is 0"),
-        (Joint::pulley(a, b, [0.0, 5.0], [f64::NAN, 5.0]), "the second wheel is NaN m; give a finite number"),
-        (Joint::pulley(a, b, [0.0, 5e12], [0.0, 5.0]), "the first wheel is 5e12 m; give a finite number"),
-        (over_wheels(a, b).ratio(0.0), "the ratio is 0; give a finite number from 1e-6 to 1e6"),
-        (over_wheels(a, b).ratio(-1.0), "the ratio is -1; give a finite number from 1e-6 to 1e6"),
-        (over_wheels(a, b).ratio(f64::NAN), "the ratio is NaN; give a finite number from 1e-6 to 1e6"),
-        (over_wheels(a, b).length(0.0), "the length is 0 m; give a finite number from 1e-6 to 1e12 m"),
-        (over_wheels(a, a), "a joint cannot join a body to itself"),
-        (over_wheels(floor, lift), "a joint moves dynamic bodies only; give one that is dynamic"),
-        (
-            over_wheels(a, b).limits(0.0..=1.0),
-            "a pulley joint has no limits; leave it out, or take one of these kinds: revolute, prismatic, distance, wheel",
-        ),
-        (
-            Joint::revolute(a, b).ratio(2.0),
-            "a revolute joint has no ratio; leave it out, or take one of these kinds: gear, pulley",
-        ),
         (
             Joint::revolute(a, b).limits(0.0..=1e300),
             "the upper limit is 1e300 rad; give a finite number from -1e9 to 1e9 rad",
