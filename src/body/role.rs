@@ -94,15 +94,13 @@ pub(crate) struct Roles {
     parted: Vec<(u32, u32)>,
     /// The slots of sensors, ascending.
     sensors: Vec<u32>,
-    /// The slots of bodies with rolling resistance, ascending.
-    rolling: Vec<u32>,
     /// The slots of bodies whose surface moves, ascending.
     belts: Vec<u32>,
     /// How many one-way floors there are.
     one_way_count: usize,
 }
 
-clone_into_buffers!(Roles { by_slot, parted, sensors, rolling, belts, one_way_count });
+clone_into_buffers!(Roles { by_slot, parted, sensors, belts, one_way_count });
 
 impl Roles {
     /// The role of the shape in `slot`.
@@ -122,15 +120,9 @@ impl Roles {
         }
         let before = std::mem::replace(&mut self.by_slot[place], role);
         list(&mut self.sensors, slot, role.is_sensor);
-        list(&mut self.rolling, slot, role.rolling_resistance > 0.0);
         list(&mut self.belts, slot, role.surface_speed != 0.0);
         self.one_way_count += usize::from(role.one_way.is_some());
         self.one_way_count -= usize::from(before.one_way.is_some());
-    }
-
-    /// The slots of bodies with rolling resistance, ascending.
-    pub(crate) fn rolling(&self) -> &[u32] {
-        &self.rolling
     }
 
     /// The slots of sensors, ascending.

@@ -325,6 +325,12 @@ impl ConstraintGraph {
         block.set_impulses(place, point, impulses);
     }
 
+    /// Changes the moment of rolling resistance of the contact at a place of the graph, N m s.
+    pub(crate) fn set_rolling_moment(&mut self, at: GraphIndex, moment: f32) {
+        let (block, place) = self.block_mut(at);
+        block.set_rolling_moment(place, moment);
+    }
+
     /// Changes what the first point of the contact at a place of the graph bears, N s: its impulses along normal and
     /// tangent, and what the warm start after the move will apply along the normal.
     pub(crate) fn set_load(&mut self, at: GraphIndex, load: [f32; 3]) {

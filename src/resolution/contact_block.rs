@@ -11,6 +11,7 @@ pub(crate) use crate::resolution::contact_block::begin::Beginning;
 pub(crate) use crate::resolution::contact_block::end::Residuals;
 pub(crate) use crate::resolution::contact_block::marks::Marks;
 use crate::resolution::moving_geometry::MovingGeometry;
+use crate::resolution::rolling::Rolling;
 
 /// Sixteen contacts, beside the rows of their bodies. Those of one colour share no movable body; a block that is not full
 /// ends with contacts of the ground with itself, without points.
@@ -28,6 +29,10 @@ pub(crate) struct ContactBlock {
     moves_surfaces: bool,
     /// Speeds of surfaces past each other, m/s, if any of them moves. Made for the first of them, and kept.
     surface_speeds: Option<Box<Column>>,
+    /// Whether anything rolls with resistance.
+    rolls: bool,
+    /// What rolls, if anything does. Made for the first of them, and kept.
+    rolling: Option<Box<Rolling<Column>>>,
     /// The geometry of those that move. Made for the first of them, and kept.
     geometry: Option<Box<MovingGeometry<Column>>>,
     columns: ContactConstraint<Column>,
@@ -79,7 +84,7 @@ impl BlockMarks {
 pub(crate) struct Fit {
     /// None has a second point.
     pub(crate) is_single: bool,
-    /// None has friction.
+    /// None has friction, or rolling resistance.
     pub(crate) is_smooth: bool,
     /// None of the bodies turns, or can be turned.
     pub(crate) is_still: bool,
@@ -253,6 +258,39 @@ impl ContactBlock {
             **speeds = Column::default();
         }
         speeds.set(place, speed);
+    }
+
+    /// Anything of the block may roll, as one does: with this greatest moment per impulse along the normal, m, and the moment of the last
+    /// substep, N m s.
+    fn set_rolling(&mut self, place: usize, arm: f32, moment: f32) {
+        let rolling = self.rolling.get_or_insert_default();
+        if !std::mem::replace(&mut self.rolls, true) {
+            **rolling = Rolling::default();
+        }
+        rolling.store::<f32>(place, Rolling { arm, moment, acted: 0.0 });
+    }
+
+    /// What rolls of the contacts from `place` on; `None` if nothing of the block does.
+    #[inline(always)]
+    pub(crate) fn rolling<L: Lane>(&self, place: usize) -> Option<Rolling<L>> {
+        let rolling = self.rolling.as_ref().filter(|_| self.rolls)?;
+        Some(rolling.load::<L>(place))
+    }
+
+    /// Writes what rolls back, if anything does.
+    #[inline(always)]
+    pub(crate) fn store_rolling<L: Lane>(&mut self, place: usize, rolling: Option<Rolling<L>>) {
+        if let (Some(to), Some(rolling)) = (&mut self.rolling, rolling) {
+            to.moment.store::<L>(place, rolling.moment);
+            to.acted.store::<L>(place, rolling.acted);
+        }
+    }
+
+    /// Changes the moment of one contact on which something rolls, N m s.
+    pub(crate) fn set_rolling_moment(&mut self, place: usize, moment: f32) {
+        if let Some(rolling) = &mut self.rolling {
+            rolling.moment.set(place, moment);
+        }
     }
 
     /// Takes note that the bodies of one contact are [tangled](crate::resolution::tangles): to the sweeps their shapes only touch.

@@ -52,7 +52,6 @@ pub(crate) use skyline::work_of_factorization;
 use core::ops::Range;
 
 use crate::body::Bodies;
-use crate::collision::Contacts;
 use crate::compute::BodyState;
 use crate::math::Vec2;
 use crate::resolution::constraint_graph::ConstraintGraph;
@@ -66,7 +65,7 @@ use crate::resolution::load::{DirectOutcome, LoadMeasure};
 /// The islands that are solved directly.
 ///
 /// In a step: `clear`, and `add_island` for each, once the constraints are there; in each phase of a substep `begin`, `solve`, and where
-/// joints have answered `solve_again`; after the drift `take_back_push`; after the second phase `write_back`; and in the end `finish`.
+/// joints have answered `solve_again`; after the drift `take_back_push`; and after the second phase `write_back`.
 /// Only the impulses of the second phase are what contacts have borne.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct DirectSolver {
@@ -140,7 +139,7 @@ impl DirectSolver {
                 let movers = graph.moved_rows(home).map(|row| self.mover_of_row[row as usize]);
                 // A contact is in the lists of both its bodies.
                 if movers.contains(&None) || slot == contact.slots[0] {
-                    let (contact, newton) = ((index, contact), &mut self.newton);
+                    let newton = &mut self.newton;
                     self.contacts.push(DirectContact::new(
                         contact,
                         home,
@@ -282,13 +281,6 @@ impl DirectSolver {
     pub(crate) fn write_back(&mut self, graph: &mut ConstraintGraph) {
         for contact in &mut self.contacts {
             contact.write_back(&self.newton.rows, graph);
-        }
-    }
-
-    /// Writes into the contacts at the end of a step what the graph has not.
-    pub(crate) fn finish(&self, contacts: &mut Contacts) {
-        for contact in &self.contacts {
-            contact.finish(contacts);
         }
     }
 }

@@ -103,6 +103,15 @@ impl WarmStart {
         constraint.push(impulse, &mut a, &mut b);
         if !STILL {
             constraint.turn(moments, &mut a, &mut b);
+            let mut rolling = block.rolling::<L>(place);
+            if let Some(rolling) = &mut rolling {
+                if self.time == WarmStartTime::BeforeMove {
+                    rolling.begin();
+                }
+                let moment = rolling.start(part, constraint.warm_started::<POINTS>());
+                constraint.turn([moment; 2], &mut a, &mut b);
+            }
+            block.store_rolling(place, rolling);
         }
         states.scatter_velocities(place, &[a, b]);
     }
@@ -183,7 +192,15 @@ impl SweepOver {
         } else {
             states.gather_velocities(place)
         };
+        let mut rolling = if sweep.friction && !STILL { block.rolling::<L>(place) } else { None };
+        if let Some(rolling) = &mut rolling {
+            rolling.solve::<POINTS>(&contact, &mut pair);
+        }
         contact.solve::<POINTS, STILL>(sweep, self.substep_rate, surface_speed, &mut pair);
+        if let Some(rolling) = &mut rolling {
+            rolling.solve::<POINTS>(&contact, &mut pair);
+        }
+        block.store_rolling(place, rolling);
         block.store_normal_impulses::<L, POINTS>(place, &contact);
         if sweep.friction {
             block.store_friction_impulses::<L, POINTS>(place, &contact);

@@ -169,12 +169,12 @@ pub(crate) struct LoadMeasure {
 }
 
 impl LoadMeasure {
-    /// For a step of length `dt`, s, of so many `substeps`, `refinement` of them for one that is asked for. Sags are computed for those asked
-    /// for, as more of them do not make the load less; but for no more than [`USUAL_RATE`], as those who ask for more want less error, and no
+    /// For a step of length `dt`, s, of so many `substeps`, where `asked` are asked for. Sags are computed for those
+    /// asked for, as more of them do not make the load less; but for no more than [`USUAL_RATE`], as those who ask for more want less error, and no
     /// other tier. No load is great unless `loads_matter`.
-    pub(crate) fn new(loads_matter: bool, dt: f32, substeps: u32, refinement: u32) -> Self {
+    pub(crate) fn new(loads_matter: bool, dt: f32, substeps: u32, asked: u32) -> Self {
         let substep_rate = substeps as f32 / dt;
-        let sag_rate = sag_rate(substep_rate / refinement as f32);
+        let sag_rate = sag_rate(asked as f32 / dt);
         Self { dt, sag_rate, factor: if loads_matter { substep_rate / sag_rate } else { 0.0 } }
     }
 
@@ -258,7 +258,7 @@ mod tests {
 
     #[test]
     fn a_load_is_heavy_after_some_steps_though_its_bodies_move() {
-        let (measure, mut contact) = (LoadMeasure::new(true, 1.0 / 60.0, 4, 1), contact());
+        let (measure, mut contact) = (LoadMeasure::new(true, 1.0 / 60.0, 4, 4), contact());
         contact.holds_still = false;
         let is_heavy = |sag: f32, steps: u8| {
             let mut load = ContactLoad::default();
@@ -274,7 +274,7 @@ mod tests {
     #[test]
     fn a_load_lasts_when_it_was_great_for_some_steps_and_ends_at_once() {
         let (measure, contact, mut load) =
-            (LoadMeasure::new(true, 1.0 / 60.0, 4, 1), contact(), ContactLoad::default());
+            (LoadMeasure::new(true, 1.0 / 60.0, 4, 4), contact(), ContactLoad::default());
         let great = speed_for(DIRECT_SHARE);
         for step in 1..=6 {
             assert!(measure.note_load(&contact, &mut load, great), "step {step}");
@@ -299,14 +299,11 @@ mod tests {
     fn more_substeps_do_not_change_what_a_load_is() {
         let (contact, great) = (contact(), speed_for(DIRECT_SHARE));
         for factor in [1, 2, 8] {
-            for refinement in [1, factor] {
-                let measure = LoadMeasure::new(true, 1.0 / 60.0, 4 * factor, refinement);
+            for asked in [4, 4 * factor] {
+                let measure = LoadMeasure::new(true, 1.0 / 60.0, 4 * factor, asked);
                 let mut load = ContactLoad::default();
                 measure.note_load(&contact, &mut load, great / factor as f32);
-                assert!(
-                    (load.sag_share / DIRECT_SHARE - 1.0).abs() < 1e-6,
-                    "{load:?}, {factor}, {refinement}"
-                );
+                assert!((load.sag_share / DIRECT_SHARE - 1.0).abs() < 1e-6, "{load:?}, {factor}, {asked}");
             }
         }
     }

@@ -1,6 +1,5 @@
-//! How many substeps a step takes: as many as are asked for, or two, four or eight times as many where those would let heavy bodies press light
-//! ones flat. There are at most 256: where that leaves no room for the factor, it is the largest whole one that fits, which may be another number,
-//! such as 3 where 80 are asked for.
+//! How many substeps a step takes: as many as are asked for, or up to eight times as many where those would let heavy bodies press light
+//! ones flat. There are at most 256.
 //!
 //! Under a load F a light body of mass m and width L rocks with ω² = F/(m L). Where a substep h is too long to follow that, it is shaken, and its
 //! load never lasts. The overlap that sweeps would leave is a measure of the load, see [`sag`]: so the loads of the last step say how fast bodies
@@ -19,17 +18,21 @@ use crate::resolution::squeezes::Squeezes;
 use crate::resolution::tier_rule::TierRule;
 
 /// Substeps are refined where a body rocks faster than this, ω h, no unit. In piles of densities 78 : 1 it comes to 3 without, and bodies rattle. With
-/// 1.1 the worst of ten piles of 300 bodies with densities 4 : 1 is 68 mm deep after ten seconds, for 17; with 0.75 it is 13, and piles of one
-/// density take more substeps for most of the time.
-const FASTEST_ROCKING: f32 = 0.9;
+/// 0.9 the worst of three piles of 1,000 bodies with densities 4 : 1 is 27 mm deep after ten seconds, for 7; with 0.6 it is the same, and piles
+/// take a fifth more substeps.
+const FASTEST_ROCKING: f32 = 0.75;
 
 /// The same where a light body is crushed by a heavy one. With 0.8 piles of 200 bodies with densities 20 : 1 are 15 mm deep after ten seconds, for
 /// 7; with 0.4 6, and they take a third longer.
 const FASTEST_ROCKING_OF_CRUSHED: f32 = 0.6;
 
-/// Substeps for one that is asked for, at most; a power of two. Of twenty piles of 450 bodies with densities 78 : 1 the worst is 76 mm deep after
-/// ten seconds with 4, and 7 mm with this, which takes a third longer.
-const LARGEST_FACTOR: u32 = 8;
+/// By level: substeps for one that is asked for, rounded up where they come to no whole number. With 1, 2, 4 and
+/// 8 alone piles of 1,000 bodies with densities 4 : 1 take ten substeps for seven. Of twenty piles of 450 bodies with densities 78 : 1 the worst is 76 mm deep after ten seconds with 4 at most, and 7 mm with 8,
+/// which takes a third longer.
+const FACTORS: [f32; 7] = [1.0, 1.5, 2.0, 3.0, 4.0, 6.0, 8.0];
+
+/// So many levels up there are twice as many substeps.
+const LEVELS_OF_TWICE: usize = 2;
 
 /// A body is crushed by one of more than so many times its mass, no unit. With 1, washers and drums take 1.6 times as long for nothing, as bodies of
 /// one kind that are thrown about bear as much at times. With 1000, one in ten heaps of densities 78 : 1 is ten centimetres deep.
@@ -45,19 +48,19 @@ const MOST_JOINTS: usize = 32;
 /// How much finer substeps are than asked for.
 #[derive(Debug)]
 pub(crate) struct Refinement {
-    /// Substeps for one that is asked for: a power of two, up to [`LARGEST_FACTOR`].
-    factor: u32,
-    /// For how many steps in a row half of that would have been enough.
+    /// Which of the [`FACTORS`].
+    level: usize,
+    /// For how many steps in a row a lower one would have been enough.
     calm_steps: u8,
     /// Scratch.
     squeezes: Squeezes,
 }
 
-clone_into_buffers!(Refinement { factor, calm_steps } scratch { squeezes });
+clone_into_buffers!(Refinement { level, calm_steps } scratch { squeezes });
 
 impl Default for Refinement {
     fn default() -> Self {
-        Self { factor: 1, calm_steps: 0, squeezes: Squeezes::default() }
+        Self { level: 0, calm_steps: 0, squeezes: Squeezes::default() }
     }
 }
 
@@ -74,24 +77,27 @@ pub(crate) struct RefinementTables<'a> {
 impl Refinement {
     /// How many substeps there are where so many are asked for.
     pub(crate) fn substeps(&self, asked: u32) -> u32 {
-        asked * self.factor.min(MOST_SUBSTEPS / asked)
+        ((asked as f32 * FACTORS[self.level]).ceil() as u32).min(MOST_SUBSTEPS)
     }
 
-    /// Decides for the next step, from the loads of the last: for more substeps at once, for half as many after [`CALM_STEPS`].
+    /// Decides for the next step, from the loads of the last: for more substeps at once, for as few as are needed, but half
+    /// as many at least, after [`CALM_STEPS`].
     pub(crate) fn decide(&mut self, rule: TierRule<'_>, tables: RefinementTables<'_>) {
         if !rule.adapts {
-            (self.factor, self.calm_steps) = (1, 0);
+            (self.level, self.calm_steps) = (0, 0);
             return;
         }
         self.squeezes.clear();
         let excess = tables.largest_excess(rule, &mut self.squeezes);
-        let needed = |excess| if tables.has_many_joints(excess) { 1 } else { factor_for(excess) };
-        if needed(excess) > self.factor {
-            (self.factor, self.calm_steps) = (needed(excess), 0);
-        } else if needed(excess / CALM_SHARE) < self.factor {
+        let needed = |excess| if tables.has_many_joints(excess) { 0 } else { level_for(excess) };
+        let enough = needed(excess / CALM_SHARE);
+        if needed(excess) > self.level {
+            (self.level, self.calm_steps) = (needed(excess), 0);
+        } else if enough < self.level {
             self.calm_steps += 1;
             if self.calm_steps == CALM_STEPS {
-                (self.factor, self.calm_steps) = (self.factor / 2, 0);
+                let half = self.level.saturating_sub(LEVELS_OF_TWICE);
+                (self.level, self.calm_steps) = (half.max(enough), 0);
             }
         } else {
             self.calm_steps = 0;
@@ -104,18 +110,23 @@ impl RefinementTables<'_> {
     /// over.
     fn largest_excess(&self, rule: TierRule<'_>, squeezes: &mut Squeezes) -> f32 {
         let Self { loads, graph, .. } = self;
-        let is_swept = |index: &u32| graph.home(*index).is_some_and(|home| !home.is_solved_directly());
+        let is_swept = |index| graph.home(index).is_some_and(|home| !home.is_solved_directly());
         let mut largest = 0.0_f32;
-        for index in loads.notable.iter().copied().filter(is_swept) {
+        for &index in &loads.notable {
             let load = loads.of_contact[index as usize];
-            let fastest = if self.is_crushing(index, load) {
-                FASTEST_ROCKING_OF_CRUSHED
+            let square = load.rocking_square(rule.substep_rate);
+            let excess = |fastest: f32| square / (fastest * rule.substep_rate).powi(2);
+            // Most are below what was found before, whatever else they are.
+            if excess(FASTEST_ROCKING_OF_CRUSHED) <= largest || !is_swept(index) {
+                continue;
+            }
+            let excess = if self.is_crushing(index, load) {
+                excess(FASTEST_ROCKING_OF_CRUSHED)
             } else if load.lasts() || load.is_heavy() {
-                FASTEST_ROCKING
+                excess(FASTEST_ROCKING)
             } else {
                 continue;
             };
-            let excess = load.rocking_square(rule.substep_rate) / (fastest * rule.substep_rate).powi(2);
             // The island is only looked at where something is asked for.
             if excess > largest && (excess <= CALM_SHARE || !self.is_squeezed(index, squeezes, rule)) {
                 largest = excess;
@@ -147,13 +158,10 @@ impl RefinementTables<'_> {
     }
 }
 
-/// The least factor that makes up for an excess, as (ω h)² goes with the square of the length of a substep.
-fn factor_for(excess: f32) -> u32 {
-    let mut factor = 1;
-    while factor < LARGEST_FACTOR && excess > (factor * factor) as f32 {
-        factor *= 2;
-    }
-    factor
+/// The lowest level that makes up for an excess, as (ω h)² goes with the square of the length of a substep; the highest, if none does.
+fn level_for(excess: f32) -> usize {
+    // Written so that NaN asks for nothing.
+    FACTORS[..FACTORS.len() - 1].iter().filter(|&factor| excess > factor * factor).count()
 }
 
 #[cfg(test)]
@@ -165,23 +173,22 @@ mod tests {
     fn substeps_are_as_short_as_the_load_asks_for_and_no_shorter() {
         for step in 1..200 {
             let excess = 0.3 * step as f32;
-            let factor = factor_for(excess);
-            let square = (factor * factor) as f32;
-            assert!(excess / square <= 1.0, "{excess}: {factor}");
-            assert!(factor == 1 || excess / (0.25 * square) > 1.0, "{excess}: {factor}");
+            let level = level_for(excess);
+            let excess_at = |level: usize| excess / FACTORS[level].powi(2);
+            assert!(excess_at(level) <= 1.0, "{excess}: {level}");
+            assert!(level == 0 || excess_at(level - 1) > 1.0, "{excess}: {level}");
         }
-        assert_eq!(
-            [factor_for(100.0), factor_for(f32::INFINITY), factor_for(f32::NAN)],
-            [LARGEST_FACTOR, LARGEST_FACTOR, 1]
-        );
+        let highest = FACTORS.len() - 1;
+        assert_eq!([100.0, f32::INFINITY, f32::NAN].map(level_for), [highest, highest, 0]);
     }
 
     #[test]
     fn there_are_never_more_substeps_than_may_be_asked_for() {
-        let refined = Refinement { factor: LARGEST_FACTOR, ..Refinement::default() };
-        assert_eq!(
-            [1, 4, 64, 100, 128, 256].map(|asked| refined.substeps(asked)),
-            [8, 32, 256, 200, 256, 256]
-        );
+        let refined = |level| Refinement { level, ..Refinement::default() };
+        let asked = [1, 3, 4, 64, 100, 256];
+        let highest = refined(FACTORS.len() - 1);
+        assert_eq!(asked.map(|asked| highest.substeps(asked)), [8, 24, 32, 256, 256, 256]);
+        assert_eq!(asked.map(|asked| refined(1).substeps(asked)), [2, 5, 6, 96, 150, 256]);
+        assert_eq!(asked.map(|asked| refined(0).substeps(asked)), asked);
     }
 }

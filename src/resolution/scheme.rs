@@ -13,8 +13,8 @@ pub(crate) struct Scheme {
     /// Length of the step, s.
     pub(crate) dt: f32,
     pub(crate) substeps: u32,
-    /// How many of them there are for one that is asked for.
-    pub(crate) refinement: u32,
+    /// How many of them are asked for; there may be [more](crate::resolution::refinement).
+    pub(crate) asked_substeps: u32,
     /// Sweeps before the bodies move, per substep.
     pub(crate) iterations: u32,
     /// Sweeps after the bodies have moved, per substep.

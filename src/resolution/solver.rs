@@ -22,7 +22,6 @@ use crate::resolution::kernel::{MOST_TURNED, SweepOver, WarmStart, WarmStartTime
 use crate::resolution::load::{LoadMeasure, Loads};
 use crate::resolution::moving::MovingContacts;
 use crate::resolution::projection::Project;
-use crate::resolution::rolling::Rolling;
 use crate::resolution::scheme::Scheme;
 use crate::resolution::tangles::Tangles;
 
@@ -60,13 +59,12 @@ pub(crate) struct Solver {
     moving: MovingContacts,
     seams: Seams,
     direct: DirectSolver,
-    rolling: Rolling,
     tangles: Tangles,
     pub(crate) joints: JointSolver,
 }
 
 clone_into_buffers!(Solver { blows } scratch {
-    kicks, damped, impacts, continuous, courses, strikes, moving, seams, direct, rolling, tangles, joints
+    kicks, damped, impacts, continuous, courses, strikes, moving, seams, direct, tangles, joints
 });
 
 /// The tables that a step changes.
@@ -96,7 +94,7 @@ pub(crate) struct SolveTables<'a> {
 ///     drift h      x += h v; what pushed stiff islands is taken back
 ///     kick h/2     v += h/2 a(x), and damping
 ///     refresh      contacts of circles and loaded corners follow the surface
-///     relax        the other half of the last impulses, rolling resistance, joints, so that what they hold does not part, and a sweep
+///     relax        the other half of the last impulses, joints, so that what they hold does not part, and a sweep
 ///                  without bias, with friction; stiff islands directly, with all that presses
 /// untangle         bodies of several shapes that are deep in each other are moved apart, which makes no speed
 /// project          in the classic scheme: overlaps are parted by moving bodies
@@ -201,7 +199,6 @@ impl Solver {
         };
         let (graph, states) = (&mut *tables.graph, &mut tables.bodies.states);
         graph.for_each_swept(tables.executor, states, &start);
-        self.rolling.start(time, scheme.warm_part(), graph, states);
     }
 
     /// Joints and the contacts of their bodies in turn, until what contacts push joints have passed on.
@@ -251,7 +248,6 @@ impl Solver {
         }
         let h = scheme.substep_time();
         self.direct.begin(tables.graph, &tables.bodies.states, Phase::Relax, h);
-        self.rolling.solve(tables.graph, &mut tables.bodies.states);
         if !self.joints.is_empty() {
             self.joints.relax(scheme, &mut tables.bodies.states);
         }
@@ -269,7 +265,6 @@ impl Solver {
             self.joints.end_substep(scheme);
         }
         self.direct.write_back(tables.graph);
-        self.rolling.solve(tables.graph, &mut tables.bodies.states);
     }
 
     /// Contact geometry that moves within the step, where the bodies are now.
@@ -296,7 +291,6 @@ impl Solver {
         self.gather_special(graph, scheme);
         self.tangles.prepare(bodies, contacts, graph);
         self.blows.take_up_unfinished(contacts, graph);
-        self.rolling.prepare(bodies, contacts, graph);
         self.joints.find_contacts(bodies, contacts, graph);
         self.direct.clear();
         for island in islands.iter() {
@@ -389,10 +383,8 @@ impl Solver {
         self.joints.finish(scheme, tables.joints, &tables.bodies.states);
         let SolveTables { bodies, contacts, graph, loads, executor, .. } = tables;
         self.blows.end_substeps(graph);
-        self.rolling.finish(contacts);
-        self.direct.finish(contacts);
-        let measure = LoadMeasure::new(scheme.adapts, scheme.dt, scheme.substeps, scheme.refinement);
-        loads.outcomes.extend(self.direct.outcomes(bodies, scheme.substeps / scheme.refinement, measure));
+        let measure = LoadMeasure::new(scheme.adapts, scheme.dt, scheme.substeps, scheme.asked_substeps);
+        loads.outcomes.extend(self.direct.outcomes(bodies, scheme.asked_substeps, measure));
         let residual = graph.finish(*executor, &bodies.states, contacts, measure, loads);
         let motions = Chosen::new(&mut bodies.motions, &bodies.awake);
         executor.pool.run((rows, motions), COMPENSATION_COST, |(rows, mut motions)| {

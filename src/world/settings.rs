@@ -278,7 +278,7 @@ impl Settings {
         Scheme {
             dt: self.tick_seconds() as f32,
             substeps,
-            refinement: substeps / self.substeps,
+            asked_substeps: self.substeps,
             iterations: self.iterations,
             relax_iterations: self.relax_iterations,
             split_kick: self.split_kick,

@@ -2,7 +2,7 @@
 //! friction follows it; and one for its spin, where something rolls.
 
 use crate::body::Bodies;
-use crate::collision::{Contact, Contacts};
+use crate::collision::Contact;
 use crate::compute::BodyState;
 use crate::resolution::constraint::ContactConstraint;
 use crate::resolution::constraint_graph::{ConstraintGraph, GraphIndex};
@@ -21,7 +21,6 @@ const SOFTNESS: f64 = 0.01;
 /// A contact that is solved directly.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct DirectContact {
-    index: u32,
     home: GraphIndex,
     /// Which of its bodies impulses move.
     moves: [bool; 2],
@@ -39,9 +38,9 @@ pub(super) struct DirectContact {
 }
 
 impl DirectContact {
-    /// Adds the rows of the contact with an index, between two movers of an island with a [`mass_ratio`](Newton::mass_ratio).
+    /// Adds the rows of a contact between two movers of an island with a [`mass_ratio`](Newton::mass_ratio).
     pub(super) fn new(
-        (index, contact): (u32, &Contact),
+        contact: &Contact,
         home: GraphIndex,
         movers: [Option<u32>; 2],
         bodies: &Bodies,
@@ -57,7 +56,6 @@ impl DirectContact {
         let of_spin = arm.map(|arm| Kind::Friction { normal: first_row, friction: arm.into() });
         newton.add_pair(movers, (0..points).flat_map(of_point).chain(of_spin));
         Self {
-            index,
             home,
             moves: movers.map(|mover| mover.is_some()),
             surface_speed: bodies.roles.surface_speed(contact.colliders).unwrap_or(0.0),
@@ -194,12 +192,8 @@ impl DirectContact {
             graph.set_impulses(self.home, point, [rows[0].impulse as f32, rows[1].impulse as f32]);
         }
         self.rolling_moment = of_spin.first().map(|row| row.impulse);
-    }
-
-    /// Writes at the end of a step what the graph has not.
-    pub(super) fn finish(&self, contacts: &mut Contacts) {
         if let Some(moment) = self.rolling_moment {
-            contacts[self.index].rolling_moment = moment as f32;
+            graph.set_rolling_moment(self.home, moment as f32);
         }
     }
 

@@ -111,7 +111,7 @@ impl Continuous {
         if !off.is_empty() {
             self.by_row.resize(scene.bodies.row_count(), NONE);
             let most = TESTS_BESIDE + TESTS_PER_TRAVELLER * off.len();
-            self.tests_left = most / scene.scheme.refinement as usize;
+            self.tests_left = most * scene.scheme.asked_substeps as usize / scene.scheme.substeps as usize;
             for &row in &off {
                 let from = scene.strikes.resume(row, &mut scene.bodies.states[row as usize]);
                 self.take_up(row, from, scene);
