@@ -157,7 +157,7 @@ impl Collider {
     /// what rolls, a circle around the centre of mass of its body, or of what is rolled on: any other shape.
     #[must_use]
     pub fn rolling_resistance(mut self, coefficient: f32) -> Self {
-        self.role.rolling_resistance = Some(coefficient);
+        self.role.rolling_resistance = Own::Set(Some(coefficient));
         self
     }
 
@@ -227,7 +227,7 @@ impl Part {
         check_restitution(self.material.restitution)?;
         check_surface_speed(self.role.surface_speed)?;
         check_one_way(self.role.one_way)?;
-        check_rolling_resistance(self.role.rolling_resistance)
+        check_rolling_resistance(self.role.rolling_resistance())
     }
 }
 

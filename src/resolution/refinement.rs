@@ -46,7 +46,7 @@ pub(crate) const MOST_SUBSTEPS: u32 = 256;
 const MOST_JOINTS: usize = 32;
 
 /// How much finer substeps are than asked for.
-#[derive(Debug)]
+#[derive(Debug, Default)]
 pub(crate) struct Refinement {
     /// Which of the [`FACTORS`].
     level: usize,
@@ -57,12 +57,6 @@ pub(crate) struct Refinement {
 }
 
 clone_into_buffers!(Refinement { level, calm_steps } scratch { squeezes });
-
-impl Default for Refinement {
-    fn default() -> Self {
-        Self { level: 0, calm_steps: 0, squeezes: Squeezes::default() }
-    }
-}
 
 /// The tables that say how fine substeps have to be.
 #[derive(Clone, Copy, Debug)]

@@ -7,6 +7,8 @@
 //! moment       |Λ| ≤ 3/2 c r λ,   so that a disc, which takes (m + I/r²) a = 3/2 m a = Λ/(r h), is slowed down by c λ/(m h)
 //! ```
 //!
+//! r is the extent of the smaller of the two, which of a disc is its radius: a box on a planet does not roll on the radius of that.
+//!
 //! As friction does, it makes up for what would turn the circle as far as it goes, and no further: the spin is not turned
 //! round. It begins with what it was in the last substep, half before and half after the move, so that a disc on a slope
 //! comes to rest, and discs in a heap do not tremble. The sweep after the move solves it before all else, so that friction answers it,
@@ -25,10 +27,11 @@ const OF_A_DISC: f32 = 1.5;
 /// Greatest moment of rolling resistance per impulse along the normal of a contact, m; `None` where there is none.
 pub(super) fn rolling_arm(bodies: &Bodies, contact: &Contact) -> Option<f32> {
     let motions = contact.colliders.map(|slot| &bodies.motions[slot as usize]);
-    let radii = motions.into_iter().filter(|motion| motion.is_round).map(|motion| motion.extent);
-    let radius = radii.reduce(f32::min)?;
-    let coefficients = contact.colliders.map(|slot| bodies.roles.of(slot).rolling_resistance);
-    let arm = OF_A_DISC * coefficients[0].max(coefficients[1]) * radius;
+    if !motions.iter().any(|motion| motion.is_round) {
+        return None;
+    }
+    let radius = motions[0].extent.min(motions[1].extent);
+    let arm = OF_A_DISC * bodies.roles.rolling_resistance(contact.colliders) * radius;
     let can_turn = motions.iter().any(|motion| motion.inverse_inertia > 0.0);
     (arm > 0.0 && can_turn).then_some(arm)
 }

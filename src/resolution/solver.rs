@@ -175,7 +175,7 @@ impl Solver {
         if !self.joints.is_empty() {
             self.joints.begin_push(&tables.bodies.states);
         }
-        self.warm_start(WarmStartTime::BeforeMove, scheme, tables);
+        warm_start(WarmStartTime::BeforeMove, scheme, tables);
         self.direct.begin(tables.graph, &tables.bodies.states, Phase::Push, h);
         if !self.joints.is_empty() {
             self.joints.push(scheme, &self.kicks, &mut tables.bodies.states);
@@ -187,18 +187,6 @@ impl Solver {
         }
         self.direct.solve(states, &mut self.joints);
         self.hold_joints(Phase::Push, scheme, &sweep, tables);
-    }
-
-    /// One of the warm starts of a substep.
-    fn warm_start(&mut self, time: WarmStartTime, scheme: &Scheme, tables: &mut SolveTables<'_>) {
-        let start = WarmStart {
-            part: scheme.warm_part(),
-            fastest_turn: MOST_TURNED / scheme.substep_time(),
-            time,
-            is_fitted: scheme.fitted_kernels,
-        };
-        let (graph, states) = (&mut *tables.graph, &mut tables.bodies.states);
-        graph.for_each_swept(tables.executor, states, &start);
     }
 
     /// Joints and the contacts of their bodies in turn, until what contacts push joints have passed on.
@@ -244,7 +232,7 @@ impl Solver {
     /// Contacts after the bodies have moved.
     fn relax(&mut self, scheme: &Scheme, tables: &mut SolveTables<'_>) {
         if scheme.split_kick && scheme.warm_starting {
-            self.warm_start(WarmStartTime::AfterMove, scheme, tables);
+            warm_start(WarmStartTime::AfterMove, scheme, tables);
         }
         let h = scheme.substep_time();
         self.direct.begin(tables.graph, &tables.bodies.states, Phase::Relax, h);
@@ -394,6 +382,18 @@ impl Solver {
         });
         residual
     }
+}
+
+/// One of the warm starts of a substep.
+fn warm_start(time: WarmStartTime, scheme: &Scheme, tables: &mut SolveTables<'_>) {
+    let start = WarmStart {
+        part: scheme.warm_part(),
+        fastest_turn: MOST_TURNED / scheme.substep_time(),
+        time,
+        is_fitted: scheme.fitted_kernels,
+    };
+    let (graph, states) = (&mut *tables.graph, &mut tables.bodies.states);
+    graph.for_each_swept(tables.executor, states, &start);
 }
 
 /// The part of the acceleration of the body in `slot` that stays the same during the step, m/s².

@@ -244,7 +244,7 @@ impl<'a> BodyRef<'a> {
 
     /// Coefficient of rolling resistance, no unit.
     pub fn rolling_resistance(&self) -> f32 {
-        self.role().rolling_resistance
+        self.role().rolling_resistance()
     }
 
     /// The caller's own number.

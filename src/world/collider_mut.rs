@@ -100,7 +100,7 @@ impl<'a> ColliderMut<'a> {
     /// [`BodyError`], if it is not within 0 to 10⁶.
     pub fn set_rolling_resistance(&mut self, coefficient: f32) -> Result<(), BodyError> {
         check_rolling_resistance(coefficient)?;
-        if self.change_role(|role| role.rolling_resistance = coefficient) {
+        if self.change_role(|role| role.rolling_resistance = Some(coefficient)) {
             self.wake();
         }
         Ok(())

@@ -109,7 +109,7 @@ impl<'a> ColliderRef<'a> {
 
     /// Coefficient of rolling resistance.
     pub fn rolling_resistance(&self) -> f32 {
-        self.role().rolling_resistance
+        self.role().rolling_resistance()
     }
 
     /// What it is to what it meets.

@@ -54,8 +54,8 @@ impl Fnv {
         for word in [category, mask, group as u64, u64::from(is_sensor), u64::from(surface_speed.to_bits())] {
             self.write(word);
         }
-        if rolling_resistance > 0.0 {
-            self.write(u64::from(rolling_resistance.to_bits()));
+        if let Some(coefficient) = rolling_resistance {
+            self.write(u64::from(coefficient.to_bits()));
         }
         for (number, mix) in (1..).zip([role.friction_mix, role.restitution_mix]) {
             if let Some(mix) = mix {

@@ -87,8 +87,7 @@ pub struct Settings {
     ///
     /// Bodies that touch each other sleep together, once all of them are at rest and each is held there: by contacts that
     /// bear load, on something that does not move, or by damping. What nothing holds sleeps only if it does not move at all.
-    /// A rigid disc rolls without loss, so that a pile in which one can may never sleep: raise the sleep speed. Of discs on level
-    /// ground [rolling resistance](crate::Body::rolling_resistance) is enough; in a pile, they creep on by millimetres per second.
+    /// Without [rolling resistance](crate::Body::rolling_resistance) a disc rolls for ever, and a pile in which one does never sleeps.
     pub sleep: bool,
     /// What strays from its place more slowly than this is at rest, m/s, 0 to 10⁶: on average over the next ten seconds,
     /// and of the point of the body that strays most. Default 10⁻⁴, 1 mm in ten seconds.

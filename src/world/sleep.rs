@@ -79,7 +79,7 @@ pub(crate) struct SleepRule {
 /// }
 /// let keeps_heap_awake = |body: &BodyRef<'_>| body.why_awake().is_some_and(|why| why != Awake::Others);
 /// let rolling: Vec<_> = world.bodies().filter(|(_, body)| keeps_heap_awake(body)).map(|(id, _)| id).collect();
-/// assert_eq!(rolling, [ball]); // it needs rolling resistance
+/// assert_eq!(rolling, [ball]); // more rolling resistance would stop it sooner
 /// # Ok::<(), BodyError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

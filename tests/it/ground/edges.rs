@@ -135,6 +135,7 @@ fn a_disc_keeps_its_energy_over_a_ridge_of_boards() {
         add(&mut world, board(from, to));
     }
     let disc = Body::dynamic(Shape::circle(0.5)).at([-5.0, 0.5]).velocity([2.0, 0.0]).angular_velocity(-4.0);
+    let disc = disc.rolling_resistance(0.0);
     let id = add(&mut world, disc.friction(1.0).restitution(0.0).density(1.0));
     let before = world.energy();
     run(&mut world, 6.0);

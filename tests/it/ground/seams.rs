@@ -25,7 +25,7 @@ struct Run {
 
 /// Lets a body slide for 40 m or 6 s over a floor. Returns its greatest upward speed, and its speed at the end, m/s.
 fn slide(shape: Shape, floor: &[(f64, f32)], run: Run) -> [f64; 2] {
-    slide_body(Body::dynamic(shape), floor, run)
+    slide_body(Body::dynamic(shape).rolling_resistance(0.0), floor, run)
 }
 
 fn slide_body(body: Body, floor: &[(f64, f32)], run: Run) -> [f64; 2] {

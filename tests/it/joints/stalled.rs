@@ -40,6 +40,8 @@ fn press(name: &str, drive: Drive, mass: f32, force: f32, adaptive: bool) -> boo
     let mut world = World::new(Settings { sleep: false, adaptive, ..Settings::default() });
     add(&mut world, Body::fixed(Shape::aabb(1.0, 4.0)).at([1.0, 0.0]).friction(0.0));
     let disc = Body::dynamic(Shape::circle(0.5)).mass(mass).friction(0.0).restitution(0.0);
+    // It is turned about its pin, which the wall is not to resist.
+    let disc = disc.rolling_resistance(0.0);
     let body = add(&mut world, disc);
     let joint = world.add_joint(drive(body, force)).unwrap();
     run(&mut world, 2.0);

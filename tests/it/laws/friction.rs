@@ -109,7 +109,8 @@ fn a_disc_rolls_with_two_thirds_of_the_slope_and_does_not_slip() {
     let ramp = Body::fixed(Shape::obb(100.0, 2.0)).angle(angle as f32).at([-normal[0], -normal[1]]);
     add(&mut world, ramp.friction(0.6).restitution(0.0));
     let start = [0.5 * normal[0] + 20.0 * angle.cos(), 0.5 * normal[1] + 20.0 * angle.sin()];
-    let disc = Body::dynamic(Shape::circle(0.5)).at(start).friction(0.6).restitution(0.0);
+    let disc =
+        Body::dynamic(Shape::circle(0.5)).at(start).friction(0.6).restitution(0.0).rolling_resistance(0.0);
     let disc = add(&mut world, disc);
     run(&mut world, 2.0);
     let acceleration = 2.0 / 3.0 * G * angle.sin();
@@ -124,7 +125,8 @@ fn a_disc_rolls_with_two_thirds_of_the_slope_and_does_not_slip() {
 fn a_sliding_disc_ends_up_rolling_at_two_thirds_of_its_speed() {
     let mut world = earth();
     add_floor(&mut world, 0.3);
-    let disc = Body::dynamic(Shape::circle(0.5)).at([-50.0, 0.5]).velocity([6.0, 0.0]);
+    let disc =
+        Body::dynamic(Shape::circle(0.5)).at([-50.0, 0.5]).velocity([6.0, 0.0]).rolling_resistance(0.0);
     let disc = add(&mut world, disc.friction(0.3).restitution(0.0));
     run(&mut world, 3.0);
     assert_relative(velocity(&world, disc)[0], 4.0, 1e-3, "speed");

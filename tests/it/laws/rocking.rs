@@ -25,7 +25,7 @@ impl Rocking {
     fn new(length: f64, lean: f64, gravity: f64) -> Self {
         let mut world = World::new(Settings::default());
         world.add_force(Force::new("gravity", [0.0, -gravity as f32]));
-        let drum = Body::fixed(Shape::circle(DRUM as f32));
+        let drum = Body::fixed(Shape::circle(DRUM as f32)).rolling_resistance(0.0);
         add(&mut world, drum.friction(2.0).restitution(0.0));
         let (sin, cos) = lean.sin_cos();
         let (up, along) = (DRUM + HALF, DRUM * lean);

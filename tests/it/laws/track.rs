@@ -41,6 +41,7 @@ fn a_disc_on_a_polygonal_track_loses_at_each_corner_what_the_blow_takes() {
     for (pieces, friction, inertia) in [(127, 1.0, 0.5), (256, 1.0, 0.5), (256, 0.0, 0.0)] {
         let mut world = World::new(Settings::default());
         let disc = Body::dynamic(Shape::circle(DISC as f32)).at([0.0, DISC - TRACK]).velocity([5.0, 0.0]);
+        let disc = disc.rolling_resistance(0.0);
         let rolling = if friction > 0.0 { -5.0 / DISC as f32 } else { 0.0 };
         let disc = add_track(&mut world, pieces, friction, disc.angular_velocity(rolling));
         run(&mut world, 10.0);
@@ -67,6 +68,7 @@ fn kept_in_bowl(settings: Settings, pieces: u32) -> [f64; 2] {
     let way = TRACK - DISC;
     let start = corner * (1.0 / corner).round();
     let disc = Body::dynamic(Shape::circle(DISC as f32)).at([way * start.sin(), -way * start.cos()]);
+    let disc = disc.rolling_resistance(0.0);
     let disc = add_track(&mut world, pieces, 1.0, disc);
     let mut highest = f64::NEG_INFINITY;
     for _ in 0..4 * 60 {

@@ -57,8 +57,14 @@ fn what_is_pressed_to_the_underside_goes_the_other_way() {
 fn a_disc_rolls_on_the_belt_with_a_third_of_its_speed() {
     let mut world = earth();
     add(&mut world, belt(3.0));
-    let id =
-        add(&mut world, Body::dynamic(Shape::circle(0.4)).at([0.0, 0.4]).friction(FRICTION).restitution(0.0));
+    let id = add(
+        &mut world,
+        Body::dynamic(Shape::circle(0.4))
+            .at([0.0, 0.4])
+            .friction(FRICTION)
+            .restitution(0.0)
+            .rolling_resistance(0.0),
+    );
     run(&mut world, 2.0);
     assert_relative(velocity(&world, id)[0], 1.0, 1e-3, "its speed");
     assert_relative(spin(&world, id) * 0.4, 2.0, 1e-3, "the speed of its rim");

@@ -21,12 +21,9 @@ fn piles_fall_asleep_and_then_run_no_stage() {
 /// What rolls on discs is lost, so heaps of them come to rest as others do. Of 200 such piles one is awake for longer, so that of twenty two
 /// are hardly by chance.
 #[test]
-fn piles_with_rolling_discs_fall_asleep_if_they_have_rolling_resistance() {
+fn piles_with_discs_fall_asleep() {
     let stays_awake = |&seed: &u64| {
         let (mut world, ids) = pile(seed, true, true);
-        for &id in &ids {
-            world.body_mut(id).unwrap().set_rolling_resistance(0.01).unwrap();
-        }
         !falls_asleep(&mut world, &ids)
     };
     let awake: Vec<u64> = (1..=20).filter(stays_awake).collect();
@@ -84,6 +81,9 @@ fn what_stays_awake_moves() {
     let (mut awake, mut for_nothing) = (0, Vec::new());
     for seed in 1..=40 {
         let (mut world, ids) = pile(seed, true, true);
+        for &id in &ids {
+            world.body_mut(id).unwrap().set_rolling_resistance(0.0).unwrap();
+        }
         if !falls_asleep(&mut world, &ids) {
             let before = poses(&world, &ids);
             awake += 1;
@@ -129,6 +129,7 @@ fn what_is_slower_than_the_sleep_speed_is_at_rest() {
         // The point on top is twice as fast as the centre, and straying counts turns and ways: half of the speed is each's.
         let speed = 0.5 * share * 0.01;
         let disc = Body::dynamic(Shape::circle(radius)).at([0.0, 0.5]).restitution(0.0).friction(0.6);
+        let disc = disc.rolling_resistance(0.0);
         let disc = add(&mut world, disc.velocity([speed, 0.0]).angular_velocity(-speed / radius));
         assert_eq!(falls_asleep(&mut world, &[disc]), sleeps, "{share} of the sleep speed");
     }

@@ -95,6 +95,8 @@ fn body(spec: &BodySpec) -> Body {
         .density(spec.density as f32)
         .friction(spec.friction as f32)
         .restitution(spec.restitution as f32)
+        // As the others have.
+        .rolling_resistance(0.0)
         .angular_damping(spec.angular_damping as f32)
 }
 
