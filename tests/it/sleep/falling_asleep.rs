@@ -18,7 +18,7 @@ fn piles_fall_asleep_and_then_run_no_stage() {
     }
 }
 
-/// What rolls on discs is lost, so heaps of them come to rest as others do. Of 200 such piles one is awake for longer, so that of twenty two
+/// What rolls on discs is lost, so heaps of them come to rest as others do. Of 200 such piles two are awake for longer, so that of twenty two
 /// are hardly by chance.
 #[test]
 fn piles_with_discs_fall_asleep() {
