@@ -227,7 +227,7 @@ impl Part {
         check_restitution(self.material.restitution)?;
         check_surface_speed(self.role.surface_speed)?;
         check_one_way(self.role.one_way)?;
-        check_rolling_resistance(self.role.rolling_resistance())
+        check_rolling_resistance(self.role.rolling_resistance_or_usual())
     }
 }
 

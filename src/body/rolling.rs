@@ -7,13 +7,13 @@ impl Body {
     /// is slowed down, as a share of the force that presses it on, over its mass. On level ground it stops after v²/(2 c g), and
     /// on a slope it stays up to a gradient of 3/2 c. Rubber on asphalt has some 0.01, on grass 0.1.
     ///
-    /// It acts where a circle touches something, as a moment of 3/2 c r N that never turns the spin round. Of two bodies the
-    /// greater coefficient counts, or the only one that was told, and r is the extent of the smaller, which of a disc is its radius. Boxes,
-    /// polygons, capsules and round corners may have it too: it slows down the circles that roll on them, and does nothing to themselves. Of a
-    /// body of several shapes only circles about its centre of mass roll.
+    /// It acts where a circle touches something, as a moment of 3/2 c r N on both that never turns the spin round. Of two bodies the
+    /// greater coefficient counts, or the only one that was told. r is the radius of the circle, of two the smaller, or the extent of
+    /// what turns on a larger one. Boxes, polygons, capsules and round corners may have it too, for the circles that they touch;
+    /// between two of them it does nothing. Of a body of several shapes only circles about its centre of mass roll.
     ///
-    /// Where neither of two bodies was told one it is 0.002, as of hard wheels on hard ground: a disc at 1 m/s comes 25 m far, and heaps come to rest.
-    /// What is told 0 rolls on for ever, on all that was not told more.
+    /// Where neither of two bodies was told one it is 0.002, as of hard wheels on hard ground: a disc at 1 m/s comes 25 m far, and
+    /// heaps come to rest. What is told 0 rolls on for ever, on all that was not told more.
     ///
     /// ```
     /// # use rustycs::prelude::*;
@@ -34,6 +34,6 @@ impl Body {
 
     /// Coefficient of rolling resistance; the usual one where none was told.
     pub fn get_rolling_resistance(&self) -> f32 {
-        self.role.rolling_resistance()
+        self.role.rolling_resistance_or_usual()
     }
 }

@@ -25,8 +25,9 @@ fn check(
     [min, max]: [f64; 2],
     unit: &'static str,
 ) -> Result<(), JointError> {
-    // NaN fails the comparison.
-    if value >= min && value <= max {
+    // What is told in `f32` may be a bound, rounded to that. NaN fails the comparison.
+    let [least, most] = [min.min(f64::from(min as f32)), max.max(f64::from(max as f32))];
+    if value >= least && value <= most {
         Ok(())
     } else {
         Err(JointError::OutOfRange { quantity, value, min, max, unit })

@@ -333,13 +333,6 @@ impl<L: Lane> ContactConstraint<L> {
         }
     }
 
-    /// What each of the two warm starts applies along the normal at the first `POINTS` points together, N s.
-    #[inline(always)]
-    pub(crate) fn warm_started<const POINTS: usize>(&self) -> L {
-        let [first, second] = self.frictions.map(|friction| friction.warm_start);
-        if POINTS == 1 { first } else { first + second }
-    }
-
     /// How fast the outlines of the two bodies turn against each other, rad/s.
     #[inline(always)]
     pub(crate) fn outlines_turn_at(&self, a: &BodyState<L>, b: &BodyState<L>) -> L {

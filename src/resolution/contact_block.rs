@@ -270,6 +270,11 @@ impl ContactBlock {
         rolling.store::<f32>(place, Rolling { arm, moment, acted: 0.0 });
     }
 
+    /// Whether anything rolls with resistance.
+    pub(crate) fn rolls(&self) -> bool {
+        self.rolls
+    }
+
     /// What rolls of the contacts from `place` on; `None` if nothing of the block does.
     #[inline(always)]
     pub(crate) fn rolling<L: Lane>(&self, place: usize) -> Option<Rolling<L>> {
@@ -277,10 +282,10 @@ impl ContactBlock {
         Some(rolling.load::<L>(place))
     }
 
-    /// Writes what rolls back, if anything does.
+    /// Writes what rolls back.
     #[inline(always)]
-    pub(crate) fn store_rolling<L: Lane>(&mut self, place: usize, rolling: Option<Rolling<L>>) {
-        if let (Some(to), Some(rolling)) = (&mut self.rolling, rolling) {
+    pub(crate) fn store_rolling<L: Lane>(&mut self, place: usize, rolling: Rolling<L>) {
+        if let Some(to) = &mut self.rolling {
             to.moment.store::<L>(place, rolling.moment);
             to.acted.store::<L>(place, rolling.acted);
         }

@@ -103,15 +103,14 @@ impl WarmStart {
         constraint.push(impulse, &mut a, &mut b);
         if !STILL {
             constraint.turn(moments, &mut a, &mut b);
-            let mut rolling = block.rolling::<L>(place);
-            if let Some(rolling) = &mut rolling {
+            if let Some(mut rolling) = block.rolling::<L>(place) {
                 if self.time == WarmStartTime::BeforeMove {
                     rolling.begin();
                 }
-                let moment = rolling.start(part, constraint.warm_started::<POINTS>());
+                let moment = rolling.start(part, constraint.frictions.map(|friction| friction.warm_start));
                 constraint.turn([moment; 2], &mut a, &mut b);
+                block.store_rolling(place, rolling);
             }
-            block.store_rolling(place, rolling);
         }
         states.scatter_velocities(place, &[a, b]);
     }
@@ -192,15 +191,7 @@ impl SweepOver {
         } else {
             states.gather_velocities(place)
         };
-        let mut rolling = if sweep.friction && !STILL { block.rolling::<L>(place) } else { None };
-        if let Some(rolling) = &mut rolling {
-            rolling.solve::<POINTS>(&contact, &mut pair);
-        }
         contact.solve::<POINTS, STILL>(sweep, self.substep_rate, surface_speed, &mut pair);
-        if let Some(rolling) = &mut rolling {
-            rolling.solve::<POINTS>(&contact, &mut pair);
-        }
-        block.store_rolling(place, rolling);
         block.store_normal_impulses::<L, POINTS>(place, &contact);
         if sweep.friction {
             block.store_friction_impulses::<L, POINTS>(place, &contact);
@@ -241,6 +232,21 @@ impl SweepOver {
         for (state, before) in pair.iter_mut().zip(&pair_before) {
             *state = BodyState::select(is_cold, state, before);
         }
+        states.scatter_velocities(place, &pair);
+    }
+}
+
+/// Rolling resistance of all contacts, before and after the sweep that follows the move.
+#[derive(Clone, Debug)]
+pub(crate) struct Roll;
+
+impl Kernel for Roll {
+    #[inline(always)]
+    fn run<L: Lane>(&self, block: &mut ContactBlock, states: &mut PairStates<'_>, place: usize) {
+        let Some(mut rolling) = block.rolling::<L>(place) else { return };
+        let mut pair = states.gather_velocities(place);
+        rolling.solve(&block.load(place), &mut pair);
+        block.store_rolling(place, rolling);
         states.scatter_velocities(place, &pair);
     }
 }

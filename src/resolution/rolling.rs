@@ -7,16 +7,18 @@
 //! moment       |Λ| ≤ 3/2 c r λ,   so that a disc, which takes (m + I/r²) a = 3/2 m a = Λ/(r h), is slowed down by c λ/(m h)
 //! ```
 //!
-//! r is the extent of the smaller of the two, which of a disc is its radius: a box on a planet does not roll on the radius of that.
+//! r is the radius of the disc. What turns on a larger one has its own extent in the place of that: a box on a planet does not roll on a radius of
+//! 6,400 km.
 //!
 //! As friction does, it makes up for what would turn the circle as far as it goes, and no further: the spin is not turned
 //! round. It begins with what it was in the last substep, half before and half after the move, so that a disc on a slope
-//! comes to rest, and discs in a heap do not tremble. The sweep after the move solves it before all else, so that friction answers it,
-//! and once more after that, with the load that it has found.
+//! comes to rest, and discs in a heap do not tremble. After the move it is solved for all contacts before the sweep, whose friction answers it,
+//! and once more after it, with the load that the sweep has found. Solved contact by contact within the sweep, the friction of the next contacts
+//! undoes a part of it: heaps with discs creep on, and of 36 heaps of 300 and 1,000 bodies 28 sleep after twenty seconds, for all.
 //!
-//! Part of the passes over contacts, in blocks that have a circle with rolling resistance. In what is solved directly it is a row like others.
+//! In lanes, for blocks that have a circle with rolling resistance. In what is solved directly it is a row like others.
 
-use crate::body::Bodies;
+use crate::body::{Bodies, Motion};
 use crate::collision::Contact;
 use crate::compute::{BodyState, Lane, columns};
 use crate::resolution::constraint::ContactConstraint;
@@ -30,10 +32,13 @@ pub(super) fn rolling_arm(bodies: &Bodies, contact: &Contact) -> Option<f32> {
     if !motions.iter().any(|motion| motion.is_round) {
         return None;
     }
-    let radius = motions[0].extent.min(motions[1].extent);
-    let arm = OF_A_DISC * bodies.roles.rolling_resistance(contact.colliders) * radius;
-    let can_turn = motions.iter().any(|motion| motion.inverse_inertia > 0.0);
-    (arm > 0.0 && can_turn).then_some(arm)
+    let can_turn = |motion: &Motion| motion.inverse_inertia > 0.0;
+    // Ground may have small pieces.
+    let sizes =
+        motions.into_iter().filter(|motion| motion.is_round || can_turn(motion)).map(|motion| motion.extent);
+    let radius = sizes.fold(f32::INFINITY, f32::min);
+    let arm = OF_A_DISC * bodies.roles.rolling_resistance_between(contact.colliders) * radius;
+    (arm > 0.0 && motions.into_iter().any(can_turn)).then_some(arm)
 }
 
 /// What rolls on a contact, or on as many as a lane holds.
@@ -57,25 +62,20 @@ impl<L: Lane> Rolling<L> {
         self.acted = L::splat(0.0);
     }
 
-    /// One of the warm starts of a substep: the `part` of what acted in the last one, no unit, as far as the impulse goes that is applied along
+    /// One of the warm starts of a substep: the `part` of what acted in the last one, no unit, as far as the impulses go that are applied along
     /// the normal, N s. Returns the moment on b, N m s.
     #[inline(always)]
-    pub(crate) fn start(&mut self, part: L, applied: L) -> L {
-        let greatest = self.arm * applied;
+    pub(crate) fn start(&mut self, part: L, applied: [L; 2]) -> L {
+        let greatest = self.greatest(applied);
         let moment = (part * self.moment).min(greatest).max(-greatest);
         self.acted = self.acted + moment;
         moment
     }
 
-    /// After the move: stops the spin, as far as the load of the first `POINTS` points goes.
+    /// After the move: stops the spin, as far as the load goes.
     #[inline(always)]
-    pub(crate) fn solve<const POINTS: usize>(
-        &mut self,
-        constraint: &ContactConstraint<L>,
-        [a, b]: &mut [BodyState<L>; 2],
-    ) {
-        let [first, second] = constraint.points.map(|point| point.normal_impulse);
-        let greatest = self.arm * if POINTS == 1 { first } else { first + second };
+    pub(crate) fn solve(&mut self, constraint: &ContactConstraint<L>, [a, b]: &mut [BodyState<L>; 2]) {
+        let greatest = self.greatest(constraint.points.map(|point| point.normal_impulse));
         let k = constraint.inverse_inertia_a + constraint.inverse_inertia_b;
         let can_turn = k.greater(L::splat(0.0));
         let stopping = (a.angular_velocity - b.angular_velocity) / L::select(can_turn, k, L::splat(1.0));
@@ -83,5 +83,11 @@ impl<L: Lane> Rolling<L> {
         let change = self.moment - self.acted;
         self.acted = self.moment;
         constraint.turn([change; 2], a, b);
+    }
+
+    /// Greatest moment under these impulses along the normal, N s, of both points, N m s.
+    #[inline(always)]
+    fn greatest(&self, [first, second]: [L; 2]) -> L {
+        self.arm * (first + second)
     }
 }

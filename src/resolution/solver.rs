@@ -18,7 +18,7 @@ use crate::resolution::events::{Continuous, Courses, EventScene, Impacts, Seams,
 use crate::resolution::integrate::{Advance, Kick, Kicks, integrate};
 use crate::resolution::islands::{Connections, Islands};
 use crate::resolution::joint::{JointSolver, Phase};
-use crate::resolution::kernel::{MOST_TURNED, SweepOver, WarmStart, WarmStartTime};
+use crate::resolution::kernel::{MOST_TURNED, Roll, SweepOver, WarmStart, WarmStartTime};
 use crate::resolution::load::{LoadMeasure, Loads};
 use crate::resolution::moving::MovingContacts;
 use crate::resolution::projection::Project;
@@ -59,12 +59,14 @@ pub(crate) struct Solver {
     moving: MovingContacts,
     seams: Seams,
     direct: DirectSolver,
+    /// Whether anything rolls with resistance.
+    rolls: bool,
     tangles: Tangles,
     pub(crate) joints: JointSolver,
 }
 
 clone_into_buffers!(Solver { blows } scratch {
-    kicks, damped, impacts, continuous, courses, strikes, moving, seams, direct, tangles, joints
+    kicks, damped, impacts, continuous, courses, strikes, moving, seams, direct, rolls, tangles, joints
 });
 
 /// The tables that a step changes.
@@ -95,7 +97,7 @@ pub(crate) struct SolveTables<'a> {
 ///     kick h/2     v += h/2 a(x), and damping
 ///     refresh      contacts of circles and loaded corners follow the surface
 ///     relax        the other half of the last impulses, joints, so that what they hold does not part, and a sweep
-///                  without bias, with friction; stiff islands directly, with all that presses
+///                  without bias, with friction, between two passes of rolling resistance; stiff islands directly, with all that presses
 /// untangle         bodies of several shapes that are deep in each other are moved apart, which makes no speed
 /// project          in the classic scheme: overlaps are parted by moving bodies
 /// ```
@@ -236,15 +238,16 @@ impl Solver {
         }
         let h = scheme.substep_time();
         self.direct.begin(tables.graph, &tables.bodies.states, Phase::Relax, h);
+        self.roll(tables);
         if !self.joints.is_empty() {
             self.joints.relax(scheme, &mut tables.bodies.states);
         }
-        let (graph, states) = (&mut *tables.graph, &mut tables.bodies.states);
         for iteration in 0..scheme.relax_iterations {
             let sweep = scheme.sweep_over(scheme.relax_sweep(), iteration == 0);
-            graph.for_each_swept(tables.executor, states, &sweep);
+            tables.graph.for_each_swept(tables.executor, &mut tables.bodies.states, &sweep);
         }
-        self.direct.solve(states, &mut self.joints);
+        self.roll(tables);
+        self.direct.solve(&mut tables.bodies.states, &mut self.joints);
         if scheme.split_kick {
             let sweep = scheme.sweep_over(scheme.relax_sweep(), false);
             self.hold_joints(Phase::Relax, scheme, &sweep, tables);
@@ -253,6 +256,13 @@ impl Solver {
             self.joints.end_substep(scheme);
         }
         self.direct.write_back(tables.graph);
+    }
+
+    /// Rolling resistance.
+    fn roll(&self, tables: &mut SolveTables<'_>) {
+        if self.rolls {
+            tables.graph.for_each_swept(tables.executor, &mut tables.bodies.states, &Roll);
+        }
     }
 
     /// Contact geometry that moves within the step, where the bodies are now.
@@ -322,7 +332,8 @@ impl Solver {
         self.moving.clear();
         self.seams.clear();
         self.blows.clear();
-        let Self { impacts, moving, seams, blows, .. } = self;
+        self.rolls = false;
+        let Self { impacts, moving, seams, blows, rolls, .. } = self;
         for (index, block) in graph.blocks() {
             let marks = block.marks;
             if marks.bouncy.any() {
@@ -332,6 +343,7 @@ impl Solver {
                 blows.take_up_block(index, graph, scheme.substeps);
             }
             moving.take_up_block(index, marks, graph);
+            *rolls |= block.rolls();
             if !index.is_solved_directly() {
                 marks.on_ground.for_each(|place| seams.take_up(index.contact(place), graph));
             }

@@ -242,9 +242,9 @@ impl<'a> BodyRef<'a> {
         self.role().surface_speed
     }
 
-    /// Coefficient of rolling resistance, no unit.
+    /// Coefficient of rolling resistance, no unit; 0.002 where none was told.
     pub fn rolling_resistance(&self) -> f32 {
-        self.role().rolling_resistance()
+        self.role().rolling_resistance_or_usual()
     }
 
     /// The caller's own number.

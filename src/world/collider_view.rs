@@ -107,9 +107,9 @@ impl<'a> ColliderRef<'a> {
         self.material().restitution
     }
 
-    /// Coefficient of rolling resistance.
+    /// Coefficient of rolling resistance, no unit; 0.002 where none was told.
     pub fn rolling_resistance(&self) -> f32 {
-        self.role().rolling_resistance()
+        self.role().rolling_resistance_or_usual()
     }
 
     /// What it is to what it meets.

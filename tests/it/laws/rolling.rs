@@ -40,6 +40,33 @@ fn a_disc_that_rolls_stops_after_its_speed_squared_over_two_c_g() {
     }
 }
 
+/// It comes as far on ground of small pieces, which bear the whole disc however small they are. The way is off by that of the
+/// substep in which it begins and ends, v h. Where a piece takes over, half of the moment acts in its first substep: for each v h/2 at most.
+#[test]
+fn a_disc_that_rolls_on_small_pieces_stops_as_on_a_floor() {
+    let speed = 2.0;
+    let deceleration = f64::from(RESISTANCE) * G;
+    for piece in [2.0_f32, 0.5, 0.1] {
+        let count = (8.0 / piece) as usize;
+        let left = |i: usize| i as f32 * piece - 2.0;
+        let links = Ground::chain((0..=count).map(|i| [left(i), 0.0])).unwrap();
+        let boxes =
+            (0..count).map(|i| Body::fixed(Shape::aabb(piece, 1.0)).at([left(i) + 0.5 * piece, -0.5]));
+        for (name, ground) in [("links", vec![links]), ("boxes", boxes.collect())] {
+            let mut world = earth();
+            for body in ground {
+                add(&mut world, body.friction(0.6).restitution(0.0));
+            }
+            let disc = add(&mut world, rolling(speed).rolling_resistance(RESISTANCE));
+            let speed = f64::from(speed);
+            run(&mut world, speed / deceleration + 1.0);
+            let way = speed * speed / (2.0 * deceleration);
+            let within = speed / 240.0 * (1.0 + 0.5 * way / f64::from(piece));
+            assert_near(place(&world, disc)[0], way, within, &format!("way on {name} of {piece} m"));
+        }
+    }
+}
+
 /// However great the resistance is, the disc does not go back.
 #[test]
 fn rolling_resistance_never_turns_the_spin_round() {
