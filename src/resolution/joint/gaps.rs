@@ -9,8 +9,9 @@ use crate::resolution::joint::plan::Island;
 use crate::resolution::joint::row::{CLOSING_SPEED, Phase};
 use crate::resolution::joint::solve::rows_of;
 
-/// Bodies are at most so many times as fast as the gaps that they close, no unit. With ten times, a straight bridge with a light crate gains
-/// energy, by rounding; with once, what closes the rounding of a pendulum is not an impulse of its hinge, and it loses energy.
+/// By impulses gaps are closed where no body goes more than so many times as fast as the fastest gap needs by itself, no unit. With ten times, a
+/// straight bridge with a light crate gains energy, by rounding; with once, what closes the rounding of a pendulum is not an impulse of
+/// its hinge, and it loses energy.
 const LEVERAGE: f64 = 3.0;
 
 impl JointSolver {
@@ -61,13 +62,9 @@ impl JointSolver {
     fn fastest_gap(&self, island: &Island) -> f64 {
         let pace = |row: usize| {
             let row = &self.rows[row];
-            let speed = row.closing_speed(island.times);
+            let speed = row.closing_speed(island.times) * row.coordinate.leverage();
             let turning = |&body: &u32| self.bodies[body as usize].pace_of([0.0, 0.0, speed]);
-            if row.coordinate.is_angle() {
-                row.bodies.iter().map(turning).fold(0.0, f64::max)
-            } else {
-                speed * row.coordinate.leverage()
-            }
+            if row.coordinate.is_angle() { row.bodies.iter().map(turning).fold(0.0, f64::max) } else { speed }
         };
         rows_of(&island.clusters).map(pace).fold(0.0, f64::max)
     }

@@ -253,8 +253,8 @@ impl Base {
     }
 }
 
-/// Way of an anchor in a step, by its distance from the wheel of its rope, is this many times less than the angle that a body may swing by, no
-/// unit: a quarter. There a body turns back within a radian or two, at its fastest. With all of that angle it may gain a sixth of its energy.
+/// An anchor that passes the wheel of its rope at the distance d, with the speed v, turns about it at v/d. Steps are as short as for a body that swings
+/// so many times as fast, no unit: it goes a quarter of d in a step at most. With 1 it may gain a sixth of its energy.
 const FLY_BY: f64 = 4.0;
 
 /// What a row measures.
@@ -313,12 +313,16 @@ impl Coordinate {
 
     /// How many times as fast as this changes one of its bodies may be, no unit.
     pub(super) fn leverage(self) -> f64 {
-        if let Self::Pulley(ratio) = self { ratio.recip().max(1.0) } else { 1.0 }
+        match self {
+            Self::Gear(ratio) | Self::Pulley(ratio) => ratio.abs().recip().max(1.0),
+            _ => 1.0,
+        }
     }
 
-    /// How far its anchors are from the centres of a and b, m, if it holds them in a place.
+    /// How far its anchors are from the centres of a and b, m, if it holds them in a place. What hangs by a rope turns about its own centre.
     pub(super) fn arms(self, at: &Geometry) -> Option<[f64; 2]> {
-        (!self.is_angle()).then(|| [length(at.r_a), length(at.r_b)])
+        let holds = !self.is_angle() && !matches!(self, Self::Distance | Self::Pulley(_));
+        holds.then(|| [length(at.r_a), length(at.r_b)])
     }
 
     /// How stiffly the bodies a and b are pulled back, N/m, and turned back, N m/rad, by a `load` on it, N.
@@ -343,8 +347,8 @@ impl Coordinate {
         [side(j_a, at.r_a, rope_a), side(j_b, at.r_b, rope_b)]
     }
 
-    /// How fast bodies may come to swing by it in this step, rad/s: those of a pulley that fly by their wheels, or up to them.
-    pub(super) fn turning(self, at: &Geometry, a: &JointBody, b: &JointBody) -> f64 {
+    /// How fast bodies are to be taken to swing as their anchors fly by the wheels of a pulley, or up to them, rad/s; 0 of other kinds.
+    pub(super) fn fly_by_rate(self, at: &Geometry, a: &JointBody, b: &JointBody) -> f64 {
         let Self::Pulley(_) = self else { return 0.0 };
         let rate = |[x, y, w]: V3, r: V2, rope: V2| {
             let [speed, length] = [length(add([x, y], [-w * r[1], w * r[0]])), length(rope)];

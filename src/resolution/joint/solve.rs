@@ -141,12 +141,18 @@ impl Problem<'_> {
         true
     }
 
-    /// Whether rigid rows will be where they should, but for `NEARLY`, as bodies turn.
+    /// Whether rigid rows, and limits that bore before, will be where they should, but for `NEARLY`, as bodies turn.
     fn is_nearly_there(&mut self, cluster: &Cluster) -> bool {
         self.look(cluster, Aim::Place);
-        let mut rigid =
-            cluster.rows.iter().map(|&row| &self.rows[row as usize]).filter(|row| row.role == Role::Rigid);
-        rigid.all(|row| row.is_within(NEARLY, self.times))
+        let mut rows = cluster.rows.iter().map(|&row| &self.rows[row as usize]);
+        rows.all(|row| {
+            let holds = match row.role {
+                Role::Rigid => true,
+                Role::Limits(_) => row.acts && row.load != 0.0,
+                Role::Spring { .. } | Role::Speed { .. } => false,
+            };
+            !holds || row.is_within(NEARLY, self.times)
+        })
     }
 
     /// Keeps what was found so far.

@@ -104,13 +104,13 @@ impl JointSolver {
 
     /// How fast the fastest of the bodies swings by what the rows bear, N, rad/s.
     fn fastest_swing(&mut self, island: &Island, load: impl Fn(&Row) -> f64) -> f64 {
-        let turning = self.find_swings(island, load);
-        island.bodies.iter().map(|&place| self.bodies[place as usize].swing()).fold(turning, f64::max)
+        let flying_by = self.find_swings(island, load);
+        island.bodies.iter().map(|&place| self.bodies[place as usize].swing()).fold(flying_by, f64::max)
     }
 
-    /// Finds how stiffly the bodies are pulled and turned back by what the rows bear, N. Returns how fast they may swing whatever that is, rad/s.
+    /// Finds how stiffly the bodies are pulled and turned back by what the rows bear, N. Returns how fast they fly by the wheels of pulleys, rad/s.
     fn find_swings(&mut self, island: &Island, load: impl Fn(&Row) -> f64) -> f64 {
-        let mut turning = 0.0_f64;
+        let mut flying_by = 0.0_f64;
         for &place in &island.bodies {
             let body = &mut self.bodies[place as usize];
             (body.stiffness, body.held) = ([0.0; 2], 0);
@@ -129,7 +129,7 @@ impl JointSolver {
             }
             for row in rows {
                 if row.impulse != 0.0 {
-                    turning = turning.max(row.coordinate.turning(&at, &a, &b));
+                    flying_by = flying_by.max(row.coordinate.fly_by_rate(&at, &a, &b));
                 }
                 let stiffness = row.coordinate.geometric_stiffness(&at, load(row));
                 for (body, [pull, turn]) in row.bodies.into_iter().zip(stiffness) {
@@ -138,7 +138,7 @@ impl JointSolver {
                 }
             }
         }
-        turning
+        flying_by
     }
 
     /// Begins a phase, and solves it.
