@@ -70,6 +70,14 @@ pub(crate) struct Mixes {
     pub(crate) restitution: Mix,
 }
 
+/// What the coefficients of two surfaces come to, no units.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Mixed {
+    pub(crate) friction: f32,
+    pub(crate) restitution: f32,
+    pub(crate) rolling_resistance: f32,
+}
+
 impl Mix {
     /// The stronger of two rules. From the weakest to the strongest they are [`Average`](Self::Average),
     /// [`GeometricMean`](Self::GeometricMean), [`Min`](Self::Min), [`Multiply`](Self::Multiply) and [`Max`](Self::Max): what is

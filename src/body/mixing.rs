@@ -1,16 +1,20 @@
 //! Rules of its own for how a surface mixes with those it touches.
 
-use crate::body::role::Own;
-use crate::body::{Bodies, Body, Collider, Mix, Mixes};
+use crate::body::role::{Own, rolling_resistance_between};
+use crate::body::{Bodies, Body, Collider, Mix, Mixed, Mixes};
 
 impl Mixes {
-    /// Coefficients of friction and restitution between the bodies in two slots.
-    pub(crate) fn of(self, bodies: &Bodies, slots: [u32; 2]) -> (f32, f32) {
+    /// The coefficients between the shapes in two slots.
+    pub(crate) fn of(self, bodies: &Bodies, slots: [u32; 2]) -> Mixed {
         let [a, b] = slots.map(|slot| bodies.records[slot].material);
         let roles = slots.map(|slot| bodies.roles.of(slot));
         let friction = self.friction.of_two(roles.map(|role| role.friction_mix));
         let restitution = self.restitution.of_two(roles.map(|role| role.restitution_mix));
-        (friction.mix(a.friction, b.friction), restitution.mix(a.restitution, b.restitution))
+        Mixed {
+            friction: friction.mix(a.friction, b.friction),
+            restitution: restitution.mix(a.restitution, b.restitution),
+            rolling_resistance: rolling_resistance_between(roles),
+        }
     }
 }
 

@@ -233,18 +233,18 @@ impl Roles {
         (speed != 0.0).then_some(speed)
     }
 
-    /// Coefficient of rolling resistance of two shapes, no unit: the greater of those that were told.
-    pub(crate) fn rolling_resistance_between(&self, colliders: [u32; 2]) -> f32 {
-        let told = colliders.into_iter().filter_map(|slot| self.of(slot).rolling_resistance);
-        told.reduce(f32::max).unwrap_or(USUAL_ROLLING_RESISTANCE)
-    }
-
     /// Whether two shapes, of these bodies, are anything to each other: by their filters, and as the bodies were not parted.
     pub(crate) fn may_meet(&self, [a, b]: [u32; 2], bodies: [u32; 2]) -> bool {
         bodies[0] != bodies[1]
             && self.of(a).filter.collides_with(self.of(b).filter)
             && !self.are_parted(bodies[0], bodies[1])
     }
+}
+
+/// Coefficient of rolling resistance of two shapes, no unit: the greater of those that were told.
+pub(crate) fn rolling_resistance_between(roles: [Role; 2]) -> f32 {
+    let told = roles.into_iter().filter_map(|role| role.rolling_resistance);
+    told.reduce(f32::max).unwrap_or(USUAL_ROLLING_RESISTANCE)
 }
 
 /// Has a slot be in an ascending list or not.

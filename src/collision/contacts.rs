@@ -7,7 +7,7 @@
 use core::mem::offset_of;
 use core::ops::Range;
 
-use crate::body::{Bodies, NONE};
+use crate::body::{Bodies, Mixed, NONE};
 use crate::collision::{Manifold, ManifoldPoint, Offset, OneWay, is_flat};
 use crate::compute::{DistinctIndices, FIRST_LINE, LINE, prefetch, prefetch_lines};
 use crate::math::Rot;
@@ -69,10 +69,8 @@ pub(crate) struct Contact {
     pub(crate) approach_speed: f32,
     /// Place in the list of awake contacts, `NONE` while neither body is awake.
     awake_place: u32,
-    /// Mixed coefficient of friction.
-    pub(crate) friction: f32,
-    /// Mixed coefficient of restitution.
-    pub(crate) restitution: f32,
+    /// Coefficients of the two surfaces.
+    pub(crate) mixed: Mixed,
     /// Width of the thinner of the two bodies, m.
     pub(crate) thickness: f32,
     /// Moment of rolling resistance in the last substep, N m s, on b.
@@ -229,13 +227,7 @@ impl core::ops::IndexMut<u32> for Contacts {
 
 impl Contacts {
     /// Begins a contact between shapes of two bodies, without points yet and asleep; returns its index.
-    pub(crate) fn begin(
-        &mut self,
-        bodies: &mut Bodies,
-        colliders: [u32; 2],
-        friction: f32,
-        restitution: f32,
-    ) -> u32 {
+    pub(crate) fn begin(&mut self, bodies: &mut Bodies, colliders: [u32; 2], mixed: Mixed) -> u32 {
         let slots = bodies.bodies_of(colliders);
         let first = slots.map(|slot| bodies.records[slot].first_contact);
         let (thickness, has_circle) = sizes(bodies, colliders);
@@ -244,8 +236,7 @@ impl Contacts {
             slots,
             manifold: Manifold::default(),
             frozen: None,
-            friction,
-            restitution,
+            mixed,
             thickness,
             rolling_moment: 0.0,
             is_touching: false,

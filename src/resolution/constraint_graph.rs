@@ -407,7 +407,7 @@ impl ConstraintGraph {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::body::Body;
+    use crate::body::{Body, Mixed};
     use crate::collision::{Manifold, ManifoldPoint};
     use crate::math::Vec2;
     use crate::shape::Shape;
@@ -422,7 +422,7 @@ mod tests {
         }
         let mut graph = ConstraintGraph::default();
         for &slots in pairs {
-            let index = contacts.begin(&mut bodies, slots, 0.5, 0.0);
+            let index = contacts.begin(&mut bodies, slots, Mixed::default());
             contacts[index].manifold = Manifold::of_one(Vec2::new(0.0, 1.0), ManifoldPoint::default());
             graph.enter(&contacts, &bodies, index);
         }

@@ -14,7 +14,7 @@ mod seams;
 mod strikes;
 mod traveller;
 
-use crate::body::{Bodies, Mixes};
+use crate::body::{Bodies, Mixed, Mixes};
 use crate::collision::broad_phase::BroadPhase;
 use crate::collision::{Contacts, OneWay, is_on_free_side, noise_of, was_before_links};
 use crate::compute::BodyState;
@@ -106,7 +106,7 @@ impl EventScene<'_> {
     }
 
     /// Coefficients of friction and restitution between two shapes.
-    fn mixed(&self, colliders: [u32; 2]) -> (f32, f32) {
+    fn mixed(&self, colliders: [u32; 2]) -> Mixed {
         self.mixes.of(self.bodies, colliders)
     }
 

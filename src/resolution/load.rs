@@ -95,6 +95,11 @@ impl ContactLoad {
         rate * speed_share
     }
 
+    /// Of a great load: whether the bodies are deep in each other.
+    pub(super) fn is_deep(self) -> bool {
+        self.great_steps > 0 && self.is_deep
+    }
+
     fn is_notable(self) -> bool {
         self.lasts_or_is_blow() || self.is_heavy()
     }
@@ -201,7 +206,7 @@ impl LoadMeasure {
     }
 }
 
-/// The greatest sag shares of the contacts of an island.
+/// The greatest sag shares of the contacts of an island, no unit.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct IslandLoad {
     /// Of loads that last.
@@ -210,6 +215,8 @@ pub(super) struct IslandLoad {
     pub(super) still: f32,
     /// Of blows that are passing.
     pub(super) passing: f32,
+    /// Whether any bodies are deep in each other.
+    pub(super) is_deep: bool,
 }
 
 impl IslandLoad {
@@ -218,6 +225,7 @@ impl IslandLoad {
             let greatest = if load.is_passing() { &mut self.passing } else { &mut self.still };
             *greatest = greatest.max(load.sag_share);
         }
+        self.is_deep |= load.is_deep();
         if load.lasts() {
             self.lasting = self.lasting.max(load.sag_share);
         }
@@ -236,7 +244,7 @@ pub(crate) fn begins_at_rest(contact: &Contact, bodies: &Bodies) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::body::Body;
+    use crate::body::{Body, Mixed};
     use crate::collision::Contacts;
     use crate::shape::Shape;
 
@@ -246,7 +254,7 @@ mod tests {
         let slots =
             [0.0, 1.0].map(|y| bodies.insert(&Body::dynamic(Shape::obb(1.0, 1.0)).at([0.0, y])).0.index());
         let mut contacts = Contacts::default();
-        let index = contacts.begin(&mut bodies, slots, 0.5, 0.0);
+        let index = contacts.begin(&mut bodies, slots, Mixed::default());
         contacts[index].holds_still = true;
         contacts[index].clone()
     }

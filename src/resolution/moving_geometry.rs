@@ -274,7 +274,7 @@ impl<L: Lane> MovingGeometry<L> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::body::Body;
+    use crate::body::{Body, Mixed};
     use crate::collision::{Contacts, detect_within};
     use crate::compute::LaneRot;
     use crate::math::Rot;
@@ -300,7 +300,7 @@ mod tests {
         });
         let slots = keys.map(|id| id.0.index());
         let mut contacts = Contacts::default();
-        let index = contacts.begin(&mut bodies, slots, 0.5, 0.0);
+        let index = contacts.begin(&mut bodies, slots, Mixed::default());
         let mut contact = contacts[index].clone();
         contact.manifold = detected(&bodies, &contact, [&BodyState::REST; 2]);
         let points = contact.manifold.points_mut();

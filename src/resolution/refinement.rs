@@ -83,10 +83,10 @@ impl Refinement {
         }
         self.squeezes.clear();
         let excess = tables.largest_excess(rule, &mut self.squeezes);
-        let needed = |excess| if tables.has_many_joints(excess) { 0 } else { level_for(excess) };
-        let enough = needed(excess / CALM_SHARE);
-        if needed(excess) > self.level {
-            (self.level, self.calm_steps) = (needed(excess), 0);
+        let excess = if tables.has_many_joints(excess / CALM_SHARE) { 0.0 } else { excess };
+        let [needed, enough] = [excess, excess / CALM_SHARE].map(level_for);
+        if needed > self.level {
+            (self.level, self.calm_steps) = (needed, 0);
         } else if enough < self.level {
             self.calm_steps += 1;
             if self.calm_steps == CALM_STEPS {
@@ -101,28 +101,25 @@ impl Refinement {
 
 impl RefinementTables<'_> {
     /// The excess of a contact is (ω h)² with as many substeps as are asked for, in units of what it may be. This is the largest of what is swept
-    /// over.
+    /// over, but [`CALM_SHARE`] at least, which asks for nothing.
     fn largest_excess(&self, rule: TierRule<'_>, squeezes: &mut Squeezes) -> f32 {
         let Self { loads, graph, .. } = self;
         let is_swept = |index| graph.home(index).is_some_and(|home| !home.is_solved_directly());
-        let mut largest = 0.0_f32;
+        // Islands are only looked at where any may be squeezed.
+        let any_is_deep = loads.of_contact.iter().any(|load| load.is_deep());
+        let mut largest = CALM_SHARE;
         for &index in &loads.notable {
             let load = loads.of_contact[index as usize];
             let square = load.rocking_square(rule.substep_rate);
             let excess = |fastest: f32| square / (fastest * rule.substep_rate).powi(2);
             // Most are below what was found before, whatever else they are.
-            if excess(FASTEST_ROCKING_OF_CRUSHED) <= largest || !is_swept(index) {
+            let may_ask = excess(FASTEST_ROCKING_OF_CRUSHED) > largest && (load.lasts() || load.is_heavy());
+            if !may_ask || !is_swept(index) {
                 continue;
             }
-            let excess = if self.is_crushing(index, load) {
-                excess(FASTEST_ROCKING_OF_CRUSHED)
-            } else if load.lasts() || load.is_heavy() {
-                excess(FASTEST_ROCKING)
-            } else {
-                continue;
-            };
-            // The island is only looked at where something is asked for.
-            if excess > largest && (excess <= CALM_SHARE || !self.is_squeezed(index, squeezes, rule)) {
+            let is_crushing = self.is_crushing(index, load);
+            let excess = excess(if is_crushing { FASTEST_ROCKING_OF_CRUSHED } else { FASTEST_ROCKING });
+            if excess > largest && !(any_is_deep && self.is_squeezed(index, squeezes, rule)) {
                 largest = excess;
             }
         }
@@ -143,7 +140,7 @@ impl RefinementTables<'_> {
         let slots = self.contacts[index].slots.into_iter();
         slots
             .filter(|&slot| self.bodies.is_dynamic(slot))
-            .any(|slot| squeezes.contain(slot, self.bodies, connections, rule))
+            .any(|slot| squeezes.contain(slot, self.loads, self.bodies, connections, rule))
     }
 
     /// Whether there are too many joints for what this excess asks for. They are counted only if it asks for something.

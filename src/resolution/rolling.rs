@@ -18,7 +18,7 @@
 //!
 //! In lanes, for blocks that have a circle with rolling resistance. In what is solved directly it is a row like others.
 
-use crate::body::{Bodies, Motion};
+use crate::body::Motion;
 use crate::collision::Contact;
 use crate::compute::{BodyState, Lane, columns};
 use crate::resolution::constraint::ContactConstraint;
@@ -27,8 +27,7 @@ use crate::resolution::constraint::ContactConstraint;
 const OF_A_DISC: f32 = 1.5;
 
 /// Greatest moment of rolling resistance per impulse along the normal of a contact, m; `None` where there is none.
-pub(super) fn rolling_arm(bodies: &Bodies, contact: &Contact) -> Option<f32> {
-    let motions = contact.colliders.map(|slot| &bodies.motions[slot as usize]);
+pub(super) fn rolling_arm(contact: &Contact, motions: [&Motion; 2]) -> Option<f32> {
     if !motions.iter().any(|motion| motion.is_round) {
         return None;
     }
@@ -37,7 +36,7 @@ pub(super) fn rolling_arm(bodies: &Bodies, contact: &Contact) -> Option<f32> {
     let sizes =
         motions.into_iter().filter(|motion| motion.is_round || can_turn(motion)).map(|motion| motion.extent);
     let radius = sizes.fold(f32::INFINITY, f32::min);
-    let arm = OF_A_DISC * bodies.roles.rolling_resistance_between(contact.colliders) * radius;
+    let arm = OF_A_DISC * contact.mixed.rolling_resistance * radius;
     (arm > 0.0 && motions.into_iter().any(can_turn)).then_some(arm)
 }
 

@@ -6,25 +6,24 @@
 
 use crate::body::Bodies;
 use crate::resolution::islands::{Connections, find_island};
-use crate::resolution::softness::DEEP_SHARE;
+use crate::resolution::load::Loads;
 use crate::resolution::tier_rule::TierRule;
 use crate::store::BitSet;
 
-/// An island is squeezed if a contact with a wall bears so many times what forces give to all of its bodies, no unit, and any of its contacts are
+/// An island is squeezed if a contact with a wall bears so many times what forces give to all of its bodies, no unit, and any of its loaded contacts are
 /// deep. Levers and wedges press as hard, but their contacts are not deep.
 const MOST_THRUST: f32 = 5.0;
 
-/// Whether an island is squeezed. Joints press too, and what by is not known here: what is joined is not squeezed.
+/// Whether an island with deep contacts is squeezed. Joints press too, and what by is not known here: what is joined is not squeezed.
 pub(super) fn is_squeezed(
     island: &[u32],
     bodies: &Bodies,
     Connections { contacts, joints }: Connections<'_>,
     rule: TierRule<'_>,
 ) -> bool {
-    let (mut greatest, mut is_deep) = (0.0_f32, false);
+    let mut greatest = 0.0_f32;
     for &slot in island {
         for contact in contacts.of_body(bodies, slot).map(|index| &contacts[index]) {
-            is_deep |= contact.penetration() > DEEP_SHARE * contact.thickness;
             if !bodies.is_dynamic(contact.other(slot)) {
                 greatest =
                     greatest.max(contact.manifold.points().iter().map(|point| point.normal_impulse).sum());
@@ -32,7 +31,7 @@ pub(super) fn is_squeezed(
         }
     }
     let given = rule.impulses_of * rule.weight(island);
-    is_deep && greatest > MOST_THRUST * given && !island.iter().any(|&slot| joints.hold(slot))
+    greatest > MOST_THRUST * given && !island.iter().any(|&slot| joints.hold(slot))
 }
 
 /// The islands that were asked for, and which of them are squeezed.
@@ -55,14 +54,17 @@ impl Squeezes {
     pub(super) fn contain(
         &mut self,
         slot: u32,
+        loads: &Loads,
         bodies: &Bodies,
         connections: Connections<'_>,
         rule: TierRule<'_>,
     ) -> bool {
         if !self.seen.contains(slot) {
             self.island.clear();
-            find_island(slot, bodies, connections, &mut self.seen, &mut self.island, |_, _| ());
-            if is_squeezed(&self.island, bodies, connections, rule) {
+            let mut is_deep = false;
+            let look_at = |index: u32, _: &_| is_deep |= loads.of_contact[index as usize].is_deep();
+            find_island(slot, bodies, connections, &mut self.seen, &mut self.island, look_at);
+            if is_deep && is_squeezed(&self.island, bodies, connections, rule) {
                 self.island.iter().for_each(|&slot| _ = self.squeezed.insert(slot));
             }
         }

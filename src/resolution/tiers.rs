@@ -152,8 +152,11 @@ impl Tiers {
         }
         for &index in &loads.notable {
             let load = loads.of_contact[index as usize];
+            if !load.lasts_or_is_blow() {
+                continue;
+            }
             for slot in tables.slots(index) {
-                if load.lasts() || load.lasts_or_is_blow() && self.may_blow_count(slot, load, &tables) {
+                if load.lasts() || self.may_blow_count(slot, load, &tables) {
                     self.decide_island(slot, tick, rule, loads, &mut tables);
                 }
             }
@@ -207,8 +210,9 @@ impl Tiers {
             self.change_histories(|of_body| of_body.leave_alone(tick));
             return;
         }
-        let is_squeezed =
-            island.load.lasting > 0.0 && is_squeezed(&self.island, tables.bodies, tables.connections(), rule);
+        let is_squeezed = island.load.lasting > 0.0
+            && island.load.is_deep
+            && is_squeezed(&self.island, tables.bodies, tables.connections(), rule);
         let squeezed_steps = if is_squeezed { history.direct.squeezed_steps + 1 } else { 0 };
         // What is solved directly may look squeezed in the moment of a blow.
         let stays_squeezed = is_squeezed && (!island.was_direct || squeezed_steps >= LASTING_STEPS);

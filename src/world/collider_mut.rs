@@ -101,7 +101,7 @@ impl<'a> ColliderMut<'a> {
     pub fn set_rolling_resistance(&mut self, coefficient: f32) -> Result<(), BodyError> {
         check_rolling_resistance(coefficient)?;
         if self.change_role(|role| role.rolling_resistance = Some(coefficient)) {
-            self.wake();
+            self.surface_changed();
         }
         Ok(())
     }

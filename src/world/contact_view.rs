@@ -155,12 +155,12 @@ impl<'a> ContactRef<'a> {
 
     /// Coefficient of friction of the contact.
     pub fn friction(&self) -> f32 {
-        self.contact.friction
+        self.contact.mixed.friction
     }
 
     /// Coefficient of restitution of the contact.
     pub fn restitution(&self) -> f32 {
-        self.contact.restitution
+        self.contact.mixed.restitution
     }
 }
 

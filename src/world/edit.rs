@@ -1,6 +1,6 @@
 //! Adding and removing: bodies, forces, attractors.
 
-use crate::body::{Body, BodyError, BodyId, BodyType};
+use crate::body::{Body, BodyError, BodyId, BodyType, Mixed};
 use crate::math::Vec2;
 use crate::world::events::ContactEvent;
 use crate::world::{Attractor, AttractorId, BodyRef, Force, ForceId, Tier, World};
@@ -118,18 +118,16 @@ impl World {
         }
     }
 
-    /// Coefficients of friction and restitution of a contact between two shapes.
-    pub(in crate::world) fn mixed(&self, a: u32, b: u32) -> (f32, f32) {
-        self.settings.mixes().of(&self.bodies, [a, b])
+    /// The coefficients of a contact between two shapes.
+    pub(in crate::world) fn mixed(&self, colliders: [u32; 2]) -> Mixed {
+        self.settings.mixes().of(&self.bodies, colliders)
     }
 
     /// Mixes the coefficients of the contacts with these indices anew.
     fn mix(&mut self, indices: Vec<u32>) {
         for index in indices {
-            let [a, b] = self.contacts[index].colliders;
-            let (friction, restitution) = self.mixed(a, b);
-            let contact = &mut self.contacts[index];
-            (contact.friction, contact.restitution) = (friction, restitution);
+            let mixed = self.mixed(self.contacts[index].colliders);
+            self.contacts[index].mixed = mixed;
         }
     }
 

@@ -41,7 +41,7 @@ impl World {
             let contact = &mut self.contacts[index];
             // Of several impacts, the first is what the bodies met with. What does not bounce was slowed down before.
             if !std::mem::replace(&mut contact.has_bounced, true) {
-                let before = if contact.restitution > 0.0 { 0.0 } else { contact.approach_speed };
+                let before = if contact.mixed.restitution > 0.0 { 0.0 } else { contact.approach_speed };
                 contact.approach_speed = collision.speed.max(before);
             }
             self.contacts.note_change(index);

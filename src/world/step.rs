@@ -131,11 +131,10 @@ impl World {
 
     /// Begins the contact of two shapes; returns its index.
     pub(in crate::world) fn begin_contact(&mut self, colliders: [u32; 2]) -> u32 {
-        let [a, b] = colliders;
-        let (friction, restitution) = self.mixed(a, b);
-        let index = self.contacts.begin(&mut self.bodies, colliders, friction, restitution);
+        let mixed = self.mixed(colliders);
+        let index = self.contacts.begin(&mut self.bodies, colliders, mixed);
         self.loads.forget_contact(index);
-        if self.bodies.is_awake(a) || self.bodies.is_awake(b) {
+        if colliders.into_iter().any(|slot| self.bodies.is_awake(slot)) {
             self.contacts.set_awake(index);
         }
         index

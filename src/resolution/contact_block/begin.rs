@@ -97,7 +97,7 @@ impl ContactBlock {
         let motions = contact.colliders.map(|slot| &bodies.motions[slot as usize]);
         let [a, b] = motions;
         (rows_a[place], rows_b[place]) = (a.row, b.row);
-        let constraint = ContactConstraint::new(&contact.manifold, contact.friction, motions);
+        let constraint = ContactConstraint::new(&contact.manifold, contact.mixed.friction, motions);
         self.columns.store::<f32>(place, constraint);
         self.has_circles |= a.is_round | b.is_round;
         // A spin of 0 stays 0, and not -0, where nothing can change it.
@@ -112,7 +112,7 @@ impl ContactBlock {
         let [first, second] = constraint.points;
         let is_unloaded = first.normal_impulse == 0.0 && second.normal_impulse == 0.0;
         self.marks.cold.set(place, second.normal_k > 0.0 && has_friction && is_unloaded);
-        self.marks.bouncy.set(place, contact.restitution > 0.0);
+        self.marks.bouncy.set(place, contact.mixed.restitution > 0.0);
         if from.asked.about(contact) {
             self.marks.asked.set(place, true);
         }
@@ -120,9 +120,7 @@ impl ContactBlock {
         if let Some(speed) = bodies.roles.surface_speed(contact.colliders) {
             self.set_surface_speed(place, speed);
         }
-        if (a.is_round || b.is_round)
-            && let Some(arm) = rolling_arm(bodies, contact)
-        {
+        if let Some(arm) = rolling_arm(contact, motions) {
             self.set_rolling(place, arm, contact.rolling_moment);
             self.fit.is_smooth = false;
         }

@@ -52,7 +52,7 @@ impl DirectContact {
         let of_point = |point: usize| {
             [Kind::Normal { most: 0.0 }, Kind::Friction { normal: first_row + 2 * point, friction: 0.0 }]
         };
-        let arm = rolling_arm(bodies, contact);
+        let arm = rolling_arm(contact, contact.colliders.map(|slot| &bodies.motions[slot as usize]));
         let of_spin = arm.map(|arm| Kind::Friction { normal: first_row, friction: arm.into() });
         newton.add_pair(movers, (0..points).flat_map(of_point).chain(of_spin));
         Self {

@@ -300,7 +300,7 @@ impl Continuous {
 
     /// The restitution with which two bodies bounce if they approach fast: 0 under load, and of the wedged.
     fn restitution(&self, slots: [u32; 2], scene: &EventScene<'_>) -> f32 {
-        let (_, restitution) = scene.mixed(slots);
+        let restitution = scene.mixed(slots).restitution;
         let bounces = restitution > 0.0 && !scene.is_loaded(slots) && !self.are_wedged(slots, scene);
         if bounces { restitution } else { 0.0 }
     }
@@ -317,7 +317,7 @@ impl Continuous {
         let motions = slots.map(|slot| &scene.bodies.motions[slot as usize]);
         let rows = motions.map(|motion| motion.row);
         let manifold = manifold_in(slots, scene.bodies, [&there[0], &there[1]]);
-        let mut constraint = ContactConstraint::new(&manifold, scene.mixed(slots).0, motions);
+        let mut constraint = ContactConstraint::new(&manifold, scene.mixed(slots).friction, motions);
         constraint.find_masses::<2>();
         let accelerations = scene.accelerations(&constraint, rows);
         let gained = accelerations.map(|acceleration| acceleration * (time - 0.5 * scene.h()));

@@ -188,7 +188,8 @@ impl Impacts {
             return;
         }
         let are_moved = scene.graph.moved_rows(home).map(|row| row != GROUND_ROW);
-        let collision = scene.collide(contact.colliders, are_moved, &meeting, contact.restitution, time);
+        let collision =
+            scene.collide(contact.colliders, are_moved, &meeting, contact.mixed.restitution, time);
         let asked = (!contact.is_touching).then_some(home);
         scene.blows.note(Impact { contact: index, collision }, asked, scene.graph);
         if manifold.has_features_of(&contact.manifold) {

@@ -83,7 +83,7 @@ mod tests {
 
     /// A load that lasts, or a blow, whose bodies hardly move against each other, with these sag shares.
     fn island(was_direct: bool, lasting: f32, blow: f32) -> LoadedIsland {
-        let load = IslandLoad { lasting, still: lasting.max(blow), passing: 0.0 };
+        let load = IslandLoad { lasting, still: lasting.max(blow), ..IslandLoad::default() };
         LoadedIsland {
             load,
             is_joined: false,

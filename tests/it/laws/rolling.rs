@@ -67,6 +67,25 @@ fn a_disc_that_rolls_on_small_pieces_stops_as_on_a_floor() {
     }
 }
 
+/// A coefficient that is changed counts from the next step on, of each of the two: a second of c g later.
+#[test]
+fn a_disc_in_contact_feels_a_change_of_its_resistance() {
+    for of_floor in [false, true] {
+        let mut world = earth();
+        let floor = add_floor(&mut world, 0.6);
+        world.body_mut(floor).unwrap().set_rolling_resistance(0.0).unwrap();
+        let disc = add(&mut world, rolling(3.0).rolling_resistance(0.0));
+        run(&mut world, 1.0);
+        assert_near(velocity(&world, disc)[0], 3.0, 1e-5, "speed before");
+        let changed = if of_floor { floor } else { disc };
+        world.body_mut(changed).unwrap().set_rolling_resistance(RESISTANCE).unwrap();
+        run(&mut world, 1.0);
+        let slower = f64::from(RESISTANCE) * G;
+        // It begins by half.
+        assert_near(velocity(&world, disc)[0], 3.0 - slower, slower / 240.0, "speed a second later");
+    }
+}
+
 /// However great the resistance is, the disc does not go back.
 #[test]
 fn rolling_resistance_never_turns_the_spin_round() {
