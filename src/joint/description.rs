@@ -298,7 +298,7 @@ impl Joint {
 
     /// The ratio of a pulley, from 10⁻⁶ to 10⁶, no unit, 1 unless said: how many metres `a` goes up for each that `b` comes down, and how many
     /// times the tension of the rope `b` bears. With 3, `b` hangs in a block on three strands, and a third of its weight at `a` holds it. Of
-    /// a [gear](Self::gear) it takes the place of the one that it was made with.
+    /// a [gear](Self::gear) it takes the place of the one that it was made with, and may be negative.
     pub fn ratio(self, ratio: f64) -> Self {
         Self { ratio, ..self.option_of("ratio", &[JointKind::Gear, JointKind::Pulley]) }
     }

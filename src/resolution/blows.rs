@@ -246,7 +246,6 @@ impl Blows {
         };
         // Those of one contact in the order of time, after the sums of its substeps.
         cut_off.extend(begun.extract_if(.., |begun| !contacts.has(begun.contact)));
-        // They were left by ascending index.
         let goes_on =
             |contact: u32| begun.binary_search_by_key(&contact, |begun| begun.contact.index()).is_ok();
         let is_asked = |contact: u32| all || !contacts[contact].is_touching || goes_on(contact);
@@ -283,8 +282,9 @@ impl Blows {
         core::mem::swap(of_step, merged);
     }
 
-    /// Leaves a blow that is not over to the next step.
+    /// Leaves a blow that is not over to the next step. They are left by ascending index of their contacts.
     pub(crate) fn leave(&mut self, blow: Begun) {
+        debug_assert!(self.begun.last().is_none_or(|last| last.contact.index() < blow.contact.index()));
         self.begun.push(blow);
     }
 

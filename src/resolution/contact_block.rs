@@ -4,12 +4,14 @@
 mod begin;
 mod end;
 mod marks;
+mod rare;
 
 use crate::compute::{Column, Columns, Lane};
 use crate::resolution::constraint::{ContactConstraint, Turns};
 pub(crate) use crate::resolution::contact_block::begin::Beginning;
 pub(crate) use crate::resolution::contact_block::end::Residuals;
 pub(crate) use crate::resolution::contact_block::marks::Marks;
+use crate::resolution::contact_block::rare::Rare;
 use crate::resolution::moving_geometry::MovingGeometry;
 use crate::resolution::rolling::Rolling;
 
@@ -21,20 +23,16 @@ use crate::resolution::rolling::Rolling;
 #[repr(C, align(64))]
 #[derive(Clone, Debug, Default)]
 pub(crate) struct ContactBlock {
-    /// Whether any of the bodies is a circle.
-    has_circles: bool,
-    fit: Fit,
-    pub(crate) marks: BlockMarks,
-    /// Whether any of the surfaces moves.
-    moves_surfaces: bool,
-    /// Speeds of surfaces past each other, m/s, if any of them moves. Made for the first of them, and kept.
-    surface_speeds: Option<Box<Column>>,
-    /// Whether anything rolls with resistance.
-    rolls: bool,
-    /// What rolls, if anything does. Made for the first of them, and kept.
-    rolling: Option<Box<Rolling<Column>>>,
+    /// Speeds of surfaces past each other, m/s, if any of them moves.
+    surface_speeds: Rare<Column>,
+    /// What rolls with resistance, if anything does.
+    rolling: Rare<Rolling<Column>>,
     /// The geometry of those that move. Made for the first of them, and kept.
     geometry: Option<Box<MovingGeometry<Column>>>,
+    pub(crate) marks: BlockMarks,
+    fit: Fit,
+    /// Whether any of the bodies is a circle.
+    has_circles: bool,
     columns: ContactConstraint<Column>,
 }
 
@@ -240,52 +238,31 @@ impl ContactBlock {
     /// Whether any of the surfaces moves.
     #[inline(always)]
     pub(crate) fn moves_surfaces(&self) -> bool {
-        self.moves_surfaces
+        self.surface_speeds.used().is_some()
     }
 
     /// Speeds of the surfaces of the contacts from `place` on past each other, beside that of their bodies, m/s; `None` if none
     /// of the block moves.
     #[inline(always)]
     pub(crate) fn surface_speed<L: Lane>(&self, place: usize) -> Option<L> {
-        let speeds = self.surface_speeds.as_ref().filter(|_| self.moves_surfaces)?;
-        Some(speeds.load::<L>(place))
-    }
-
-    /// Any surface of the block may move, as one does.
-    fn set_surface_speed(&mut self, place: usize, speed: f32) {
-        let speeds = self.surface_speeds.get_or_insert_default();
-        if !std::mem::replace(&mut self.moves_surfaces, true) {
-            **speeds = Column::default();
-        }
-        speeds.set(place, speed);
-    }
-
-    /// Anything of the block may roll, as one does: with this greatest moment per impulse along the normal, m, and the moment of the last
-    /// substep, N m s.
-    fn set_rolling(&mut self, place: usize, arm: f32, moment: f32) {
-        let rolling = self.rolling.get_or_insert_default();
-        if !std::mem::replace(&mut self.rolls, true) {
-            **rolling = Rolling::default();
-        }
-        rolling.store::<f32>(place, Rolling { arm, moment, acted: 0.0 });
+        Some(self.surface_speeds.used()?.load::<L>(place))
     }
 
     /// Whether anything rolls with resistance.
     pub(crate) fn rolls(&self) -> bool {
-        self.rolls
+        self.rolling.used().is_some()
     }
 
     /// What rolls of the contacts from `place` on; `None` if nothing of the block does.
     #[inline(always)]
     pub(crate) fn rolling<L: Lane>(&self, place: usize) -> Option<Rolling<L>> {
-        let rolling = self.rolling.as_ref().filter(|_| self.rolls)?;
-        Some(rolling.load::<L>(place))
+        Some(self.rolling.used()?.load::<L>(place))
     }
 
     /// Writes what rolls back.
     #[inline(always)]
     pub(crate) fn store_rolling<L: Lane>(&mut self, place: usize, rolling: Rolling<L>) {
-        if let Some(to) = &mut self.rolling {
+        if let Some(to) = self.rolling.used_mut() {
             to.moment.store::<L>(place, rolling.moment);
             to.acted.store::<L>(place, rolling.acted);
         }
@@ -293,7 +270,7 @@ impl ContactBlock {
 
     /// Changes the moment of one contact on which something rolls, N m s.
     pub(crate) fn set_rolling_moment(&mut self, place: usize, moment: f32) {
-        if let Some(rolling) = &mut self.rolling {
+        if let Some(rolling) = self.rolling.used_mut() {
             rolling.moment.set(place, moment);
         }
     }

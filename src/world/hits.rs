@@ -13,6 +13,11 @@ const LOAD_SHARE: f32 = 0.25;
 /// make in a substep, or approach each other with so much of their speed.
 const TO_COME: f32 = 1e-5;
 
+/// Whether bodies that did not touch before met at least as fast as the `threshold`, m/s.
+fn has_met_fast(contact: &Contact, threshold: f32) -> bool {
+    !contact.is_touching && contact.approach_speed >= threshold
+}
+
 impl World {
     /// Begins a contact for each pair of bodies that met within the step and had none. Where they have parted again, the
     /// next step ends it.
@@ -54,8 +59,10 @@ impl World {
             let contact = &mut self.contacts[blow.contact];
             // They met and parted within the step. Of those that met slowly it is only known if the settings ask for all impulses, and these
             // change no event.
-            let met_fast = !contact.is_touching && contact.approach_speed >= self.settings.hit_threshold;
-            if met_fast && blow.has_pressed() && !contact.has_touched() {
+            if has_met_fast(contact, self.settings.hit_threshold)
+                && blow.has_pressed()
+                && !contact.has_touched()
+            {
                 contact.has_bounced = true;
                 self.contacts.note_change(blow.contact);
             }
@@ -101,7 +108,7 @@ impl World {
             return true;
         }
         if !contact.is_touching {
-            return contact.has_touched() && contact.approach_speed >= threshold;
+            return contact.has_touched() && has_met_fast(contact, threshold);
         }
         let beyond = blow.on_b.dot(blow.normal(contact)) - blow.load_before;
         let least = (threshold * self.reduced_mass(contact)).max(LOAD_SHARE * blow.load_before);

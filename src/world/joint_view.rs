@@ -341,7 +341,8 @@ impl<'a> JointMut<'a> {
     }
 
     /// Sets the length of a distance joint, or of the rope of a pulley, m: a winch. What is too far apart for it comes together at no more than
-    /// 3 m/s.
+    /// 3 m/s, whatever is in its way: it is put where the length has it, as by hand, and its [`velocity`](crate::BodyRef::velocity) does not
+    /// tell of that. A winch that pulls with a force, and stops at what is in its way, is a distance joint with a [motor](Joint::motor).
     ///
     /// # Errors
     /// [`JointError`], if the length is one that [`World::add_joint`] refuses, or the joint is of another kind.

@@ -7,7 +7,7 @@ use crate::resolution::asked::Asked;
 use crate::resolution::constraint::{ConstraintPoint, ContactConstraint, THERE, Turns};
 use crate::resolution::contact_block::{BlockMarks, ContactBlock, Fit};
 use crate::resolution::moving_geometry::MovingGeometry;
-use crate::resolution::rolling::rolling_arm;
+use crate::resolution::rolling::{Rolling, rolling_arm};
 
 /// What constraints are made from as a step begins.
 #[derive(Clone, Copy, Debug)]
@@ -69,7 +69,9 @@ impl ContactBlock {
     pub(crate) fn fill(&mut self, rows: &mut RowPairs, list: &[u32], from: Beginning<'_>) {
         let indices = &list[..list.len().min(COLUMN)];
         let mut rows_of_bodies = [[GROUND_ROW; COLUMN]; 2];
-        (self.has_circles, self.moves_surfaces, self.rolls) = (false, false, false);
+        self.has_circles = false;
+        self.surface_speeds.end_use();
+        self.rolling.end_use();
         (self.fit, self.marks) = (Fit::ALL, BlockMarks::default());
         // Those of one point come first.
         let last = indices.last().map(|&index| &from.contacts[index]);
@@ -118,10 +120,11 @@ impl ContactBlock {
         }
         self.marks.on_ground.set(place, is_circle_on_ground(motions));
         if let Some(speed) = bodies.roles.surface_speed(contact.colliders) {
-            self.set_surface_speed(place, speed);
+            self.surface_speeds.begin_use().set(place, speed);
         }
         if let Some(arm) = rolling_arm(contact, motions) {
-            self.set_rolling(place, arm, contact.rolling_moment);
+            let rolling = Rolling { arm, moment: contact.rolling_moment, acted: 0.0 };
+            self.rolling.begin_use().store::<f32>(place, rolling);
             self.fit.is_smooth = false;
         }
         if contact.follows {
