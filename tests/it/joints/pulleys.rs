@@ -131,8 +131,9 @@ fn a_swinging_machine_is_where_its_equations_take_it_to_second_order() {
         (x - exact[0]).hypot(y - exact[1])
     });
     assert_near(coarse / fine, 4.0, 0.2, "ratio of errors");
-    // (ω h)²/24 of a phase of 3 with ω of 2.5 rad/s at the shortest: 6e-4 of 2 m.
-    assert!(coarse < 1e-3, "{coarse} m off");
+    // (ω h)²/24 of a phase of 3 with ω of 2.5 rad/s at the shortest, 0.43 mm at 2 m, which a swing from a right angle makes up to three times
+    // as much.
+    assert!(coarse < 1.3e-3, "{coarse} m off");
 }
 
 /// Energy wavers by (ω h)² of what there is, and does not drift; the rope stays as long as it is.
@@ -226,7 +227,8 @@ fn a_rope_with_a_thousand_to_one_does_not_stretch() {
     }
 }
 
-/// Where b does not move, a hangs by what is left of the rope, with the bits of a rope but for rounding.
+/// Where b does not move, a hangs by what is left of the rope, as by a rope. Each solve ends within 10⁻⁸ of the size of a joint, of 3 m, which
+/// in a substep is a velocity of 7e-6 m/s: in 10 s 7e-5 m.
 #[test]
 fn a_body_hangs_by_the_rope_whose_other_end_is_fixed() {
     let mut world = earth();
