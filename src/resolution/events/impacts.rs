@@ -142,17 +142,22 @@ impl Impacts {
     #[inline(always)]
     fn mark(contact: GraphIndex, scene: &mut EventScene<'_>) -> Option<Approach> {
         let (rows, block, place) = scene.graph.block(contact);
-        let (rows, constraint) = (rows.get(place), block.load(place));
+        let rows = rows.get(place);
         let pair = scene.states(rows);
         let least = scene.scheme.restitution_threshold;
-        let mut speeds = [0, 1].map(|index| approaching(&constraint, index, least, &pair));
-        let accelerations = scene.accelerations(&constraint, rows);
-        if speeds != [None; 2] {
-            let thresholds = scene.bounce_thresholds(accelerations);
-            let is_wedged = are_wedged(scene.graph.moved_rows(contact), scene);
-            speeds =
-                [0, 1].map(|index| speeds[index].filter(|&speed| speed < -thresholds[index] && !is_wedged));
+        // Most do not approach. Each column is a cache line, and of these contacts only those few are read that tell so.
+        let found = block.load(place);
+        let speeds = [0, 1].map(|index| approaching(&found, index, least, &pair));
+        if speeds == [None; 2] {
+            scene.graph.set_pending(contact, [false; 2]);
+            return None;
         }
+        let constraint = scene.graph.constraint(contact);
+        let accelerations = scene.accelerations(&constraint, rows);
+        let thresholds = scene.bounce_thresholds(accelerations);
+        let is_wedged = are_wedged(scene.graph.moved_rows(contact), scene);
+        let speeds =
+            [0, 1].map(|index| speeds[index].filter(|&speed| speed < -thresholds[index] && !is_wedged));
         if speeds == [None; 2] {
             scene.graph.set_pending(contact, [false; 2]);
             return None;
@@ -272,6 +277,7 @@ struct Approach {
 }
 
 /// Speed of a point along the normal in the middle of the substep, m/s, negative, if it approaches fast enough to bounce.
+#[inline(always)]
 fn approaching(
     constraint: &ContactConstraint<f32>,
     index: usize,
