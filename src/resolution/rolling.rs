@@ -14,7 +14,7 @@
 //! round. It begins with what it was in the last substep, half before and half after the move, so that a disc on a slope
 //! comes to rest, and discs in a heap do not tremble. After the move it is solved for all contacts before the sweep, whose friction answers it,
 //! and once more after it, with the load that the sweep has found. Solved contact by contact within the sweep, the friction of the next contacts
-//! undoes a part of it: heaps with discs creep on, and of 36 heaps of 300 and 1,000 bodies 28 sleep after twenty seconds, for all.
+//! undoes a part of it: heaps with discs creep on, and of 36 heaps of 300 and 1,000 bodies 26 sleep after twenty seconds, for 31.
 //!
 //! In lanes, for blocks that have a circle with rolling resistance. In what is solved directly it is a row like others.
 

@@ -8,6 +8,20 @@ fn two_boxes(world: &mut World) -> [BodyId; 2] {
     [0.0, 0.8].map(|x| add(world, Body::dynamic(Shape::obb(1.0, 1.0)).at([x, 0.0])))
 }
 
+/// What a sentence names as a bound is accepted, though 10⁻⁶ is a little more than the `f32` next to it.
+#[test]
+fn the_bounds_of_what_is_accepted_are_accepted() {
+    let mut world = space();
+    let [a, b] = two_boxes(&mut world);
+    let rod = world.add_joint(Joint::distance(a, b).length(1e-6)).unwrap();
+    let mut rod = world.joint_mut(rod).unwrap();
+    rod.set_spring(1e-6, 0.0).unwrap();
+    rod.set_spring(1e6, 1e6).unwrap();
+    rod.set_length(1e12).unwrap();
+    assert!(rod.set_length(0.999e-6).is_err());
+    world.add_joint(Joint::rope(a, b).max_length(1e-6)).unwrap();
+}
+
 #[test]
 fn a_joint_that_makes_no_sense_is_refused_with_a_sentence_and_nothing_changes() {
     let mut world = earth();
