@@ -2,10 +2,10 @@
 
 use std::fmt::{self, Write};
 
-use rustycs::{BodyRef, Pose, Shape, Vec2, World};
+use rustycs::{BodyRef, JointKind, Pose, Shape, Vec2, World};
 use rustycs_scenes::{Scene, View};
 
-use crate::overlay::{Overlays, Paint};
+use crate::overlay::{Overlays, Paint, joints};
 use crate::theme::{self, BodyStyle};
 
 /// Height of the scene, px, and width at least.
@@ -39,6 +39,7 @@ fn write_picture(out: &mut String, world: &World, scene: &Scene, caption: &str) 
     writeln!(out, r#"<g stroke-width="{:.5}" stroke-linejoin="round">"#, 1.4 / scale)?;
     write_bodies(out, world, scene)?;
     writeln!(out, "</g>")?;
+    write_joints(out, world, 1.0 / scale)?;
     for (_, attractor) in world.attractors() {
         let at = attractor.position();
         writeln!(
@@ -78,6 +79,31 @@ fn write_bodies(out: &mut String, world: &World, scene: &Scene) -> fmt::Result {
         writeln!(out, "</g>")?;
     }
     Ok(())
+}
+
+/// Rods, ropes and springs, and pins, as the window shows them.
+fn write_joints(out: &mut String, world: &World, pixel: f32) -> fmt::Result {
+    writeln!(out, r#"<g stroke="{0}" fill="{0}" stroke-width="{1:.5}">"#, theme::JOINT, 2.0 * pixel)?;
+    for (_, joint) in world.joints() {
+        match joint.kind() {
+            JointKind::Distance | JointKind::Pulley => {
+                for [from, to] in joints::places(&joint) {
+                    writeln!(out, r#"<path d="M{:.3} {:.3}L{:.3} {:.3}"/>"#, from.x, from.y, to.x, to.y)?;
+                }
+            }
+            JointKind::Revolute | JointKind::Wheel => {
+                let [_, at] = joint.anchors();
+                let radius = 2.0 * pixel;
+                writeln!(
+                    out,
+                    r#"<circle cx="{:.3}" cy="{:.3}" r="{radius:.5}" stroke="none"/>"#,
+                    at.x, at.y
+                )?;
+            }
+            _ => {}
+        }
+    }
+    writeln!(out, "</g>")
 }
 
 /// A line every metre.
@@ -120,6 +146,17 @@ fn write_shape(out: &mut String, shape: &Shape, pose: Pose) -> fmt::Result {
 mod tests {
     use super::*;
     use rustycs::Settings;
+
+    /// Two ropes of three lines each.
+    #[test]
+    fn a_picture_shows_ropes_by_way_of_their_wheels() {
+        let scene = rustycs_scenes::find("elevator").unwrap();
+        let world = scene.build(1, Settings::default());
+        let picture = picture(&world, scene, "elevator");
+        let joints = picture.split("<g ").last().unwrap();
+        assert_eq!(joints.matches("<path ").count(), 6);
+        assert_eq!(picture.matches("<g ").count(), picture.matches("</g>").count());
+    }
 
     #[test]
     fn a_picture_shows_every_body_once() {

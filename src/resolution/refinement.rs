@@ -100,7 +100,7 @@ impl Refinement {
 }
 
 impl RefinementTables<'_> {
-    /// The excess of a contact is (ω h)² with as many substeps as are asked for, in units of what it may be. This is the largest of what is swept
+    /// The excess of a contact is (ω h)² with as many substeps as are asked for, over the square of its limit. This is the largest of what is swept
     /// over, but [`CALM_SHARE`] at least, which asks for nothing.
     fn largest_excess(&self, rule: TierRule<'_>, squeezes: &mut Squeezes) -> f32 {
         let Self { loads, graph, .. } = self;

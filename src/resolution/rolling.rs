@@ -46,7 +46,7 @@ pub(super) fn rolling_arm(contact: &Contact, motions: [&Motion; 2]) -> Option<f3
 pub(crate) struct Rolling<C> {
     /// Greatest moment per impulse along the normal, m; 0 where nothing rolls.
     pub(crate) arm: C,
-    /// Moment in the last substep, and then in this, N m s, on b.
+    /// What the warm starts begin from: the moment of the last substep, N m s, on b. Once solved, all of this.
     pub(crate) moment: C,
     /// What of that of this substep has acted, N m s.
     pub(crate) acted: C,

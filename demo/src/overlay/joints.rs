@@ -1,6 +1,6 @@
 //! Joints: from the centres of the bodies to the anchors, in the colour of the force; and how far they are off.
 
-use rustycs::{JointKind, JointRef, Vec2, World};
+use rustycs::{JointKind, JointRef, Point, Vec2, World};
 
 use crate::camera::Camera;
 use crate::canvas::Canvas;
@@ -42,13 +42,17 @@ pub(super) fn draw_joints(
     legend.swatches(canvas, &[theme::DEEP], text);
 }
 
-/// From one anchor to the other, on the screen; of a pulley by way of its wheels.
-fn lines(joint: &JointRef<'_>, camera: Camera) -> impl Iterator<Item = [Vec2; 2]> + use<> {
+/// From one anchor to the other; of a pulley by way of its wheels.
+pub(crate) fn places(joint: &JointRef<'_>) -> impl Iterator<Item = [Point; 2]> + use<> {
     let [a, b] = joint.anchors();
     let ends = joint.wheels().map_or([a, b, b, b], |[wheel_a, wheel_b]| [a, wheel_a, wheel_b, b]);
-    let ends = ends.map(|place| camera.to_screen(place));
     let count = if joint.wheels().is_some() { 3 } else { 1 };
     (0..count).map(move |number| [ends[number], ends[number + 1]])
+}
+
+/// The same on the screen.
+fn lines(joint: &JointRef<'_>, camera: Camera) -> impl Iterator<Item = [Vec2; 2]> + use<> {
+    places(joint).map(move |ends| ends.map(|place| camera.to_screen(place)))
 }
 
 /// What there is of a joint to see where nothing is laid over the scene: rods, ropes and springs, and pins.

@@ -13,7 +13,7 @@
 mod boxes;
 mod contacts;
 mod groups;
-mod joints;
+pub(crate) mod joints;
 mod legend;
 mod motion;
 mod words;

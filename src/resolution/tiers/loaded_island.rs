@@ -68,11 +68,15 @@ impl LoadedIsland {
     /// For how many calm steps it is solved directly after the step to come.
     pub(super) fn calm_steps_left(&self) -> u8 {
         let left = self.history.direct.calm_steps_left;
-        match self.was_direct {
-            true if self.is_calm() => left.saturating_sub(1),
-            true if self.load.lasting <= GREAT_SHARE => left.max(STEPS_AFTER_BLOW),
-            false if self.load.lasting <= DIRECT_SHARE => STEPS_AFTER_BLOW,
-            _ => CALM_STEPS,
+        if !self.was_direct {
+            return if self.load.lasting <= DIRECT_SHARE { STEPS_AFTER_BLOW } else { CALM_STEPS };
+        }
+        if self.is_calm() {
+            left.saturating_sub(1)
+        } else if self.load.lasting <= GREAT_SHARE {
+            left.max(STEPS_AFTER_BLOW)
+        } else {
+            CALM_STEPS
         }
     }
 }
