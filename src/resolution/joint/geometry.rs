@@ -319,10 +319,9 @@ impl Coordinate {
         }
     }
 
-    /// How far its anchors are from the centres of a and b, m, if it holds them in a place. What hangs by a rope turns about its own centre.
+    /// How far its anchors are from the centres of a and b, m, if it is not an angle: by these they swing.
     pub(super) fn arms(self, at: &Geometry) -> Option<[f64; 2]> {
-        let holds = !self.is_angle() && !matches!(self, Self::Distance | Self::Pulley(_));
-        holds.then(|| [length(at.r_a), length(at.r_b)])
+        (!self.is_angle()).then(|| [length(at.r_a), length(at.r_b)])
     }
 
     /// How stiffly the bodies a and b are pulled back, N/m, and turned back, N m/rad, by a `load` on it, N.

@@ -92,9 +92,9 @@ fn a_pendulum_keeps_its_energy_over_a_hundred_swings() {
     }
 }
 
-/// A rod or a rope holds its anchor at a distance and in no place: a small disc that hangs on it by a handle of 0.5 m, and swings with 20 rad/s
-/// about its own centre, does so at √(T r/I) of hundreds of rad/s. Steps up to a radian of that waver by an eighth of its energy; as
-/// if it swung about its anchor, with I + m r², they were too long, and took 95 % within two seconds. The first tick, in which the rope first bears,
+/// A small disc that hangs on a rod or a rope by a handle of 0.5 m, and swings with 20 rad/s about its own centre, does so at √(T r/I) of
+/// hundreds of rad/s, where the handle comes straight. There a step is too long if its solve comes to no end, of a rope as of a rod: taken as it
+/// was, it took 95 % of the energy within two seconds. Steps up to a radian waver by an eighth of it. The first tick, in which the rope first bears,
 /// is left out.
 #[test]
 fn a_disc_on_a_handle_keeps_swinging_on_a_rope() {
