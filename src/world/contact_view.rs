@@ -162,6 +162,12 @@ impl<'a> ContactRef<'a> {
     pub fn restitution(&self) -> f32 {
         self.contact.mixed.restitution
     }
+
+    /// Coefficient of [rolling resistance](crate::Body::rolling_resistance), no unit: the greater of those that the two were told. Only where a
+    /// circle touches it does anything.
+    pub fn rolling_resistance(&self) -> f32 {
+        self.contact.mixed.rolling_resistance
+    }
 }
 
 impl fmt::Debug for ContactRef<'_> {

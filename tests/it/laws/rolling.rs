@@ -80,6 +80,8 @@ fn a_disc_in_contact_feels_a_change_of_its_resistance() {
         let changed = if of_floor { floor } else { disc };
         world.body_mut(changed).unwrap().set_rolling_resistance(RESISTANCE).unwrap();
         run(&mut world, 1.0);
+        let resistance = world.contacts_of(disc).next().unwrap().rolling_resistance();
+        assert_eq!(resistance, RESISTANCE);
         let slower = f64::from(RESISTANCE) * G;
         // It begins by half.
         assert_near(velocity(&world, disc)[0], 3.0 - slower, slower / 240.0, "speed a second later");
