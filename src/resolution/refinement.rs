@@ -8,6 +8,8 @@
 //!
 //! [`sag`]: super::softness::sag
 
+use core::cell::LazyCell;
+
 use crate::body::Bodies;
 use crate::collision::Contacts;
 use crate::joint::Joints;
@@ -106,7 +108,7 @@ impl RefinementTables<'_> {
         let Self { loads, graph, .. } = self;
         let is_swept = |index| graph.home(index).is_some_and(|home| !home.is_solved_directly());
         // Islands are only looked at where any may be squeezed.
-        let any_is_deep = loads.of_contact.iter().any(|load| load.is_deep());
+        let any_is_deep = LazyCell::new(|| loads.of_contact.iter().any(|load| load.is_deep()));
         let mut largest = CALM_SHARE;
         for &index in &loads.notable {
             let load = loads.of_contact[index as usize];
@@ -119,7 +121,7 @@ impl RefinementTables<'_> {
             }
             let is_crushing = self.is_crushing(index, load);
             let excess = excess(if is_crushing { FASTEST_ROCKING_OF_CRUSHED } else { FASTEST_ROCKING });
-            if excess > largest && !(any_is_deep && self.is_squeezed(index, squeezes, rule)) {
+            if excess > largest && !(*any_is_deep && self.is_squeezed(index, squeezes, rule)) {
                 largest = excess;
             }
         }

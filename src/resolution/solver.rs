@@ -96,8 +96,8 @@ pub(crate) struct SolveTables<'a> {
 ///     drift h      x += h v; what pushed stiff islands is taken back
 ///     kick h/2     v += h/2 a(x), and damping
 ///     refresh      contacts of circles and loaded corners follow the surface
-///     relax        the other half of the last impulses, joints, so that what they hold does not part, and a sweep
-///                  without bias, with friction, between two passes of rolling resistance; stiff islands directly, with all that presses
+///     relax        the other half of the last impulses; rolling resistance; joints, so that what they hold does not part; a sweep
+///                  without bias, with friction; rolling resistance under the load that it found; stiff islands directly, with all that presses
 /// untangle         bodies of several shapes that are deep in each other are moved apart, which makes no speed
 /// project          in the classic scheme: overlaps are parted by moving bodies
 /// ```
@@ -258,7 +258,7 @@ impl Solver {
         self.direct.write_back(tables.graph);
     }
 
-    /// Rolling resistance.
+    /// A pass over all that rolls with resistance; none where nothing does.
     fn roll(&self, tables: &mut SolveTables<'_>) {
         if self.rolls {
             tables.graph.for_each_swept(tables.executor, &mut tables.bodies.states, &Roll);

@@ -6,7 +6,7 @@
 
 use crate::body::Bodies;
 use crate::resolution::islands::{Connections, find_island};
-use crate::resolution::load::Loads;
+use crate::resolution::load::{IslandLoad, Loads};
 use crate::resolution::tier_rule::TierRule;
 use crate::store::BitSet;
 
@@ -14,13 +14,17 @@ use crate::store::BitSet;
 /// deep. Levers and wedges press as hard, but their contacts are not deep.
 const MOST_THRUST: f32 = 5.0;
 
-/// Whether an island with deep contacts is squeezed. Joints press too, and what by is not known here: what is joined is not squeezed.
+/// Whether an island that bears a load is squeezed. Joints press too, and what by is not known here: what is joined is not squeezed.
 pub(super) fn is_squeezed(
     island: &[u32],
+    load: IslandLoad,
     bodies: &Bodies,
     Connections { contacts, joints }: Connections<'_>,
     rule: TierRule<'_>,
 ) -> bool {
+    if !load.is_deep {
+        return false;
+    }
     let mut greatest = 0.0_f32;
     for &slot in island {
         for contact in contacts.of_body(bodies, slot).map(|index| &contacts[index]) {
@@ -61,10 +65,10 @@ impl Squeezes {
     ) -> bool {
         if !self.seen.contains(slot) {
             self.island.clear();
-            let mut is_deep = false;
-            let look_at = |index: u32, _: &_| is_deep |= loads.of_contact[index as usize].is_deep();
+            let mut load = IslandLoad::default();
+            let look_at = |index: u32, _: &_| load.add(loads.of_contact[index as usize]);
             find_island(slot, bodies, connections, &mut self.seen, &mut self.island, look_at);
-            if is_deep && is_squeezed(&self.island, bodies, connections, rule) {
+            if is_squeezed(&self.island, load, bodies, connections, rule) {
                 self.island.iter().for_each(|&slot| _ = self.squeezed.insert(slot));
             }
         }

@@ -210,9 +210,9 @@ impl Tiers {
             self.change_histories(|of_body| of_body.leave_alone(tick));
             return;
         }
-        let is_squeezed = island.load.lasting > 0.0
-            && island.load.is_deep
-            && is_squeezed(&self.island, tables.bodies, tables.connections(), rule);
+        let (bodies, connections) = (tables.bodies, tables.connections());
+        let is_squeezed =
+            island.load.lasting > 0.0 && is_squeezed(&self.island, island.load, bodies, connections, rule);
         let squeezed_steps = if is_squeezed { history.direct.squeezed_steps + 1 } else { 0 };
         // What is solved directly may look squeezed in the moment of a blow.
         let stays_squeezed = is_squeezed && (!island.was_direct || squeezed_steps >= LASTING_STEPS);

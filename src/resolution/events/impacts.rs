@@ -145,9 +145,8 @@ impl Impacts {
         let rows = rows.get(place);
         let pair = scene.states(rows);
         let least = scene.scheme.restitution_threshold;
-        // Most do not approach. Each column is a cache line, and of these contacts only those few are read that tell so.
-        let found = block.load(place);
-        let speeds = [0, 1].map(|index| approaching(&found, index, least, &pair));
+        // Most do not approach. Of the constraint, whose columns are a cache line each, only what tells that is read before the rest.
+        let speeds = [0, 1].map(|index| approaching(&block.load(place), index, least, &pair));
         if speeds == [None; 2] {
             scene.graph.set_pending(contact, [false; 2]);
             return None;
