@@ -8,8 +8,8 @@ impl Body {
     /// on a slope it stays up to a gradient of 3/2 c. Rubber on asphalt has some 0.01, on grass 0.1.
     ///
     /// It acts where a circle touches something, as a moment of 3/2 c r N on both that never turns the spin round. Of two bodies the
-    /// greater coefficient counts, or the only one that was told. r is the radius of the circle, of two the smaller, or the extent of
-    /// what turns on a larger one. Boxes, polygons, capsules and round corners may have it too, for the circles that they touch;
+    /// greater coefficient counts, or the only one that was told. r is the radius of the circle, or the extent of the other body if that can
+    /// turn, or is round, and is smaller. Boxes, polygons, capsules and round corners may have it too, for the circles that they touch;
     /// between two of them it does nothing. Of a body of several shapes only circles about its centre of mass roll.
     ///
     /// Where neither of two bodies was told one it is 0.002, as of hard wheels on hard ground: a disc at 1 m/s comes 25 m far, and
@@ -32,7 +32,7 @@ impl Body {
         self
     }
 
-    /// Coefficient of rolling resistance; the usual one where none was told.
+    /// Coefficient of rolling resistance, no unit; 0.002 where none was told.
     pub fn get_rolling_resistance(&self) -> f32 {
         self.role.rolling_resistance_or_usual()
     }

@@ -1,6 +1,6 @@
-//! What passes over contacts do to them: warm start, and sweep. One text for every lane width.
+//! What passes over contacts do to them: warm start, sweep, and rolling resistance. One text for every lane width.
 //!
-//! This is where a step spends its time: per substep each contact is warm started twice and swept twice.
+//! This is where a step spends its time: per substep each contact is warm started twice and swept twice, and what rolls has two passes more.
 
 use crate::compute::{BodyState, Lane, PairStates};
 #[cfg(feature = "report")]
@@ -107,7 +107,7 @@ impl WarmStart {
                 if self.time == WarmStartTime::BeforeMove {
                     rolling.begin();
                 }
-                let moment = rolling.start(part, constraint.frictions.map(|friction| friction.warm_start));
+                let moment = rolling.start(part, constraint.frictions[0].warm_start);
                 constraint.turn([moment; 2], &mut a, &mut b);
                 block.store_rolling(place, rolling);
             }
@@ -236,7 +236,7 @@ impl SweepOver {
     }
 }
 
-/// Rolling resistance of all contacts, before and after the sweep that follows the move.
+/// Rolling resistance of the swept contacts that have any, before and after the sweep that follows the move.
 #[derive(Clone, Debug)]
 pub(crate) struct Roll;
 

@@ -43,7 +43,7 @@ const CRUSHING_RATIO: f32 = 32.0;
 /// Substeps that a step may have, asked for or refined. Settings that ask for more are refused.
 pub(crate) const MOST_SUBSTEPS: u32 = 256;
 
-/// Where more joints are awake, substeps are not refined: with 90 of them in a heap of 335 bodies they take three quarters of a step, and this
+/// Where more joints are awake, nothing asks for finer substeps: with 90 of them in a heap of 335 bodies they take three quarters of a step, and this
 /// would take three times as long. With few, as of what is dragged, it is not seen.
 const MOST_JOINTS: usize = 32;
 

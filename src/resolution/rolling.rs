@@ -7,14 +7,15 @@
 //! moment       |Λ| ≤ 3/2 c r λ,   so that a disc, which takes (m + I/r²) a = 3/2 m a = Λ/(r h), is slowed down by c λ/(m h)
 //! ```
 //!
-//! r is the radius of the disc. What turns on a larger one has its own extent in the place of that: a box on a planet does not roll on a radius of
-//! 6,400 km.
+//! r is the radius of the disc, or the extent of the other body if that can turn and is smaller: a box on a planet does not roll on a radius of
+//! 6,400 km. A circle touches with one point, whose impulse is λ. Only what lies flat on a planet has two, and does not roll; there it is that of
+//! the first.
 //!
 //! As friction does, it makes up for what would turn the circle as far as it goes, and no further: the spin is not turned
 //! round. It begins with what it was in the last substep, half before and half after the move, so that a disc on a slope
 //! comes to rest, and discs in a heap do not tremble. After the move it is solved for all contacts before the sweep, whose friction answers it,
 //! and once more after it, with the load that the sweep has found. Solved contact by contact within the sweep, the friction of the next contacts
-//! undoes a part of it: heaps with discs creep on, and of 36 heaps of 300 and 1,000 bodies 26 sleep after twenty seconds, for 31.
+//! undoes a part of it, and heaps with discs creep on: of 36 heaps of 300 and 1,000 bodies 26 sleep after twenty seconds, instead of 31.
 //!
 //! In lanes, for blocks that have a circle with rolling resistance. In what is solved directly it is a row like others.
 
@@ -32,7 +33,7 @@ pub(super) fn rolling_arm(contact: &Contact, motions: [&Motion; 2]) -> Option<f3
         return None;
     }
     let can_turn = |motion: &Motion| motion.inverse_inertia > 0.0;
-    // Ground may have small pieces.
+    // The size of ground that is not round does not matter: it may be of small pieces.
     let sizes =
         motions.into_iter().filter(|motion| motion.is_round || can_turn(motion)).map(|motion| motion.extent);
     let radius = sizes.fold(f32::INFINITY, f32::min);
@@ -61,11 +62,11 @@ impl<L: Lane> Rolling<L> {
         self.acted = L::splat(0.0);
     }
 
-    /// One of the warm starts of a substep: the `part` of what acted in the last one, no unit, as far as the impulses go that are applied along
+    /// One of the warm starts of a substep: the `part` of what acted in the last one, no unit, as far as the impulse goes that is applied along
     /// the normal, N s. Returns the moment on b, N m s.
     #[inline(always)]
-    pub(crate) fn start(&mut self, part: L, applied: [L; 2]) -> L {
-        let greatest = self.greatest(applied);
+    pub(crate) fn start(&mut self, part: L, applied: L) -> L {
+        let greatest = self.arm * applied;
         let moment = (part * self.moment).min(greatest).max(-greatest);
         self.acted = self.acted + moment;
         moment
@@ -74,7 +75,7 @@ impl<L: Lane> Rolling<L> {
     /// After the move: stops the spin, as far as the load goes.
     #[inline(always)]
     pub(crate) fn solve(&mut self, constraint: &ContactConstraint<L>, [a, b]: &mut [BodyState<L>; 2]) {
-        let greatest = self.greatest(constraint.points.map(|point| point.normal_impulse));
+        let greatest = self.arm * constraint.points[0].normal_impulse;
         let k = constraint.inverse_inertia_a + constraint.inverse_inertia_b;
         let can_turn = k.greater(L::splat(0.0));
         let stopping = (a.angular_velocity - b.angular_velocity) / L::select(can_turn, k, L::splat(1.0));
@@ -82,11 +83,5 @@ impl<L: Lane> Rolling<L> {
         let change = self.moment - self.acted;
         self.acted = self.moment;
         constraint.turn([change; 2], a, b);
-    }
-
-    /// Greatest moment under these impulses along the normal, N s, of both points, N m s.
-    #[inline(always)]
-    fn greatest(&self, [first, second]: [L; 2]) -> L {
-        self.arm * (first + second)
     }
 }

@@ -59,7 +59,7 @@ pub(crate) struct Solver {
     moving: MovingContacts,
     seams: Seams,
     direct: DirectSolver,
-    /// Whether anything rolls with resistance.
+    /// Whether anything that is swept rolls with resistance.
     rolls: bool,
     tangles: Tangles,
     pub(crate) joints: JointSolver,
@@ -343,8 +343,8 @@ impl Solver {
                 blows.take_up_block(index, graph, scheme.substeps);
             }
             moving.take_up_block(index, marks, graph);
-            *rolls |= block.rolls();
             if !index.is_solved_directly() {
+                *rolls |= block.rolls();
                 marks.on_ground.for_each(|place| seams.take_up(index.contact(place), graph));
             }
         }

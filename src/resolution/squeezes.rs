@@ -1,8 +1,8 @@
 //! Islands that are squeezed: walls leave their bodies less room than they need, as a press does that closes on a heap.
 //!
 //! What lies on walls presses with what forces give to it. What is squeezed presses from wall to wall, by far more than that, and no solve makes
-//! room for it: with more effort bodies are pressed through walls, or shot out. So such islands are swept, in as many substeps as were asked
-//! for: their contacts yield, and share the overlap.
+//! room for it: with more effort bodies are pressed through walls, or shot out. So such islands are swept, and ask for no finer
+//! substeps: their contacts yield, and share the overlap. Kinematic bodies are walls too.
 
 use crate::body::Bodies;
 use crate::resolution::islands::{Connections, find_island};

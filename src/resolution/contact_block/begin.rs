@@ -125,7 +125,6 @@ impl ContactBlock {
         if let Some(arm) = rolling_arm(contact, motions) {
             let rolling = Rolling { arm, moment: contact.rolling_moment, acted: 0.0 };
             self.rolling.begin_use().store::<f32>(place, rolling);
-            self.fit.is_smooth = false;
         }
         if contact.follows {
             self.put_moving(place, contact, from);

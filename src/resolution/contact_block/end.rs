@@ -95,9 +95,7 @@ impl ContactBlock {
         // Nearly all do, so that a point is asked only where one of the two may not.
         let yields_in_full = yields_in_full(HALF * load);
         contact.manifold.normal = self.columns.normal.load::<f32>(place).to_vec2();
-        if let Some(rolling) = self.rolling::<f32>(place) {
-            contact.rolling_moment = rolling.moment;
-        }
+        contact.rolling_moment = self.rolling::<f32>(place).map_or(0.0, |rolling| rolling.moment);
         for (index, stored) in contact.manifold.points_mut().iter_mut().enumerate() {
             let point = &self.columns.points[index];
             stored.anchor_a = point.anchor_a.load::<f32>(place).to_vec2();

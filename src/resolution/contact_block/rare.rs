@@ -1,6 +1,6 @@
 //! Columns that few blocks need.
 
-/// Columns that are made when a block first needs them, and kept for its next use; each use begins with those of none.
+/// Columns that are made when a block first needs them, and kept for its next use; each use begins with the default.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Rare<T>(Option<Box<Kept<T>>>);
 

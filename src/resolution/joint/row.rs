@@ -314,7 +314,7 @@ impl Row {
         if self.acts { self.residual.abs() * times.h / (EXACT * self.scale) } else { 0.0 }
     }
 
-    /// Whether it is off by no more than this angle, rad, or this part of the lever arm.
+    /// Whether it is off by no more than this angle, rad, or this part of the size of the joint.
     pub(super) fn is_within(&self, part: f64, times: Times) -> bool {
         self.residual.abs() * times.h <= part * self.scale
     }

@@ -10,7 +10,7 @@ use crate::resolution::joint::row::{Phase, Role, Row, Times, is_inside};
 const MOST_SOLVES: usize = 12;
 
 /// Where the solve in which bodies turn comes to no end, the one in which they go on as they do is left. If it is right to this angle, rad,
-/// and this part of the lever arms of joints, which is not seen, it serves; else the step was too long. Ratchets take turns in being met
+/// and this part of the size of the joint, which is not seen, it serves; else the step was too long. Ratchets take turns in being met
 /// in steps of any length: with a tenth of this, rows of sixteen take four times as long. If all were taken, strings of discs would part by
 /// a millimetre.
 const NEARLY: f64 = 1e-4;
