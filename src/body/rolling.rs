@@ -4,8 +4,8 @@ use crate::body::Body;
 
 impl Body {
     /// Coefficient of rolling resistance, no unit, beside those of the [material](Self::material): by how much a disc that rolls
-    /// is slowed down, as a share of the force that presses it on, over its mass. On level ground it stops after v²/(2 c g), and
-    /// on a slope it stays up to a gradient of 3/2 c. Rubber on asphalt has some 0.01, on grass 0.1.
+    /// is slowed down, as a share of the force that presses it on, over its mass. On level ground it stops after v²/(2 c g), if its
+    /// friction is greater than c, and on a slope it stays up to a gradient of 3/2 c. Rubber on asphalt has some 0.01, on grass 0.1.
     ///
     /// It acts where a circle touches something, as a moment of 3/2 c r N on both that never turns the spin round. Of two bodies the
     /// greater coefficient counts, or the only one that was told. r is the radius of the circle, or the extent of the other body if that can

@@ -91,9 +91,10 @@ impl Joint {
         check(names[0], lower, [least[0], greatest], unit)?;
         check(names[1], upper, [least[1], f64::INFINITY], unit)?;
         // One that is finite is within what an angle or a place can be.
-        let finite = [lower, upper].into_iter().zip(names).filter(|(limit, _)| limit.is_finite());
-        for (limit, name) in finite {
-            check(name, limit, [-greatest, greatest], unit)?;
+        for ((limit, name), least) in [lower, upper].into_iter().zip(names).zip(least) {
+            if limit.is_finite() {
+                check(name, limit, [least.max(-greatest), greatest], unit)?;
+            }
         }
         if lower > upper {
             return Err(JointError::LimitsCrossed { lower, upper });

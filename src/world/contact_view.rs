@@ -163,8 +163,8 @@ impl<'a> ContactRef<'a> {
         self.contact.mixed.restitution
     }
 
-    /// Coefficient of [rolling resistance](crate::Body::rolling_resistance), no unit: the greater of those that the two were told. Only where a
-    /// circle touches it does anything.
+    /// Coefficient of [rolling resistance](crate::Body::rolling_resistance), no unit: the greater of those that the two were told, or 0.002 if
+    /// neither was. It only acts where a circle rolls about the centre of mass of its body.
     pub fn rolling_resistance(&self) -> f32 {
         self.contact.mixed.rolling_resistance
     }

@@ -340,14 +340,17 @@ impl<'a> JointMut<'a> {
         self.steer(|joint| joint.spring = None);
     }
 
-    /// Sets the length of a distance joint, or of the rope of a pulley, m: a winch. What is too far apart for it comes together at no more than
+    /// Sets the length of a distance joint, the greatest of one with limits and no spring, as of a rope, or that of the rope of a pulley, m: a winch. What is too far apart for it comes together at no more than
     /// 3 m/s, whatever is in its way: it is put where the length has it, as by hand, and its [`velocity`](crate::BodyRef::velocity) does not
     /// tell of that. A winch that pulls with a force, and stops at what is in its way, is a distance joint with a [motor](Joint::motor).
     ///
     /// # Errors
     /// [`JointError`], if the length is one that [`World::add_joint`] refuses, or the joint is of another kind.
     pub fn set_length(&mut self, length: f32) -> Result<(), JointError> {
-        self.change(|joint| joint.length = Some(length))?;
+        self.change(|joint| match (joint.kind, joint.spring, &mut joint.limits) {
+            (JointKind::Distance, None, Some([_, most])) => *most = f64::from(length),
+            _ => joint.length = Some(length),
+        })?;
         self.record_mut().length = f64::from(length);
         Ok(())
     }

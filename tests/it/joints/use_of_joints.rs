@@ -22,6 +22,24 @@ fn the_bounds_of_what_is_accepted_are_accepted() {
     world.add_joint(Joint::rope(a, b).max_length(1e-6)).unwrap();
 }
 
+/// A rope is as long as it is told, when it is added and later; no shorter than its least length, and a sentence names the bounds.
+#[test]
+fn the_length_of_a_rope_is_set() {
+    let mut world = earth();
+    let load = add(&mut world, Body::dynamic(Shape::circle(0.2)).at([0.0, -5.0]));
+    let rope = world.add_joint(Joint::rope(load, None).between([0.0, -5.0], [0.0, 0.0])).unwrap();
+    run(&mut world, 1.0);
+    world.joint_mut(rope).unwrap().set_length(3.0).unwrap();
+    assert_eq!(world.joint(rope).unwrap().length(), Some(3.0));
+    run(&mut world, 2.0);
+    assert_near(place(&world, load)[1], -3.0, 1e-6, "height of the load");
+    let mut rope = world.joint_mut(rope).unwrap();
+    rope.set_limits(2.0..=3.0).unwrap();
+    assert_eq!(rope.set_length(1.0), Err(JointError::LimitsCrossed { lower: 2.0, upper: 1.0 }));
+    let error = rope.set_length(1.1e12).unwrap_err().to_string();
+    assert!(error.contains("from 1e-6 to 1e12 m"), "{error}");
+}
+
 #[test]
 fn a_joint_that_makes_no_sense_is_refused_with_a_sentence_and_nothing_changes() {
     let mut world = earth();
