@@ -123,6 +123,8 @@ pub struct ManifoldPoint {
     /// Which corners of the shapes bound it.
     pub feature: FeatureId,
     pub(crate) corner: Corner,
+    /// What a warm start of the last substep has applied along the normal: a share of `normal_impulse`, in 255ths; all, where it was more.
+    pub(crate) warm_share: u8,
     /// Impulse along the normal in the last substep, N s, 0 or more.
     pub normal_impulse: f32,
     /// Impulse along the tangent in the last substep, N s.
@@ -137,6 +139,27 @@ impl ManifoldPoint {
     pub(crate) fn new(anchor_a: Vec2, offset: Vec2, separation: f32, feature: FeatureId) -> Self {
         let anchor_b = anchor_a - offset;
         Self { anchor_a, anchor_b, separation, feature, ..Self::default() }
+    }
+
+    /// Takes over what another point has borne.
+    pub(crate) fn take_impulses(&mut self, from: &Self) {
+        self.normal_impulse = from.normal_impulse;
+        self.tangent_impulse = from.tangent_impulse;
+        self.lasting_impulse = from.lasting_impulse;
+        self.warm_share = from.warm_share;
+    }
+
+    /// What a warm start of the last substep has applied along the normal, N s, as far as the whole impulse goes.
+    #[inline(always)]
+    pub(crate) fn warm_start(&self) -> f32 {
+        f32::from(self.warm_share) * (1.0 / 255.0) * self.normal_impulse
+    }
+
+    /// Takes note of that. A byte is enough, as twice as much is what a load may grow to.
+    #[inline(always)]
+    pub(crate) fn set_warm_start(&mut self, impulse: f32) {
+        // A conversion from a float ends at 255, and gives 0 for 0/0.
+        self.warm_share = (255.0 * impulse / self.normal_impulse) as u8;
     }
 
     /// Velocity of b against a at the point, m/s, with anchors from their centres of mass.

@@ -396,9 +396,7 @@ impl<'a> Pair<'a> {
                 old.feature == point.feature || rolls && old.feature.shares_vertex(point.feature)
             };
             if let Some(old) = contact.manifold.points().iter().find(same) {
-                point.normal_impulse = old.normal_impulse;
-                point.tangent_impulse = old.tangent_impulse;
-                point.lasting_impulse = old.lasting_impulse;
+                point.take_impulses(old);
             }
         }
         let [rotation_a, rotation_b] = [self.rotation_a, self.rotation_b];

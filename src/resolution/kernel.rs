@@ -42,6 +42,8 @@ pub(crate) struct WarmStart {
     pub(crate) part: f32,
     /// Where two outlines turn faster against each other, the last impulses are forgotten, rad/s.
     pub(crate) fastest_turn: f32,
+    /// k λ of a load where it begins, at most, m/s.
+    pub(crate) new_load: f32,
     pub(crate) time: WarmStartTime,
     /// Whether what no contact of a block needs is left out.
     pub(crate) is_fitted: bool,
@@ -93,7 +95,7 @@ impl WarmStart {
                         block.forget_where::<L, POINTS>(place, &mut constraint, is_fast);
                     }
                 }
-                constraint.begin_normal_impulses::<POINTS>(part);
+                constraint.begin_normal_impulses::<POINTS>(part, L::splat(self.new_load));
                 block.store_warm_starts::<L, POINTS>(place, &constraint);
             }
             WarmStartTime::AfterMove => constraint.count_warm_start::<POINTS>(),
@@ -263,11 +265,14 @@ fn do_once(blocks: &mut PairBlocks<ContactBlock>, kernel: &impl Kernel) {
 /// What a substep does for one contact of two points with friction: two warm starts and two sweeps.
 #[cfg(feature = "report")]
 pub(crate) fn work_of_a_substep() -> Count {
-    let (mut blocks, is_fitted) = (PairBlocks::default(), true);
+    let (mut blocks, part, is_fitted) = (PairBlocks::default(), 0.5, true);
     blocks.resize(1);
     count(|| {
         for time in [WarmStartTime::BeforeMove, WarmStartTime::AfterMove] {
-            do_once(&mut blocks, &WarmStart { part: 0.5, fastest_turn: f32::MAX, time, is_fitted });
+            do_once(
+                &mut blocks,
+                &WarmStart { part, fastest_turn: f32::MAX, new_load: f32::MAX, time, is_fitted },
+            );
         }
         let push = SweepOver {
             sweep: Sweep::PUSH,
@@ -290,11 +295,12 @@ mod tests {
         let mut blocks = PairBlocks::default();
         blocks.resize(1);
         let time = WarmStartTime::BeforeMove;
-        let start = WarmStart { part: 0.5, fastest_turn: f32::MAX, time, is_fitted: true };
+        let start =
+            WarmStart { part: 0.5, fastest_turn: f32::MAX, new_load: f32::MAX, time, is_fitted: true };
         let found = count(|| do_once(&mut blocks, &start));
-        // Per point: the impulse along the normal times the part; both times their directions (2 + 2), summed (2); r × that
-        // for two bodies (3 + 3).
-        let point = 1 + 4 + 2 + 6;
+        // Per point: the impulse along the normal times the part; whether it is load (two products, a difference and a comparison);
+        // both impulses times their directions (2 + 2), summed (2); r × that for two bodies (3 + 3).
+        let point = 1 + 4 + 4 + 2 + 6;
         // Of the two points the impulses (2) and the moments (1 + 1) are summed.
         let sum = 2 + 2;
         // Per body: the impulse times 1/m, added to v (2 + 2); the moment times 1/I, added to w.
@@ -303,10 +309,10 @@ mod tests {
         let turning = 2 + 1 + 2 + 1;
         // The direction of the tangent is a negation, and is multiplied by the part.
         assert_eq!(found.operations, turning + 1 + 2 + 2 * point + sum + 2 * body);
-        // Numbers: of each body 1/m and 1/I, as all outlines turn where there are no circles; the normal; per point two anchors
-        // and two impulses. Written: per point the impulse along the normal and the warm start. Half rows of two bodies, to
-        // and fro.
-        let numbers = 2 * 2 + 2 + 2 * (4 + 2) + 2 * 2;
+        // Numbers: of each body 1/m and 1/I, as all outlines turn where there are no circles; the normal; per point two anchors,
+        // two impulses, k and the warm start before. Written: per point the impulse along the normal and the warm start. Half rows
+        // of two bodies, to and fro.
+        let numbers = 2 * 2 + 2 + 2 * (4 + 2 + 2) + 2 * 2;
         assert_eq!(found.bytes, 4 * numbers + 4 * 16);
     }
 }

@@ -57,6 +57,7 @@ impl ContactConstraint<f32> {
                 normal_impulse: point.normal_impulse,
             };
             friction.impulse = point.tangent_impulse;
+            friction.warm_start = point.warm_start();
             *lasting_impulse = point.lasting_impulse;
         }
         constraint

@@ -101,14 +101,16 @@ impl ContactBlock {
             stored.anchor_a = point.anchor_a.load::<f32>(place).to_vec2();
             stored.anchor_b = point.anchor_b.load::<f32>(place).to_vec2();
             stored.separation = point.separation.get(place);
-            let impulse_before =
-                std::mem::replace(&mut stored.normal_impulse, point.normal_impulse.get(place));
-            stored.tangent_impulse = self.columns.frictions[index].impulse.get(place);
+            let friction = &self.columns.frictions[index];
+            stored.normal_impulse = point.normal_impulse.get(place);
+            stored.tangent_impulse = friction.impulse.get(place);
+            let warm_start = friction.warm_start.get(place);
+            stored.set_warm_start(warm_start);
             stored.lasting_impulse = if yields_in_full {
                 0.0
             } else {
-                // What it did not bear a step ago may be a blow.
-                let impulse = HALF * stored.normal_impulse.min(impulse_before);
+                // What is more than the warm start may be a blow.
+                let impulse = (HALF * stored.normal_impulse).min(warm_start);
                 lasting_after(stored.lasting_impulse, [point.normal_k.get(place), impulse], dt)
             };
         }

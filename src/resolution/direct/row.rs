@@ -177,6 +177,11 @@ impl Row {
         }
     }
 
+    /// How fast it yields to the change of its impulse, m/s.
+    pub(super) fn yielding(&self) -> f64 {
+        (self.impulse - self.previous).abs() / self.stiffness
+    }
+
     /// Whether bodies that overlap are to move apart by it.
     pub(super) fn pushes_apart(&self) -> bool {
         self.is_normal() && self.bias < self.carried
