@@ -6,17 +6,16 @@ use rustycs::prelude::*;
 
 use crate::support::{add, add_floor, earth_with};
 
-/// Something falls from a height, m, on a box that rests, and is so many times as heavy; the greatest speed upwards, m/s.
-fn rebound(tick_rate: f32, height: f32, ratio: f32) -> f32 {
+/// Something falls from a height, m, on so many boxes that stand on each other, and has so many times the mass of each; the greatest speed upwards, m/s.
+fn rebound(tick_rate: f32, height: f32, ratio: f32, boxes: u8) -> f32 {
     let mut world = earth_with(Settings { tick_rate, ..Settings::default() });
     add_floor(&mut world, 0.6);
-    add(
-        &mut world,
-        Body::dynamic(Shape::rectangle(0.6, 0.4)).at([0.0, 0.2]).mass(1.0 / ratio).restitution(0.0),
-    );
-    let falling =
-        Body::dynamic(Shape::rectangle(1.0, 0.6)).at([0.0, 0.7 + f64::from(height)]).restitution(0.0);
-    let upper = add(&mut world, falling.mass(1.0));
+    for number in 0..boxes {
+        let standing = Body::dynamic(Shape::rectangle(0.6, 0.4)).at([0.0, 0.2 + 0.4 * f64::from(number)]);
+        add(&mut world, standing.mass(1.0 / ratio).restitution(0.0));
+    }
+    let at = [0.0, 0.4 * f64::from(boxes) + 0.3 + f64::from(height)];
+    let upper = add(&mut world, Body::dynamic(Shape::rectangle(1.0, 0.6)).at(at).mass(1.0).restitution(0.0));
     let (mut fastest, mut back) = (0.0_f32, 0.0_f32);
     for _ in 0..(3.0 * tick_rate) as u32 {
         world.step();
@@ -24,7 +23,7 @@ fn rebound(tick_rate: f32, height: f32, ratio: f32) -> f32 {
         (fastest, back) = (fastest.max(-speed), back.max(speed));
     }
     let due = (2.0 * 9.81 * height).sqrt();
-    assert!((fastest / due - 1.0).abs() < 0.05, "it falls at {fastest} m/s for {due}");
+    assert!(fastest > 0.95 * due, "it falls at {fastest} m/s for {due}");
     back
 }
 
@@ -36,13 +35,25 @@ fn what_falls_on_a_box_without_restitution_hardly_comes_back() {
     for height in [1.0, 3.0, 5.0, 10.0] {
         for ratio in [0.1, 0.3, 0.5, 1.0, 1.5, 2.0, 3.0, 4.0, 6.0, 10.0, 20.0, 30.0, 60.0, 100.0, 1000.0] {
             for rate in [60.0, 240.0] {
-                let back = rebound(rate, height, ratio);
+                let back = rebound(rate, height, ratio, 1);
                 let let_pass = 2.0 * 120.0 / (4.0 * rate);
                 assert!(
                     back < let_pass,
                     "{height} m, {ratio} : 1, {rate} Hz: it comes back at {back} m/s, not {let_pass}"
                 );
             }
+        }
+    }
+}
+
+/// Five light boxes, or ten, passed the blow on by sweeps, which wound up as a spring does: a heavy box came back faster than it fell. As it presses the
+/// ground by far more than all weigh, the stack was taken for squeezed, and not solved directly.
+#[test]
+fn what_falls_on_a_stack_of_light_boxes_hardly_comes_back() {
+    for boxes in [2, 3, 5, 10] {
+        for ratio in [20.0, 50.0, 100.0, 1000.0] {
+            let back = rebound(60.0, 3.0, ratio, boxes);
+            assert!(back < 2.0 * 120.0 / 240.0, "{boxes} boxes, {ratio} : 1: it comes back at {back} m/s");
         }
     }
 }

@@ -2,7 +2,9 @@
 
 use rustycs::prelude::*;
 
-use crate::support::{G, add, add_floor, assert_near, assert_relative, earth, place, run, space, velocity};
+use crate::support::{
+    G, add, add_floor, assert_near, assert_relative, earth, place, run, space, unit_box, velocity,
+};
 
 /// Drops a body with its lowest point `drop` above a floor; both have restitution `e`.
 fn drop_onto_floor(body: Body, half_height: f64, drop: f64, e: f32) -> (World, BodyId) {
@@ -144,5 +146,42 @@ fn a_cradle_sends_out_as_many_balls_as_come_in() {
     run(&mut world, 2.0);
     for (id, expected) in ids.into_iter().zip([0.0, 0.0, 0.0, 2.0, 2.0]) {
         assert_near(velocity(&world, id)[0], expected, 0.02, "speed");
+    }
+}
+
+/// A body falls on one that lies on the ground, and has so many times its mass; how fast it comes back, by the speed that it came with. One
+/// collision after the other, each with restitution `e`: with what lies there, of that with the ground, and so on.
+fn rebound_of_a_row_of_collisions(ratio: f64, e: f64) -> f64 {
+    let (mut falls, mut lies) = (-1.0, 0.0);
+    for _ in 0..1000 {
+        if falls < lies {
+            let (of_both, apart) = ((ratio * falls + lies) / (ratio + 1.0), e * (lies - falls));
+            (falls, lies) = (of_both + apart / (ratio + 1.0), of_both - ratio * apart / (ratio + 1.0));
+        }
+        if lies < 0.0 {
+            lies *= -e;
+        }
+    }
+    falls
+}
+
+/// At 14 m/s gravity and the threshold of restitution, 1 m/s, leave the first digits as they are: up to 2 % of the speed are let pass.
+#[test]
+fn a_body_bounces_on_one_that_lies_on_the_ground() {
+    for e in [0.5, 0.8, 1.0_f32] {
+        for ratio in [0.1, 0.3, 0.5, 0.7, 1.0_f32] {
+            let mut world = earth();
+            add(&mut world, Body::fixed(Shape::aabb(20.0, 2.0)).at([0.0, -1.0]).restitution(e));
+            add(&mut world, unit_box(0.0, 0.5).mass(1.0).restitution(e));
+            let id = add(&mut world, unit_box(0.0, 11.5).mass(ratio).restitution(e));
+            let (mut fastest, mut back) = (0.0_f64, 0.0_f64);
+            for _ in 0..120 {
+                world.step();
+                let speed = velocity(&world, id)[1];
+                (fastest, back) = (fastest.max(-speed), back.max(speed));
+            }
+            let due = rebound_of_a_row_of_collisions(f64::from(ratio), f64::from(e));
+            assert_near(back / fastest, due, 0.02, &format!("{ratio} : 1, e = {e}"));
+        }
     }
 }
