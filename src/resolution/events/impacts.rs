@@ -141,30 +141,12 @@ impl Impacts {
     /// if they do so that fast.
     #[inline(always)]
     fn mark(contact: GraphIndex, scene: &mut EventScene<'_>) -> Option<Approach> {
-        let (rows, block, place) = scene.graph.block(contact);
-        let rows = rows.get(place);
-        let pair = scene.states(rows);
-        let least = scene.scheme.restitution_threshold;
-        // Most do not approach. Of the constraint, whose columns are a cache line each, only what tells that is read before the rest.
-        let speeds = [0, 1].map(|index| approaching(&block.load(place), index, least, &pair));
-        if speeds == [None; 2] {
-            scene.graph.set_pending(contact, [false; 2]);
-            return None;
-        }
-        let constraint = scene.graph.constraint(contact);
-        let accelerations = scene.accelerations(&constraint, rows);
-        let thresholds = scene.bounce_thresholds(accelerations);
-        let is_wedged = are_wedged(scene.graph.moved_rows(contact), scene);
-        let speeds =
-            [0, 1].map(|index| speeds[index].filter(|&speed| speed < -thresholds[index] && !is_wedged));
-        if speeds == [None; 2] {
-            scene.graph.set_pending(contact, [false; 2]);
-            return None;
-        }
-        let [a, b] = &pair;
-        let gaps = [0, 1].map(|index| constraint.separation(&constraint.points[index], a, b));
-        scene.graph.set_pending(contact, [0, 1].map(|index| speeds[index].is_some() && gaps[index] > 0.0));
-        Some(Approach { rows, gaps, speeds, accelerations })
+        let approach = Approach::of(contact, scene);
+        let is_pending = |index: usize| {
+            approach.as_ref().is_some_and(|found| found.speeds[index].is_some() && found.gaps[index] > 0.0)
+        };
+        scene.graph.set_pending(contact, [0, 1].map(is_pending));
+        approach
     }
 
     /// Looks at two bodies at the time they should meet, and lets them bounce if they do.
@@ -280,6 +262,33 @@ struct Approach {
     speeds: [Option<f32>; 2],
     /// Per point, of b against a along the normal, m/s².
     accelerations: [f32; 2],
+}
+
+impl Approach {
+    /// How the points of a contact approach, if any does so fast enough to bounce.
+    #[inline(always)]
+    fn of(contact: GraphIndex, scene: &EventScene<'_>) -> Option<Self> {
+        let (rows, block, place) = scene.graph.block(contact);
+        let rows = rows.get(place);
+        let pair = scene.states(rows);
+        let least = scene.scheme.restitution_threshold;
+        // Most do not approach. Of the constraint, whose columns are a cache line each, only what tells that is read before the rest.
+        let speeds = [0, 1].map(|index| approaching(&block.load(place), index, least, &pair));
+        if speeds == [None; 2] {
+            return None;
+        }
+        let constraint = scene.graph.constraint(contact);
+        let accelerations = scene.accelerations(&constraint, rows);
+        let thresholds = scene.bounce_thresholds(accelerations);
+        let is_wedged = are_wedged(scene.graph.moved_rows(contact), scene);
+        let speeds =
+            [0, 1].map(|index| speeds[index].filter(|&speed| speed < -thresholds[index] && !is_wedged));
+        if speeds == [None; 2] {
+            return None;
+        }
+        let gaps = constraint.points.map(|point| constraint.separation(&point, &pair[0], &pair[1]));
+        Some(Self { rows, gaps, speeds, accelerations })
+    }
 }
 
 /// Speed of a point along the normal in the middle of the substep, m/s, negative, if it approaches fast enough to bounce.

@@ -100,7 +100,7 @@ pub(super) struct JointBody {
     pub(super) ahead: V3,
     /// By forces, and by what its contacts bear, m/s² and rad/s².
     pub(super) acceleration: V3,
-    /// How many joints hold it in a place, and how far from its centre the last of them, m.
+    /// How many joints keep a point of it where it is, as pins do, and how far from its centre the last of them does, m.
     pub(super) held: u32,
     pub(super) arm: f64,
 }
