@@ -6,7 +6,8 @@ use crate::resolution::joint::plan::{Cluster, Island};
 use crate::resolution::joint::row::{Phase, Role, Row, Times, is_inside};
 
 /// Solves of a cluster that stands by itself, at most. Each takes the rest of the one before times the angle by which bodies turn
-/// in a substep; and where bounds are met, finds which.
+/// in a substep; and where bounds are met, finds which. With half as many a disc that swings by its handle on a rope loses its energy; twice as many mend no
+/// more.
 const MOST_SOLVES: usize = 12;
 
 /// Where the solve in which bodies turn comes to no end, the one in which they go on as they do is left. If it is right to this angle, rad,
@@ -30,7 +31,8 @@ enum Aim {
     Speed,
 }
 
-/// Turns of rows with bounds and of those without, where it is not found out which bounds are met.
+/// Turns of rows with bounds and of those without, where it is not found out which bounds are met. With half as many a machine that falls on its limits
+/// explodes; twice as many mend no more.
 const TURNS: usize = 8;
 
 /// Sweeps over clusters that share bodies.
