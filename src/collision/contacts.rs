@@ -430,9 +430,7 @@ impl Contacts {
         (contact.frozen, contact.follows, contact.holds_still, contact.followed_steps) =
             (None, false, false, 0);
         for point in contact.manifold.points_mut() {
-            point.normal_impulse *= share;
-            point.tangent_impulse *= share;
-            point.lasting_impulse *= share;
+            point.scale_impulses(share);
         }
     }
 

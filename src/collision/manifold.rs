@@ -123,7 +123,7 @@ pub struct ManifoldPoint {
     /// Which corners of the shapes bound it.
     pub feature: FeatureId,
     pub(crate) corner: Corner,
-    /// What a warm start of the last substep has applied along the normal: a share of `normal_impulse`, in 255ths; all, where it was more.
+    /// What each warm start of the last substep has applied along the normal, in 255ths of `normal_impulse`, and no more than all of it.
     pub(crate) warm_share: u8,
     /// Impulse along the normal in the last substep, N s, 0 or more.
     pub normal_impulse: f32,
@@ -149,17 +149,27 @@ impl ManifoldPoint {
         self.warm_share = from.warm_share;
     }
 
-    /// What a warm start of the last substep has applied along the normal, N s, as far as the whole impulse goes.
+    /// Has borne so many times as much, no unit. What the warm starts did is a share of it, and goes along.
+    pub(crate) fn scale_impulses(&mut self, factor: f32) {
+        self.normal_impulse *= factor;
+        self.tangent_impulse *= factor;
+        self.lasting_impulse *= factor;
+    }
+
+    /// What each warm start of the last substep has applied along the normal, N s, or the whole impulse, if that is less.
     #[inline(always)]
     pub(crate) fn warm_start(&self) -> f32 {
         f32::from(self.warm_share) * (1.0 / 255.0) * self.normal_impulse
     }
 
-    /// Takes note of that. A byte is enough, as twice as much is what a load may grow to.
+    /// Takes note of what the point has borne in the last substep along the normal, and of what of that each warm start applied, N s. The share
+    /// is rounded down to a 255th: it only matters where it is below a quarter, see
+    /// [`LOAD_GROWTH`](crate::resolution::constraint::warm_start::LOAD_GROWTH), and a load that is guessed a little too small is found by the sweeps.
     #[inline(always)]
-    pub(crate) fn set_warm_start(&mut self, impulse: f32) {
+    pub(crate) fn set_normal_impulse(&mut self, impulse: f32, warm_start: f32) {
+        self.normal_impulse = impulse;
         // A conversion from a float ends at 255, and gives 0 for 0/0.
-        self.warm_share = (255.0 * impulse / self.normal_impulse) as u8;
+        self.warm_share = (255.0 * warm_start / impulse) as u8;
     }
 
     /// Velocity of b against a at the point, m/s, with anchors from their centres of mass.
@@ -190,6 +200,11 @@ pub struct Manifold {
 }
 
 impl Manifold {
+    /// What a point has given b in the last substep, N s: along the normal and by friction.
+    pub(crate) fn impulse_on_b(&self, point: &ManifoldPoint) -> Vec2 {
+        self.normal * point.normal_impulse + self.normal.perp() * point.tangent_impulse
+    }
+
     /// The manifold of one point.
     #[inline(always)]
     pub(crate) fn of_one(normal: Vec2, point: ManifoldPoint) -> Self {

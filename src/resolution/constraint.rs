@@ -48,7 +48,8 @@ pub(crate) struct PointFriction<C> {
     pub(crate) mass: C,
     /// Impulse along the tangent in this substep, N s.
     pub(crate) impulse: C,
-    /// What each of the two warm starts of this substep applies along the normal, N s.
+    /// What each of the two warm starts of this substep applies along the normal, N s; until it begins, of the last. Contacts that are solved directly
+    /// have none.
     pub(crate) warm_start: C,
 }
 
@@ -128,12 +129,6 @@ pub(crate) struct Turns<C> {
 }
 
 columns!(Turns { a, b });
-
-/// From one substep to the next a load is taken to grow to no more than this many times as much, no unit, beside what may be
-/// [new](crate::resolution::scheme::NEW_LOAD). What is more was a blow, which does not come again: to begin the next substep with its impulse throws
-/// up what has fallen onto a body that lies on the ground, at up to a third of its speed, as one sweep along the two contacts does not take that
-/// back. With 4 it is a tenth; with 1.5 no less than with 2, which is a twentieth, and loads need twice as long to be known.
-const LOAD_GROWTH: f32 = 2.0;
 
 /// |k12| may be at most this share of √(k11 k22). The points of bodies that do not turn respond as one, and those that all
 /// but coincide nearly so: the problem of two would have no solution, or huge impulses of opposite sign. This bounds the
@@ -329,39 +324,10 @@ impl<L: Lane> ContactConstraint<L> {
         chosen
     }
 
-    /// Takes this `part` of the last impulses along the normal of the first `POINTS` points, no unit, as what the substep
-    /// begins with: as far as they are load, whose k λ is up to `new_load` in a warm start where it begins, m/s.
-    #[inline(always)]
-    pub(crate) fn begin_normal_impulses<const POINTS: usize>(&mut self, part: L, new_load: L) {
-        for (point, friction) in self.points.iter_mut().zip(&mut self.frictions).take(POINTS) {
-            let last = point.normal_impulse * part;
-            let grown = friction.warm_start * L::splat(LOAD_GROWTH);
-            let was_blow = (point.normal_k * (last - grown)).greater(new_load);
-            point.normal_impulse = last;
-            // Few were, and a division takes long.
-            if L::bits(was_blow) != 0 {
-                let load = grown + new_load / point.normal_k;
-                point.normal_impulse = L::select(was_blow, load, last);
-            }
-            friction.warm_start = point.normal_impulse;
-        }
-    }
-
     /// How fast the outlines of the two bodies turn against each other, rad/s.
     #[inline(always)]
     pub(crate) fn outlines_turn_at(&self, a: &BodyState<L>, b: &BodyState<L>) -> L {
         (b.angular_velocity * self.turns.b - a.angular_velocity * self.turns.a).abs()
-    }
-
-    /// Lets the contacts go on as if they had borne nothing where the mask holds.
-    #[inline(always)]
-    pub(crate) fn forget_impulses_where(&mut self, mask: L::Mask) {
-        let zero = L::splat(0.0);
-        for (point, friction) in self.points.iter_mut().zip(&mut self.frictions) {
-            point.normal_impulse = L::select(mask, zero, point.normal_impulse);
-            friction.impulse = L::select(mask, zero, friction.impulse);
-            friction.warm_start = L::select(mask, zero, friction.warm_start);
-        }
     }
 
     /// Lets what overlaps seem to touch where the mask holds.
@@ -371,37 +337,6 @@ impl<L: Lane> ContactConstraint<L> {
             let separation = point.separation_now;
             point.separation_now = L::select(mask, separation.max(L::splat(0.0)), separation);
         }
-    }
-
-    /// Counts a second warm start as impulse along the normal of the first `POINTS` points.
-    #[inline(always)]
-    pub(crate) fn count_warm_start<const POINTS: usize>(&mut self) {
-        for (point, friction) in self.points.iter_mut().zip(&self.frictions).take(POINTS) {
-            point.normal_impulse = point.normal_impulse + friction.warm_start;
-        }
-    }
-
-    /// What one of the warm starts of a substep does by the first `POINTS` points: along the tangent, this `part` of the
-    /// impulse, no unit, which is 0 if `is_smooth`.
-    #[inline(always)]
-    pub(crate) fn warm_start<const POINTS: usize>(&self, part: L, is_smooth: bool) -> Action<L> {
-        let tangent = if is_smooth { None } else { Some(self.normal.perp() * part) };
-        let mut sum = self.warm_start_of(0, tangent);
-        for index in 1..POINTS {
-            sum = sum.and(self.warm_start_of(index, tangent));
-        }
-        sum
-    }
-
-    /// The same of one of the points.
-    #[inline(always)]
-    fn warm_start_of(&self, index: usize, tangent: Option<LaneVec2<L>>) -> Action<L> {
-        let (point, friction) = (&self.points[index], &self.frictions[index]);
-        let mut impulse = self.normal * friction.warm_start;
-        if let Some(tangent) = tangent {
-            impulse = impulse + tangent * friction.impulse;
-        }
-        Action::at(point, impulse)
     }
 }
 
@@ -482,6 +417,8 @@ impl StepResidual {
         }
     }
 }
+
+pub(crate) mod warm_start;
 
 #[cfg(test)]
 mod tests;

@@ -30,7 +30,8 @@ fn fit<L: Lane>(block: &ContactBlock, is_fitted: bool) -> Fit {
 pub(crate) const MOST_TURNED: f32 = 0.25;
 
 /// Applies the impulses of the last substep before anything is solved: where the kick is split, half of them before
-/// the bodies move and half after it, each with the geometry of its moment.
+/// the bodies move and half after it, each with the geometry of its moment. Along the normal, they are what of them is
+/// [load](crate::resolution::constraint::warm_start::LOAD_GROWTH).
 ///
 /// There is one accumulator for the whole substep. Along the normal, the second half is of the impulse that the substep
 /// began with, not of what the sweep before the move has made of it: with the biased impulse applied again, the push
@@ -42,8 +43,8 @@ pub(crate) struct WarmStart {
     pub(crate) part: f32,
     /// Where two outlines turn faster against each other, the last impulses are forgotten, rad/s.
     pub(crate) fastest_turn: f32,
-    /// k λ of a load where it begins, at most, m/s.
-    pub(crate) new_load: f32,
+    /// k λ of a load that begins, at most, in each of them, m/s.
+    pub(crate) new_load_speed: f32,
     pub(crate) time: WarmStartTime,
     /// Whether what no contact of a block needs is left out.
     pub(crate) is_fitted: bool,
@@ -95,7 +96,7 @@ impl WarmStart {
                         block.forget_where::<L, POINTS>(place, &mut constraint, is_fast);
                     }
                 }
-                constraint.begin_normal_impulses::<POINTS>(part, L::splat(self.new_load));
+                constraint.begin_normal_impulses::<POINTS>(part, L::splat(self.new_load_speed));
                 block.store_warm_starts::<L, POINTS>(place, &constraint);
             }
             WarmStartTime::AfterMove => constraint.count_warm_start::<POINTS>(),
@@ -271,7 +272,7 @@ pub(crate) fn work_of_a_substep() -> Count {
         for time in [WarmStartTime::BeforeMove, WarmStartTime::AfterMove] {
             do_once(
                 &mut blocks,
-                &WarmStart { part, fastest_turn: f32::MAX, new_load: f32::MAX, time, is_fitted },
+                &WarmStart { part, fastest_turn: f32::MAX, new_load_speed: f32::MAX, time, is_fitted },
             );
         }
         let push = SweepOver {
@@ -296,7 +297,7 @@ mod tests {
         blocks.resize(1);
         let time = WarmStartTime::BeforeMove;
         let start =
-            WarmStart { part: 0.5, fastest_turn: f32::MAX, new_load: f32::MAX, time, is_fitted: true };
+            WarmStart { part: 0.5, fastest_turn: f32::MAX, new_load_speed: f32::MAX, time, is_fitted: true };
         let found = count(|| do_once(&mut blocks, &start));
         // Per point: the impulse along the normal times the part; whether it is load (two products, a difference and a comparison);
         // both impulses times their directions (2 + 2), summed (2); r × that for two bodies (3 + 3).

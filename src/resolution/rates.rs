@@ -58,9 +58,7 @@ impl Rescaling {
             }
             contact.rolling_moment *= ratio;
             for point in contact.manifold.points_mut() {
-                point.normal_impulse *= ratio;
-                point.tangent_impulse *= ratio;
-                point.lasting_impulse *= ratio;
+                point.scale_impulses(ratio);
             }
         }
     }
@@ -101,8 +99,7 @@ fn gain(contacts: &Contacts, bodies: &Bodies, slot: u32) -> f32 {
         let Contact { manifold, slots, .. } = &contacts[index];
         let is_b = slots[1] == slot;
         for point in manifold.points() {
-            let on_b =
-                manifold.normal * point.normal_impulse + manifold.normal.perp() * point.tangent_impulse;
+            let on_b = manifold.impulse_on_b(point);
             let (own, anchor) = if is_b { (on_b, point.anchor_b) } else { (-on_b, point.anchor_a) };
             impulse += own;
             moment += anchor.cross(own);

@@ -6,11 +6,6 @@ use crate::resolution::integrate::SpeedLimits;
 use crate::resolution::kernel::SweepOver;
 use crate::resolution::solve_contact::Sweep;
 
-/// Where a contact begins to bear, what it has borne in the last substep is taken for load up to what gives its bodies this acceleration
-/// against each other, m/s²: twelve times that of the earth. With five times as much blows throw bodies up at a tenth of their speed, with half as
-/// much stones of a centimetre do not come to rest.
-pub(crate) const NEW_LOAD: f32 = 120.0;
-
 /// How a step is solved. One text covers the default and the classic scheme: the classic one has a single
 /// kick, one substep, many sweeps with friction, none to relax, and projects positions afterwards.
 #[derive(Clone, Copy, Debug)]

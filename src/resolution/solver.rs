@@ -10,6 +10,7 @@ use crate::joint::Joints;
 use crate::math::Vec2;
 use crate::resolution::blows::Blows;
 use crate::resolution::constraint::StepResidual;
+use crate::resolution::constraint::warm_start::NEW_LOAD_ACCELERATION;
 use crate::resolution::constraint_graph::ConstraintGraph;
 use crate::resolution::contact_block::Beginning;
 use crate::resolution::damping::{Damped, is_damped};
@@ -22,7 +23,7 @@ use crate::resolution::kernel::{MOST_TURNED, Roll, SweepOver, WarmStart, WarmSta
 use crate::resolution::load::{LoadMeasure, Loads};
 use crate::resolution::moving::MovingContacts;
 use crate::resolution::projection::Project;
-use crate::resolution::scheme::{NEW_LOAD, Scheme};
+use crate::resolution::scheme::Scheme;
 use crate::resolution::tangles::Tangles;
 
 /// What accelerates bodies, beside contacts.
@@ -401,7 +402,7 @@ fn warm_start(time: WarmStartTime, scheme: &Scheme, tables: &mut SolveTables<'_>
     let start = WarmStart {
         part: scheme.warm_part(),
         fastest_turn: MOST_TURNED / scheme.substep_time(),
-        new_load: scheme.warm_part() * NEW_LOAD * scheme.substep_time(),
+        new_load_speed: scheme.warm_part() * NEW_LOAD_ACCELERATION * scheme.substep_time(),
         time,
         is_fitted: scheme.fitted_kernels,
     };

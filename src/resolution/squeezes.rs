@@ -31,12 +31,10 @@ pub(super) fn is_squeezed(
     for &slot in island {
         for contact in contacts.of_body(bodies, slot).map(|index| &contacts[index]) {
             if !bodies.is_dynamic(contact.other(slot)) {
-                let manifold = &contact.manifold;
-                let thrust = manifold.points().iter().map(|point| point.normal_impulse).sum();
-                let friction: f32 = manifold.points().iter().map(|point| point.tangent_impulse).sum();
-                let on_b = manifold.normal * thrust + manifold.normal.perp() * friction;
+                let points = || contact.manifold.points().iter();
+                let on_b = points().map(|point| contact.manifold.impulse_on_b(point)).sum::<Vec2>();
                 sum += if contact.slots[1] == slot { on_b } else { -on_b };
-                greatest = greatest.max(thrust);
+                greatest = greatest.max(points().map(|point| point.normal_impulse).sum());
             }
         }
     }

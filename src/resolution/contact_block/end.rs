@@ -102,10 +102,9 @@ impl ContactBlock {
             stored.anchor_b = point.anchor_b.load::<f32>(place).to_vec2();
             stored.separation = point.separation.get(place);
             let friction = &self.columns.frictions[index];
-            stored.normal_impulse = point.normal_impulse.get(place);
-            stored.tangent_impulse = friction.impulse.get(place);
             let warm_start = friction.warm_start.get(place);
-            stored.set_warm_start(warm_start);
+            stored.set_normal_impulse(point.normal_impulse.get(place), warm_start);
+            stored.tangent_impulse = friction.impulse.get(place);
             stored.lasting_impulse = if yields_in_full {
                 0.0
             } else {

@@ -33,9 +33,9 @@ const LIMIT_STEPS: usize = 10;
 /// 40 : 1 slides off; with three times as much, a box that a press holds by its corner is shot away at 9 m/s.
 const LEVERAGE: f64 = 30.0;
 
-/// Contacts that yield to a change of load faster than this, m/s, are struck, and solved rigidly in the end. What yields to a blow closes on, and is
-/// thrown back as fast: a kilogram that falls onto 10 g, at a quarter of its speed. With three times as much what falls onto a fifth of its mass comes
-/// back at 6 cm/s, with a third a stack of fifty boxes swings by 1 cm for ever.
+/// A contact that gives way faster than this to a change of its load, m/s, is struck, and the island solved once more without. What gives way to a blow
+/// closes on, and to its end opens as fast: a kilogram that falls onto 10 g at a quarter of its speed. With three times as much what falls onto a
+/// fifth of its mass comes back at 6 cm/s, with a third a stack of fifty boxes swings by 1 cm for ever.
 const MOST_YIELDING: f64 = 0.03;
 
 /// A share of a step that is rounding, no unit.
@@ -306,9 +306,9 @@ impl Newton {
     }
 
     /// Goes down φ with the compliance of each stage: where a load begins, with rows that yield much first, which tells quickly which of them press,
-    /// and about how hard. Where it begins, or a blow comes, nothing yields in the last stage, but what is pushed apart may be in a wedge: a push that
-    /// must not yield goes along the wedge at any speed. Returns whether it came to an end; if not, impulses and velocities are those of the
-    /// last stage that did.
+    /// and about how hard. Where it begins, or a blow comes, the last stage has [`LEAST_COMPLIANCE`], unless anything is pushed apart: that may be in a
+    /// wedge, and a push that must not yield goes along the wedge at any speed. Returns whether it came to an end; if not, impulses and velocities are
+    /// those of the last stage that did.
     fn descend_in_stages(&mut self, part: &mut Part) -> bool {
         let begins = self.rows[part.rows.clone()].iter().all(|row| row.impulse == 0.0);
         let eases = begins && part.compliance < part.full_compliance;
@@ -318,7 +318,7 @@ impl Newton {
             return false;
         }
         let rows = &self.rows[part.rows.clone()];
-        let is_struck = || rows.iter().any(|row| row.is_normal() && row.yielding() > MOST_YIELDING);
+        let is_struck = || rows.iter().any(|row| row.is_normal() && row.gives_way_by() > MOST_YIELDING);
         let ends_rigid = (begins || is_struck()) && !rows.iter().any(Row::pushes_apart);
         !ends_rigid || self.descend_with(LEAST_COMPLIANCE, part)
     }

@@ -17,7 +17,7 @@ pub(super) const COMPLIANCE: f64 = 4e-3;
 /// 10 kg twice as deep; with 2e-3 crates in a ring of welds bear more than blows give.
 pub(super) const COMPLIANCE_OF_JOINED: f64 = 1e-2;
 
-/// The compliance is never less than this, which is that of joints, and of the last stage where nothing presses yet: what yields to a
+/// The compliance is never less than this, which is that of joints, and of the last stage where nothing presses yet, or a blow comes: what yields to a
 /// change would yield to the whole load there, and a stack of 200 swing by half a metre per second. `f64` has digits for little less.
 pub(super) const LEAST_COMPLIANCE: f64 = 1e-6;
 
@@ -177,9 +177,10 @@ impl Row {
         }
     }
 
-    /// How fast it yields to the change of its impulse, m/s.
-    pub(super) fn yielding(&self) -> f64 {
-        (self.impulse - self.previous).abs() / self.stiffness
+    /// How fast it gives way to the change of its impulse in this stage, m/s: closing where that has grown, opening where it has fallen; 0 where it
+    /// is at a bound.
+    pub(super) fn gives_way_by(&self) -> f64 {
+        if self.yields() { (self.impulse - self.previous).abs() / self.stiffness } else { 0.0 }
     }
 
     /// Whether bodies that overlap are to move apart by it.

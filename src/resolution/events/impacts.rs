@@ -21,7 +21,8 @@
 //! something is pressed, not struck, and what still moves there is for the sweeps. A dense pile whose contacts
 //! all bounced would never bear its weight. What an impact drives into a contact under load, the sweeps pass on: they
 //! solve all contacts of a heap together, where impacts in pairs would run to and fro within the substep without end. A
-//! cradle passes its blow on in pairs, as its balls touch without load; and so does what stands alone on the ground.
+//! cradle passes its blow on in pairs, as its balls touch without load. What stands on the ground and touches nothing else bounces off it, whatever
+//! load it is.
 //!
 //! Cost: one look at every contact with restitution per substep, in lanes, and a heap of the few that may meet; after an
 //! impact, a look at the contacts of its two bodies. Many bodies on one would make that the square of their number, so
@@ -192,15 +193,15 @@ impl Impacts {
         self.look_again(moved, home, scene);
     }
 
-    /// Expects the impacts of the other contacts of two bodies anew, but for those under load. Of a body that nothing but the ground bears, and that
-    /// bears nothing, these are expected too: it bounces off the ground, and no heap has to share the blow.
+    /// Expects the impacts of the other contacts of two bodies anew, but for those under load. A body that is alone on the ground bounces off that
+    /// nevertheless, as no heap has to share the blow. Whether it is alone only those of its contacts tell that have restitution.
     fn look_again(&mut self, rows: [u32; 2], own: GraphIndex, scene: &mut EventScene<'_>) {
         let neighbours = self.take_neighbours(scene);
         for row in rows {
-            let is_pressed = |contact| {
+            let is_in_heap = |contact| {
                 scene.graph.is_loaded(contact) && !scene.graph.moved_rows(contact).contains(&GROUND_ROW)
             };
-            let is_alone = !neighbours.of(row).any(is_pressed);
+            let is_alone = !neighbours.of(row).any(is_in_heap);
             for contact in neighbours.of(row) {
                 self.looks_left = self.looks_left.saturating_sub(1);
                 if contact != own && (is_alone || !scene.graph.is_loaded(contact)) {

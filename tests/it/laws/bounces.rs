@@ -3,7 +3,7 @@
 use rustycs::prelude::*;
 
 use crate::support::{
-    G, add, add_floor, assert_near, assert_relative, earth, place, run, space, unit_box, velocity,
+    G, add, add_floor, assert_near, assert_relative, earth, earth_with, place, run, space, unit_box, velocity,
 };
 
 /// Drops a body with its lowest point `drop` above a floor; both have restitution `e`.
@@ -165,12 +165,13 @@ fn rebound_of_a_row_of_collisions(ratio: f64, e: f64) -> f64 {
     falls
 }
 
-/// At 14 m/s gravity and the threshold of restitution, 1 m/s, leave the first digits as they are: up to 2 % of the speed are let pass.
+/// From 10 m a body comes at 14 m/s. What gravity gives it in the tick in which its speed is looked at, before and after, is 0.16 m/s each; an
+/// approach of less than 2 g h, 0.08 m/s, does not bounce: together 2.9 % of its speed, at most.
 #[test]
 fn a_body_bounces_on_one_that_lies_on_the_ground() {
     for e in [0.5, 0.8, 1.0_f32] {
-        for ratio in [0.1, 0.3, 0.5, 0.7, 1.0_f32] {
-            let mut world = earth();
+        for ratio in [0.1, 0.3, 0.5, 0.7, 1.0, 3.0_f32] {
+            let mut world = earth_with(Settings { restitution_threshold: 0.0, ..Settings::default() });
             add(&mut world, Body::fixed(Shape::aabb(20.0, 2.0)).at([0.0, -1.0]).restitution(e));
             add(&mut world, unit_box(0.0, 0.5).mass(1.0).restitution(e));
             let id = add(&mut world, unit_box(0.0, 11.5).mass(ratio).restitution(e));
@@ -181,7 +182,7 @@ fn a_body_bounces_on_one_that_lies_on_the_ground() {
                 (fastest, back) = (fastest.max(-speed), back.max(speed));
             }
             let due = rebound_of_a_row_of_collisions(f64::from(ratio), f64::from(e));
-            assert_near(back / fastest, due, 0.02, &format!("{ratio} : 1, e = {e}"));
+            assert_near(back / fastest, due, 0.029, &format!("{ratio} : 1, e = {e}"));
         }
     }
 }
