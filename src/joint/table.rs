@@ -300,6 +300,12 @@ impl Joints {
         self.of_body(slot).any(|index| self.all[index].slots().into_iter().any(moves))
     }
 
+    /// A body that sleeps, and is joined to the one in `slot`.
+    pub(crate) fn sleeping_beside(&self, slot: u32, bodies: &Bodies) -> Option<u32> {
+        let sleeps = |&other: &u32| other != NONE && bodies.is_dynamic(other) && !bodies.is_awake(other);
+        self.of_body(slot).map(|index| self.all[index].other(slot)).find(sleeps)
+    }
+
     /// The id of the joint with an index.
     pub(crate) fn id_at(&self, index: u32) -> JointId {
         JointId(self.all.key_at(index))

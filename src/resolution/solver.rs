@@ -66,8 +66,8 @@ pub(crate) struct Solver {
     pub(crate) joints: JointSolver,
 }
 
-clone_into_buffers!(Solver { blows } scratch {
-    kicks, damped, impacts, continuous, courses, strikes, moving, seams, direct, rolls, tangles, joints
+clone_into_buffers!(Solver { blows, joints } scratch {
+    kicks, damped, impacts, continuous, courses, strikes, moving, seams, direct, rolls, tangles
 });
 
 /// The tables that a step changes.

@@ -259,8 +259,8 @@ impl<'a> BodyMut<'a> {
         self.shape().can_rotate() && !self.fixed_rotation()
     }
 
-    /// Wakes a dynamic body. A kinematic one never sleeps, and wakes what it touches as it moves: that it is told each tick to stand still keeps
-    /// nothing awake.
+    /// Wakes a dynamic body. A kinematic one never sleeps, and wakes what it touches or leads as it moves: that it is told each tick to stand still
+    /// keeps nothing awake.
     fn wake_to_be_moved(&mut self) {
         if self.body_type() == BodyType::Dynamic {
             self.wake();
@@ -271,6 +271,7 @@ impl<'a> BodyMut<'a> {
         let slot = self.slot();
         self.record_mut().stops_after_tick = false;
         self.world.cut_velocity(slot);
+        self.world.wake_what_is_led_by(slot);
     }
 
     /// Moves a kinematic body to `pose` within the next tick. It pushes what it meets on the way, and takes along what stands on it. Called

@@ -53,6 +53,15 @@ impl World {
         self.settings.speed_limits().cut(&mut self.bodies.states[row as usize]);
     }
 
+    /// Wakes what joints lead by the body in a slot, if that is kinematic and moves. What it touches is woken as its contacts are found.
+    pub(in crate::world) fn wake_what_is_led_by(&mut self, slot: u32) {
+        if !self.bodies.is_dynamic(slot) && self.bodies.state(slot).is_moving() {
+            while let Some(led) = self.joints.sleeping_beside(slot, &self.bodies) {
+                self.wake_slot(led);
+            }
+        }
+    }
+
     /// Removes a body and returns its description as of now, or `None` if it was removed before. Other ids
     /// stay valid; what it touched wakes.
     pub fn remove(&mut self, id: BodyId) -> Option<Body> {

@@ -35,7 +35,7 @@ use crate::resolution::joint::row::Row;
 use crate::resolution::scheme::Scheme;
 
 /// The joints of a step, and the bodies they move.
-#[derive(Clone, Debug, Default)]
+#[derive(Debug, Default)]
 pub(crate) struct JointSolver {
     /// The ground, and the bodies of joints that have a row.
     bodies: Vec<JointBody>,
@@ -57,6 +57,11 @@ pub(crate) struct JointSolver {
     /// Joints that bore more than they can, by their index.
     broken: Vec<u32>,
 }
+
+// As long as the joints are the same, a step begins with what the last one has found of their islands.
+clone_into_buffers!(JointSolver { planned, islands } scratch {
+    bodies, place_of_slot, bases, rows, places, h, starts, velocities, contacts, broken
+});
 
 /// How a row answers to what pushes its bodies.
 #[derive(Clone, Copy, Debug)]

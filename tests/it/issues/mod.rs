@@ -10,6 +10,8 @@ mod growing_bounces;
 mod hit_of_a_second_impact;
 mod impulse_far_away;
 mod joined_in_a_direct_island;
+mod joints_of_a_restored_world;
+mod left_by_its_crane;
 mod memory_of_an_emptied_world;
 mod met_in_one_corner;
 mod no_error_of_sleepers;
