@@ -4,12 +4,13 @@
 //! body heads a doubly linked list of its contacts, threaded through the contacts themselves, so that a body
 //! can be removed, put to sleep or woken without looking at any other.
 
-use core::mem::offset_of;
-use core::ops::Range;
+mod prefetch;
+
+pub(crate) use prefetch::AHEAD;
 
 use crate::body::{Bodies, Mixed, NONE};
 use crate::collision::{Manifold, ManifoldPoint, Offset, OneWay, is_flat};
-use crate::compute::{DistinctIndices, FIRST_LINE, LINE, prefetch, prefetch_lines};
+use crate::compute::{DistinctIndices, LINE};
 use crate::math::Rot;
 use crate::store::{ChosenSlots, Key, Slots};
 
@@ -23,13 +24,6 @@ pub(crate) struct Frozen {
     pub(crate) rotation_b: Rot,
 }
 
-/// How many contacts ahead memory is asked for: so many take about as long as memory does.
-pub(crate) const AHEAD: usize = 6;
-
-/// The same where little is done to each, as in their way to and from the solver. One at a time while others are worked on:
-/// asked for all at once they would wait for each other, and the work for them.
-const AHEAD_SOLVED: usize = 16;
-
 /// A point has lifted off from this gap on, as a share of the width of the thinner body: more than a stack trembles.
 const LIFTED_SHARE: f32 = 0.005;
 
@@ -41,7 +35,8 @@ struct Link {
 }
 
 /// What is known of two bodies that are close: three cache lines, of which the first is all that is read of bodies out
-/// of reach of each other, as half of the contacts of a pile are.
+/// of reach of each other, as half of the contacts of a pile are. That tells too whether a place of the store has a contact: a type with more
+/// values to spare than a `bool` in another line, such as an `Option`, would have it there, and each look ahead would wait for that line.
 #[repr(C, align(64))]
 #[derive(Clone, Debug)]
 pub(crate) struct Contact {
@@ -64,6 +59,8 @@ pub(crate) struct Contact {
     pub(crate) followed_steps: u8,
     /// Of a contact with a one-way floor, what it does.
     pub(crate) one_way: Option<OneWay>,
+    /// Whether `frozen` says where the bodies were.
+    is_frozen: bool,
     /// How fast the bodies approached each other along the normal before the last step, or when they
     /// bounced in it, m/s.
     pub(crate) approach_speed: f32,
@@ -77,24 +74,15 @@ pub(crate) struct Contact {
     pub(crate) rolling_moment: f32,
     /// Points within the speculative margin; empty where the shapes are farther apart.
     pub(crate) manifold: Manifold,
-    /// Where the bodies were when the manifold was found; `None` where it is not kept, or a body was moved by hand since.
-    pub(crate) frozen: Option<Frozen>,
+    frozen: Frozen,
     links: [Link; 2],
     /// Slots of the bodies a and b.
     pub(crate) slots: [u32; 2],
 }
 
 const _: () = assert!(size_of::<Option<Contact>>() == 3 * LINE);
-const _: () = assert!(offset_of!(Contact, manifold) + size_of::<Manifold>() <= Contact::SOLVED.end * LINE);
 
 impl Contact {
-    /// The cache line of the points.
-    const POINTS: Range<usize> = 1..2;
-    /// Those that the solver reads and writes.
-    const SOLVED: Range<usize> = 0..2;
-    /// That of what a manifold is kept by. What only begins and ends of contacts read is there too.
-    const FROZEN: Range<usize> = 2..3;
-
     /// Whether the bodies touched in the last step, as its end found it.
     #[inline(always)]
     pub(crate) fn has_touched(&self) -> bool {
@@ -125,6 +113,17 @@ impl Contact {
         // Not `f32::max`, whose zeros have either sign.
         let deeper = |deepest: f32, overlap: f32| if overlap > deepest { overlap } else { deepest };
         self.manifold.points().iter().map(|point| -point.separation).fold(0.0, deeper)
+    }
+
+    /// Where the bodies were when the manifold was found; `None` where it is not kept, or a body was moved by hand since.
+    #[inline(always)]
+    pub(crate) fn frozen(&self) -> Option<Frozen> {
+        self.is_frozen.then_some(self.frozen)
+    }
+
+    /// Takes note of where the bodies are as the manifold is found, if it may be kept.
+    pub(crate) fn freeze(&mut self, frozen: Option<Frozen>) {
+        (self.is_frozen, self.frozen) = (frozen.is_some(), frozen.unwrap_or_default());
     }
 
     /// Whether the last step pressed the bodies together.
@@ -167,37 +166,6 @@ fn sizes(bodies: &Bodies, colliders: [u32; 2]) -> (f32, bool) {
 /// Some contacts, each of them once.
 pub(crate) type ChosenContacts<'a> = ChosenSlots<'a, Contact>;
 
-impl ChosenContacts<'_> {
-    /// Asks for what the contacts further on than `place` are read for.
-    #[inline(always)]
-    pub(crate) fn prefetch_ahead(&self, bodies: &Bodies, place: usize) {
-        if let Some(contact) = self.get(place + AHEAD) {
-            for slot in contact.colliders {
-                prefetch(&bodies.motions, slot as usize);
-            }
-            if !contact.manifold.points().is_empty() {
-                self.prefetch(place + AHEAD, Contact::POINTS);
-                if !contact.has_circle {
-                    self.prefetch(place + AHEAD, Contact::FROZEN);
-                }
-                // What was kept, and likely will be, needs no shapes; of circles and boxes the first line is all that is read.
-                if contact.has_circle || !contact.holds_still {
-                    for slot in contact.colliders {
-                        prefetch_lines(&bodies.shapes, slot as usize, FIRST_LINE);
-                    }
-                }
-            }
-        }
-        self.prefetch(place + 3 * AHEAD, FIRST_LINE);
-    }
-
-    /// Asks for what the solver writes of the contacts further on than `place`.
-    #[inline(always)]
-    pub(crate) fn prefetch_written(&self, place: usize) {
-        self.prefetch(place + AHEAD_SOLVED, Contact::SOLVED);
-    }
-}
-
 /// All contacts of a world.
 #[derive(Debug, Default)]
 pub(crate) struct Contacts {
@@ -235,7 +203,8 @@ impl Contacts {
             colliders,
             slots,
             manifold: Manifold::default(),
-            frozen: None,
+            is_frozen: false,
+            frozen: Frozen::default(),
             mixed,
             thickness,
             rolling_moment: 0.0,
@@ -258,31 +227,6 @@ impl Contacts {
             }
         }
         key.index()
-    }
-
-    /// Asks for what it takes to begin contacts further on in a list of `pairs` than `place`.
-    #[inline(always)]
-    pub(crate) fn prefetch_beginning(&self, bodies: &Bodies, pairs: &[(u32, u32)], place: usize) {
-        if let Some(&(a, b)) = pairs.get(place + AHEAD) {
-            self.all.prefetch_free(AHEAD);
-            for slot in bodies.bodies_of([a, b]) {
-                // None has the greatest index.
-                self.all.prefetch(bodies.records[slot].first_contact);
-            }
-        }
-        if let Some(&(a, b)) = pairs.get(place + 2 * AHEAD) {
-            bodies.records.prefetch(a);
-            bodies.records.prefetch(b);
-        }
-    }
-
-    /// Asks for what it takes to end this contact, which is close: its neighbours.
-    #[inline(always)]
-    pub(crate) fn prefetch_neighbours(&self, index: u32) {
-        for Link { previous, next } in self[index].links {
-            self.all.prefetch(previous);
-            self.all.prefetch(next);
-        }
     }
 
     /// Ends the contact: takes it out of both bodies' lists and out of the awake list.
@@ -373,33 +317,13 @@ impl Contacts {
         self.all.values_mut()
     }
 
-    /// Asks for the contact to be brought close: its place in memory has nothing to do with that of the one before
-    /// it.
-    #[inline(always)]
-    pub(crate) fn prefetch(&self, index: u32) {
-        self.all.prefetch(index);
-    }
-
-    /// Asks for what the solver reads of the contacts further on in a `list` than `place`, and of their bodies.
-    #[inline(always)]
-    pub(crate) fn prefetch_solved(&self, bodies: &Bodies, list: &[u32], place: usize) {
-        if let Some(&index) = list.get(place + AHEAD_SOLVED) {
-            for slot in self[index].colliders {
-                prefetch(&bodies.motions, slot as usize);
-            }
-        }
-        if let Some(&index) = list.get(place + 2 * AHEAD_SOLVED) {
-            self.all.prefetch_lines(index, Contact::SOLVED);
-        }
-    }
-
     /// Takes note that the body in `slot` was moved by hand: where the last step left its contacts is no longer where they
     /// are.
     pub(crate) fn forget_moving(&mut self, bodies: &Bodies, slot: u32) {
         let mut index = bodies.records[slot].first_contact;
         while index != NONE {
             let contact = &mut self[index];
-            contact.frozen = None;
+            contact.freeze(None);
             // Nor is it known where it came from.
             contact.one_way = contact.one_way.map(|_| OneWay::Apart);
             index = contact.links[contact.side(slot)].next;
@@ -427,8 +351,8 @@ impl Contacts {
         (contact.thickness, contact.has_circle) = (thickness, has_circle);
         let are_one_way = bodies.roles.are_one_way(contact.colliders);
         contact.one_way = are_one_way.then(|| contact.one_way.unwrap_or(OneWay::Apart));
-        (contact.frozen, contact.follows, contact.holds_still, contact.followed_steps) =
-            (None, false, false, 0);
+        contact.freeze(None);
+        (contact.follows, contact.holds_still, contact.followed_steps) = (false, false, 0);
         for point in contact.manifold.points_mut() {
             point.scale_impulses(share);
         }

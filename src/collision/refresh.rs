@@ -345,7 +345,7 @@ impl<'a> Pair<'a> {
         }
         // What rolls from corner to corner has a normal that turns, as a circle has.
         let rolls = contact.manifold.is_of_corners();
-        let keeps = contact.frozen.is_some_and(|frozen| {
+        let keeps = contact.frozen().is_some_and(|frozen| {
             if rolls || self.may_turn_to_another_corner(contact) {
                 false
             } else if contact.pivots() {
@@ -400,8 +400,8 @@ impl<'a> Pair<'a> {
             }
         }
         let [rotation_a, rotation_b] = [self.rotation_a, self.rotation_b];
-        contact.frozen =
-            (!contact.has_circle).then_some(Frozen { offset: self.offset, rotation_a, rotation_b });
+        let frozen = Frozen { offset: self.offset, rotation_a, rotation_b };
+        contact.freeze((!contact.has_circle).then_some(frozen));
         contact.manifold = manifold;
     }
 
