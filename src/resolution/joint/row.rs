@@ -281,11 +281,6 @@ impl Row {
         if gap > EXACT * self.scale { (gap / times.h).min(CLOSING_SPEED) } else { 0.0 }
     }
 
-    /// The impulse with which the row by itself is off by nothing.
-    pub(super) fn wanted_alone(&self) -> f64 {
-        if self.k > 0.0 { self.impulse - self.residual / (self.k + self.softness) } else { self.impulse }
-    }
-
     /// Limits act where they are reached, and let go of what leaves them.
     fn look_at_limits(
         &mut self,

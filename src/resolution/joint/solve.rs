@@ -20,6 +20,12 @@ const NEARLY: f64 = 1e-4;
 /// has found another place for the links, and is given up.
 const GAIN: f64 = 1.1;
 
+/// A vector at its bound points the right way to this angle, rad: of the work of friction it makes half its square, which `f32` cannot show.
+const POINTING: f64 = 1e-4;
+
+/// A vector is at its bound when it is off it by this part, no unit, which is rounding.
+const ROUNDING: f64 = 1e-9;
+
 /// What is sought.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Aim {
@@ -224,8 +230,9 @@ impl Problem<'_> {
             let [a, b] = row.bodies.map(|body| &self.bodies[body as usize]);
             let ahead = (aim == Aim::Way).then(|| row.ahead(a, b, self.times.h));
             row.look(a, b, ahead, self.times);
-            (row.wanted, row.acts) = (row.wanted_alone(), false);
+            row.acts = false;
         }
+        follow(&mut self.rows[vector.clone()], self.times);
         for row in vector {
             self.give_wanted(row);
         }
@@ -233,9 +240,8 @@ impl Problem<'_> {
 
     /// Gives a row the impulse that is wanted of it, as far as its bounds let it.
     fn give_wanted(&mut self, index: usize) {
-        let wanted = wanted(self.rows, index, self.times);
         let row = &mut self.rows[index];
-        let cut = row.cut(wanted, self.times);
+        let cut = row.cut(row.wanted, self.times);
         let gain = cut - row.impulse;
         row.impulse = cut;
         for (body, j) in row.bodies.into_iter().zip(row.j) {
@@ -251,7 +257,7 @@ impl Problem<'_> {
             // `f64::max` would pass over what is not a number.
             let excess =
                 excess.fold(0.0, |most: f64, one| if one > most || one.is_nan() { one } else { most });
-            if solve > 0 && excess <= 1.0 {
+            if solve > 0 && excess <= 1.0 && (solve == MOST_SOLVES || self.vectors_point(cluster)) {
                 return true;
             }
             if solve == MOST_SOLVES || !excess.is_finite() {
@@ -260,6 +266,20 @@ impl Problem<'_> {
             self.step(cluster);
         }
         false
+    }
+
+    /// Whether vectors at their bounds point against what they are off by.
+    fn vectors_point(&mut self, cluster: &Cluster) -> bool {
+        cluster.rows.iter().all(|&first| {
+            let vector = &mut self.rows[first as usize..];
+            if !vector[0].heads_pair || vector[0].acts {
+                return true;
+            }
+            let vector = &mut vector[..2];
+            follow(vector, self.times);
+            let [x, y] = [0, 1].map(|row| vector[row].wanted - vector[row].impulse);
+            length(x, y) <= POINTING * vector[0].most(self.times)
+        })
     }
 
     /// Finds by how much the rows of a cluster are off.
@@ -296,7 +316,7 @@ impl Problem<'_> {
         let acts = may_act
             && x.k > 0.0
             && y.k > 0.0
-            && is_inside(length(x.own(), y.own()), x.most(self.times), inward);
+            && is_inside(length(x.own(), y.own()), (1.0 - ROUNDING) * x.most(self.times), inward);
         (self.rows[first].acts, self.rows[first + 1].acts) = (acts, acts);
     }
 
@@ -328,16 +348,25 @@ impl Problem<'_> {
         }
     }
 
-    /// One solve of the rows that act, cut to what they may bear.
+    /// One solve of the rows that act, cut to what they may bear. Vectors at their bounds come first, and the others do with what these bear.
     fn step(&mut self, cluster: &mut Cluster) {
+        self.give_vectors(cluster, false);
+        while cluster.rows.iter().any(|&row| self.rows[row as usize].acts) {
+            self.find_wanted(cluster);
+            if !self.give_vectors(cluster, true) {
+                for &row in &cluster.rows {
+                    self.give_wanted(row as usize);
+                }
+                return;
+            }
+        }
+    }
+
+    /// Finds the impulses with which the rows that act are off by nothing.
+    fn find_wanted(&mut self, cluster: &mut Cluster) {
         let Self { rows, bodies, .. } = self;
         let Cluster { rows: order, factor, acted, .. } = cluster;
-        let acts = |row: &u32| rows[*row as usize].acts;
-        // A vector at its bound follows by itself.
-        if !order.iter().any(|row| acts(row) || rows[*row as usize].heads_pair) {
-            return;
-        }
-        let is_new = order.iter().zip(&*acted).any(|(row, was)| acts(row) != *was);
+        let is_new = order.iter().zip(&*acted).any(|(row, was)| rows[*row as usize].acts != *was);
         if is_new {
             for (row, acted) in order.iter().zip(acted.iter_mut()) {
                 *acted = rows[*row as usize].acts;
@@ -355,27 +384,74 @@ impl Problem<'_> {
         for (&row, &gain) in order.iter().zip(&factor.x) {
             rows[row as usize].wanted = rows[row as usize].impulse + gain;
         }
+    }
+
+    /// Gives vectors at their bounds what they follow to by themselves, or, of those that `act`, their bound to those of which more is wanted:
+    /// they act no more. Returns whether there was one.
+    ///
+    /// What this does to the other rows, these are off by. If they bore what was wanted with all of the vector, a hinge would throw off bodies
+    /// between which friction of a newton is to stop in a substep what takes a kilonewton.
+    fn give_vectors(&mut self, cluster: &Cluster, act: bool) -> bool {
+        let mut is_given = false;
+        for &first in &cluster.rows {
+            let vector = &mut self.rows[first as usize..];
+            if !vector[0].heads_pair || vector[0].acts != act {
+                continue;
+            }
+            let vector = &mut vector[..2];
+            let is_more = if act { shorten(vector, self.times) } else { follow(vector, self.times) };
+            for row in vector {
+                row.acts &= !is_more;
+            }
+            is_given |= is_more || !act;
+        }
+        if !is_given {
+            return false;
+        }
+        self.shift_residuals(cluster, -1.0);
+        for &first in &cluster.rows {
+            let first = first as usize;
+            if self.rows[first].heads_pair && !self.rows[first].acts {
+                self.give_wanted(first);
+                self.give_wanted(first + 1);
+            }
+        }
+        self.shift_residuals(cluster, 1.0);
+        true
+    }
+
+    /// Adds so many times how fast coordinates change to what the rows of a cluster are off by.
+    fn shift_residuals(&mut self, cluster: &Cluster, times: f64) {
         for &row in &cluster.rows {
-            self.give_wanted(row as usize);
+            let row = &mut self.rows[row as usize];
+            let [a, b] = row.bodies.map(|body| &self.bodies[body as usize]);
+            row.residual += times * row.speed(a, b);
         }
     }
 }
 
-/// The impulse that a row is to have: of a vector, of no more than its bound in length.
-fn wanted(rows: &mut [Row], row: usize, times: Times) -> f64 {
-    if rows[row].heads_pair {
-        let [x, y] = [row, row + 1].map(|row| {
-            let row = &rows[row];
-            // What is at its bound follows by itself.
-            (if row.acts { row.wanted } else { row.wanted_alone() }) - row.taken_back
-        });
-        let (length, most) = (length(x, y), rows[row].most(times));
-        let share = if length > most { most / length } else { 1.0 };
-        for (row, own) in [row, row + 1].into_iter().zip([x, y]) {
-            rows[row].wanted = rows[row].taken_back + share * own;
+/// Finds what a vector by itself is to bear, within its bound; returns whether it asked for more.
+///
+/// At its bound it comes to point against what it is off by, λ = P(λ - u/k), as the two rows have one k: each with its own, friction at the end
+/// of a rod would point along the rod, whichever way that end slides. With the greater one no row goes beyond what it asks for.
+fn follow(vector: &mut [Row], times: Times) -> bool {
+    let k = vector.iter().map(|row| row.k + row.softness).fold(0.0, f64::max);
+    for row in vector.iter_mut() {
+        row.wanted = if row.k > 0.0 { row.impulse - row.residual / k } else { row.impulse };
+    }
+    shorten(vector, times)
+}
+
+/// Shortens what is wanted of a vector to its bound; returns whether it was more.
+fn shorten(vector: &mut [Row], times: Times) -> bool {
+    let [x, y] = vector else { return false };
+    let (length, most) = (length(x.wanted - x.taken_back, y.wanted - y.taken_back), x.most(times));
+    if length > most {
+        for row in [x, y] {
+            row.wanted = row.taken_back + most / length * (row.wanted - row.taken_back);
         }
     }
-    rows[row].wanted
+    length > most
 }
 
 fn length(x: f64, y: f64) -> f64 {

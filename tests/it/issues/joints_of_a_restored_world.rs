@@ -17,7 +17,10 @@ fn a_world_restored_into_another_one_goes_on_as_its_original() {
         let thrown = Body::dynamic(Shape::circle(0.5)).at([1.5, 0.0]);
         let velocity = [between(-5.0, 5.0), between(-5.0, 5.0)];
         let b = add(&mut world, thrown.velocity(velocity).angular_velocity(between(-5.0, 5.0)));
-        let (force, torque) = (10_f32.powf(between(-3.0, 2.0)), 10_f32.powf(between(-4.0, 1.0)));
+        let (force, torque) = (
+            10.0_f64.powf(f64::from(between(-3.0, 2.0))) as f32,
+            10.0_f64.powf(f64::from(between(-4.0, 1.0))) as f32,
+        );
         world.add_joint(Joint::motor_to(a, b).max_force(force).max_torque(torque)).unwrap();
         for tick in 0..100 {
             let mut restored = World::new(Settings::default());

@@ -24,6 +24,7 @@ mod struck_in_a_direct_island;
 #[cfg(all(target_os = "linux", feature = "parallel"))]
 mod threads_of_many_worlds;
 mod thrown_back_without_restitution;
+mod thrown_by_a_friction_joint;
 mod thrown_by_an_unsolved_island;
 mod thrown_by_slow_motion;
 mod towers_that_fell_at_once;
