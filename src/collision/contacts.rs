@@ -35,8 +35,10 @@ struct Link {
 }
 
 /// What is known of two bodies that are close: three cache lines, of which the first is all that is read of bodies out
-/// of reach of each other, as half of the contacts of a pile are. That tells too whether a place of the store has a contact: a type with more
-/// values to spare than a `bool` in another line, such as an `Option`, would have it there, and each look ahead would wait for that line.
+/// of reach of each other, as half of the contacts of a pile are.
+///
+/// A place of the store without a contact is told by a number that one of the fields never has: the compiler takes a field with most numbers to spare, the
+/// first of these, a `bool` in the first line. An `Option` in another line, with more, would have each look ahead wait for that.
 #[repr(C, align(64))]
 #[derive(Clone, Debug)]
 pub(crate) struct Contact {
@@ -74,6 +76,7 @@ pub(crate) struct Contact {
     pub(crate) rolling_moment: f32,
     /// Points within the speculative margin; empty where the shapes are farther apart.
     pub(crate) manifold: Manifold,
+    /// See [`Self::frozen`].
     frozen: Frozen,
     links: [Link; 2],
     /// Slots of the bodies a and b.

@@ -87,7 +87,7 @@ pub(crate) struct Spring {
 /// Where the anchors are.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Anchors {
-    /// At the centres of the bodies; of a body and the world, at the centre of the body.
+    /// Not told: see [`Joint`].
     Centers,
     /// Both at one place of the world as it is when the joint is added.
     At(Point),
@@ -102,6 +102,9 @@ pub(crate) enum Anchors {
 /// Where `b` is `None`, the body `a` is joined to the world. Angle and translation are those of `b` (or the world) as seen from `a`. The
 /// angle is 0 as the bodies are when the joint is added, and the translation is 0 where the two anchors are at one place. The bodies do
 /// not touch each other unless [`collide_connected`](Self::collide_connected) says so; those of a pulley do.
+///
+/// Anchors that are not told are both where the centre of mass of `b` is when the joint is added, or that of `a`, if `b` is the world; of rods, ropes
+/// and pulleys each is at the centre of its own body.
 ///
 /// ```
 /// use rustycs::prelude::*;
@@ -363,7 +366,7 @@ impl Joint {
 
     /// A spring by its frequency, from 10⁻⁶ to 10⁶ Hz, and damping ratio, from 0, which swings for ever, by 1, which comes to rest soonest,
     /// to 10⁶. The frequency is that of the two masses on it, or their moments of inertia, about their centres; other joints slow it. All kinds
-    /// but friction joints, gears and pulleys take one.
+    /// but friction joints, gears and pulleys take one. Without damping a stiff spring may gain energy between bodies that turn fast.
     pub fn spring(self, hertz: f32, damping_ratio: f32) -> Self {
         Self { spring: Some(Spring { hertz, damping_ratio }), ..self }
     }

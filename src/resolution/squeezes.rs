@@ -1,8 +1,8 @@
 //! Islands that are squeezed: walls leave their bodies less room than they need, as a press does that closes on a heap.
 //!
 //! What lies on walls presses with what forces give to it. What is squeezed presses from wall to wall, by far more than that, and no solve makes
-//! room for it: with more effort bodies are pressed through walls, or shot out. So such islands are swept, and ask for no finer
-//! substeps: their contacts yield, and share the overlap. Kinematic bodies are walls too.
+//! room for it: with more effort bodies are pressed through walls, or shot out. So such islands are swept, those that are solved directly once
+//! they have been squeezed for some steps, and ask for no finer substeps: their contacts yield, and share the overlap. Kinematic bodies are walls too.
 
 use crate::body::Bodies;
 use crate::math::Vec2;
@@ -11,12 +11,12 @@ use crate::resolution::load::{IslandLoad, Loads};
 use crate::resolution::tier_rule::TierRule;
 use crate::store::BitSet;
 
-/// An island is squeezed if a contact with a wall bears so many times what forces give to all of its bodies, no unit, and any of its loaded contacts are
+/// An island is squeezed if a contact with a wall bears so many times what forces give to all of its bodies, no unit, and any of its contacts with a great load are
 /// deep. Levers and wedges press as hard, but their contacts are not deep. What all walls together give to the bodies counts as what forces give: it is no squeeze
 /// that a kilogram which falls on a stack of 10 g pieces presses the ground by hundreds of times all weight.
 const MOST_THRUST: f32 = 5.0;
 
-/// Whether an island that bears a load is squeezed. Joints press too, and what by is not known here: what is joined is not squeezed.
+/// Whether an island that bears a load is squeezed. Joints press too, by how much is not known here: what is joined is taken for not squeezed.
 pub(super) fn is_squeezed(
     island: &[u32],
     load: IslandLoad,

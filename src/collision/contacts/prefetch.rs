@@ -1,6 +1,8 @@
-//! Memory is asked for some contacts before it is needed: their places have nothing to do with the order in which they are worked on.
+//! Asks memory for contacts, and for their bodies, some contacts before they are worked on: where they are in memory has nothing to do with the order
+//! in which that is done.
 //!
-//! What tells what is needed of a contact is in its first cache line, and was asked for before. To look at another one would be to wait for it.
+//! Which bodies a contact has, and what else of it is needed, stands in its first cache line, which is asked for twice or three times as early. No other
+//! line may be read here: to read it is to wait for it.
 
 use core::mem::offset_of;
 use core::ops::Range;

@@ -212,7 +212,8 @@ impl Impacts {
         self.neighbours = neighbours;
     }
 
-    /// Marks the points of all contacts of a body anew, but for those under load, as its velocity has changed.
+    /// Marks the points of all contacts of a body anew, but for those under load, as its velocity has changed. A body that is
+    /// alone on the ground is no exception: it is swept, and meets the ground so.
     pub(super) fn mark_again(&mut self, row: u32, scene: &mut EventScene<'_>) {
         if self.len == 0 {
             return;
@@ -325,7 +326,7 @@ mod tests {
     use super::closing_time;
 
     /// A gap that closes with the speed u at its start and the acceleration a is s + u t + a t²/2; v is the speed of the
-    /// middle of the substep. Numbers of order 1, a dozen roundings.
+    /// middle of the substep. A dozen roundings of numbers as large as the gap.
     #[test]
     fn bodies_meet_when_the_gap_is_closed() {
         let h = 0.01;

@@ -348,15 +348,26 @@ impl Problem<'_> {
         }
     }
 
-    /// One solve of the rows that act, cut to what they may bear. Vectors at their bounds come first, and the others do with what these bear.
+    /// One solve of the rows that act, cut to what they may bear. Vectors at their bounds are given theirs first. Of those that act, what is asked for
+    /// beyond a bound is cut off, and the others are solved anew with what is left: if they bore what goes with the whole, a hinge would throw off bodies
+    /// between which friction of a newton is to stop what takes a kilonewton.
     fn step(&mut self, cluster: &mut Cluster) {
-        self.give_vectors(cluster, false);
+        self.give_vectors(cluster, |vector, times| {
+            let is_at_bound = !vector[0].acts;
+            if is_at_bound {
+                follow(vector, times);
+            }
+            is_at_bound
+        });
         while cluster.rows.iter().any(|&row| self.rows[row as usize].acts) {
             self.find_wanted(cluster);
-            if !self.give_vectors(cluster, true) {
-                for &row in &cluster.rows {
-                    self.give_wanted(row as usize);
-                }
+            let are_cut = self.give_vectors(cluster, |vector, times| {
+                let is_cut = vector[0].acts && shorten(vector, times);
+                vector.iter_mut().for_each(|row| row.acts &= !is_cut);
+                is_cut
+            });
+            if !are_cut {
+                cluster.rows.iter().for_each(|&row| self.give_wanted(row as usize));
                 return;
             }
         }
@@ -386,42 +397,30 @@ impl Problem<'_> {
         }
     }
 
-    /// Gives vectors at their bounds what they follow to by themselves, or, of those that `act`, their bound to those of which more is wanted:
-    /// they act no more. Returns whether there was one.
-    ///
-    /// What this does to the other rows, these are off by. If they bore what was wanted with all of the vector, a hinge would throw off bodies
-    /// between which friction of a newton is to stop in a substep what takes a kilonewton.
-    fn give_vectors(&mut self, cluster: &Cluster, act: bool) -> bool {
-        let mut is_given = false;
-        for &first in &cluster.rows {
-            let vector = &mut self.rows[first as usize..];
-            if !vector[0].heads_pair || vector[0].acts != act {
-                continue;
-            }
-            let vector = &mut vector[..2];
-            let is_more = if act { shorten(vector, self.times) } else { follow(vector, self.times) };
-            for row in vector {
-                row.acts &= !is_more;
-            }
-            is_given |= is_more || !act;
+    /// Chooses vectors, which do not act then, gives them what is wanted of them, and has all rows take note of how that changes their speeds. Returns
+    /// whether one was chosen.
+    fn give_vectors(&mut self, cluster: &Cluster, choose: impl Fn(&mut [Row], Times) -> bool) -> bool {
+        let heads = || cluster.rows.iter().map(|&first| first as usize);
+        let mut any = false;
+        for first in heads() {
+            any |= self.rows[first].heads_pair && choose(&mut self.rows[first..first + 2], self.times);
         }
-        if !is_given {
+        if !any {
             return false;
         }
-        self.shift_residuals(cluster, -1.0);
-        for &first in &cluster.rows {
-            let first = first as usize;
+        self.add_speeds(cluster, -1.0);
+        for first in heads() {
             if self.rows[first].heads_pair && !self.rows[first].acts {
                 self.give_wanted(first);
                 self.give_wanted(first + 1);
             }
         }
-        self.shift_residuals(cluster, 1.0);
+        self.add_speeds(cluster, 1.0);
         true
     }
 
-    /// Adds so many times how fast coordinates change to what the rows of a cluster are off by.
-    fn shift_residuals(&mut self, cluster: &Cluster, times: f64) {
+    /// Adds so many times how fast their coordinates change to what the rows of a cluster are off by.
+    fn add_speeds(&mut self, cluster: &Cluster, times: f64) {
         for &row in &cluster.rows {
             let row = &mut self.rows[row as usize];
             let [a, b] = row.bodies.map(|body| &self.bodies[body as usize]);
@@ -433,7 +432,7 @@ impl Problem<'_> {
 /// Finds what a vector by itself is to bear, within its bound; returns whether it asked for more.
 ///
 /// At its bound it comes to point against what it is off by, λ = P(λ - u/k), as the two rows have one k: each with its own, friction at the end
-/// of a rod would point along the rod, whichever way that end slides. With the greater one no row goes beyond what it asks for.
+/// of a rod would point along the rod, whichever way that end slides. It comes to an end, as no way of the two has more than twice the greater k.
 fn follow(vector: &mut [Row], times: Times) -> bool {
     let k = vector.iter().map(|row| row.k + row.softness).fold(0.0, f64::max);
     for row in vector.iter_mut() {
