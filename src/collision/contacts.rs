@@ -124,7 +124,7 @@ impl Contact {
         self.is_frozen.then_some(self.frozen)
     }
 
-    /// Takes note of where the bodies are as the manifold is found, if it may be kept.
+    /// Takes note of where the bodies are as the manifold is found, or that it is not to be kept.
     pub(crate) fn freeze(&mut self, frozen: Option<Frozen>) {
         (self.is_frozen, self.frozen) = (frozen.is_some(), frozen.unwrap_or_default());
     }
@@ -350,7 +350,9 @@ impl Contacts {
         let contact = &mut self[index];
         if contact.has_circle != has_circle {
             contact.manifold = Manifold::default();
+            contact.rolling_moment = 0.0;
         }
+        contact.rolling_moment *= share;
         (contact.thickness, contact.has_circle) = (thickness, has_circle);
         let are_one_way = bodies.roles.are_one_way(contact.colliders);
         contact.one_way = are_one_way.then(|| contact.one_way.unwrap_or(OneWay::Apart));

@@ -294,16 +294,20 @@ impl Joints {
         })
     }
 
+    /// The bodies that joints which act join to the one in `slot`.
+    fn joined_to(&self, slot: u32) -> impl Iterator<Item = u32> {
+        let acting = self.of_body(slot).filter(|&index| self.all[index].description.enabled);
+        acting.map(move |index| self.all[index].other(slot)).filter(|&other| other != NONE)
+    }
+
     /// Whether a joint leads the body in `slot` by a kinematic body that moves.
     pub(crate) fn is_led(&self, slot: u32, bodies: &Bodies) -> bool {
-        let moves = |slot: u32| slot != NONE && !bodies.is_dynamic(slot) && bodies.state(slot).is_moving();
-        self.of_body(slot).any(|index| self.all[index].slots().into_iter().any(moves))
+        self.joined_to(slot).any(|other| !bodies.is_dynamic(other) && bodies.state(other).is_moving())
     }
 
     /// A body that sleeps, and is joined to the one in `slot`.
     pub(crate) fn sleeping_beside(&self, slot: u32, bodies: &Bodies) -> Option<u32> {
-        let sleeps = |&other: &u32| other != NONE && bodies.is_dynamic(other) && !bodies.is_awake(other);
-        self.of_body(slot).map(|index| self.all[index].other(slot)).find(sleeps)
+        self.joined_to(slot).find(|&other| bodies.is_dynamic(other) && !bodies.is_awake(other))
     }
 
     /// The id of the joint with an index.

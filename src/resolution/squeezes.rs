@@ -12,7 +12,7 @@ use crate::resolution::tier_rule::TierRule;
 use crate::store::BitSet;
 
 /// An island is squeezed if a contact with a wall bears so many times what forces give to all of its bodies, no unit, and any of its contacts with a great load are
-/// deep. Levers and wedges press as hard, but their contacts are not deep. What all walls together give to the bodies counts as what forces give: it is no squeeze
+/// deep. Levers and wedges press as hard, but their contacts are not deep. Where all walls together give the bodies more than forces do, that counts: it is no squeeze
 /// that a kilogram which falls on a stack of 10 g pieces presses the ground by hundreds of times all weight.
 const MOST_THRUST: f32 = 5.0;
 

@@ -234,7 +234,6 @@ impl<'a> BodyMut<'a> {
             state.velocity = velocity.into();
         }
         self.velocity_was_set();
-        self.world.update_box(self.slot());
         self
     }
 
@@ -271,6 +270,7 @@ impl<'a> BodyMut<'a> {
         let slot = self.slot();
         self.record_mut().stops_after_tick = false;
         self.world.cut_velocity(slot);
+        self.world.update_box(slot);
         self.world.wake_what_is_led_by(slot);
     }
 
@@ -317,7 +317,6 @@ impl<'a> BodyMut<'a> {
             state.angular_velocity = turn / tick;
         }
         self.velocity_was_set();
-        self.world.update_box(self.slot());
         self.record_mut().stops_after_tick = true;
         self.world.arriving.push(self.id);
         self

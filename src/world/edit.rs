@@ -53,7 +53,7 @@ impl World {
         self.settings.speed_limits().cut(&mut self.bodies.states[row as usize]);
     }
 
-    /// Wakes what joints lead by the body in a slot, if that is kinematic and moves. What it touches is woken as its contacts are found.
+    /// If the body in a slot is kinematic and moves, wakes the bodies that are joined to it. Those that it touches are woken as contacts are found.
     pub(in crate::world) fn wake_what_is_led_by(&mut self, slot: u32) {
         if !self.bodies.is_dynamic(slot) && self.bodies.state(slot).is_moving() {
             while let Some(led) = self.joints.sleeping_beside(slot, &self.bodies) {

@@ -5,7 +5,7 @@ use crate::resolution::joint::geometry::{Base, JointBody};
 use crate::resolution::joint::plan::{Cluster, Island};
 use crate::resolution::joint::row::{Phase, Role, Row, Times, is_inside};
 
-/// Solves of a cluster that stands by itself, at most. Each takes the rest of the one before times the angle by which bodies turn
+/// Steps of Newton's method over a cluster that stands by itself, at most, each time that it is begun. Each takes the rest of the one before times the angle by which bodies turn
 /// in a substep; and where bounds are met, finds which. With half as many a disc that swings by its handle on a rope loses its energy; twice as many mend no
 /// more.
 const MOST_SOLVES: usize = 12;
@@ -20,10 +20,11 @@ const NEARLY: f64 = 1e-4;
 /// has found another place for the links, and is given up.
 const GAIN: f64 = 1.1;
 
-/// A vector at its bound points the right way to this angle, rad: of the work of friction it makes half its square, which `f32` cannot show.
+/// A vector at its bound points the right way if to follow once more moves it by less than this part of its bound, no unit: of the work of friction that
+/// makes half its square, which `f32` cannot show.
 const POINTING: f64 = 1e-4;
 
-/// A vector is at its bound when it is off it by this part, no unit, which is rounding.
+/// A vector that is within its bound by less than this part of it, no unit, is at it: that is rounding.
 const ROUNDING: f64 = 1e-9;
 
 /// What is sought.
@@ -118,7 +119,7 @@ struct Problem<'a> {
     times: Times,
     /// Whether contacts push them.
     touches: bool,
-    /// Whether how they turn was not found.
+    /// Whether neither the solve in which they turn came to an end, nor the other one is near enough.
     diverges: bool,
 }
 
@@ -230,7 +231,6 @@ impl Problem<'_> {
             let [a, b] = row.bodies.map(|body| &self.bodies[body as usize]);
             let ahead = (aim == Aim::Way).then(|| row.ahead(a, b, self.times.h));
             row.look(a, b, ahead, self.times);
-            row.acts = false;
         }
         follow(&mut self.rows[vector.clone()], self.times);
         for row in vector {
@@ -339,12 +339,14 @@ impl Problem<'_> {
         }
     }
 
-    /// Finds how much faster the coordinates of a cluster change than with the velocities and impulses that were kept.
+    /// Finds how much faster the coordinates of a cluster change than with the velocities and impulses that were kept. What does not act goes on to bear
+    /// what it bears: friction at its bound points against the slip, of which this is only the change.
     fn look_at_changes(&mut self, cluster: &Cluster) {
         for &row in &cluster.rows {
             let row = &mut self.rows[row as usize];
             let [a, b] = row.bodies.map(|body| self.bodies[body as usize].change());
-            row.residual = row.speed_of([a, b]) + row.softness * (row.impulse - row.kept);
+            let change = row.speed_of([a, b]) + row.softness * (row.impulse - row.kept);
+            row.residual = if row.acts { change } else { 0.0 };
         }
     }
 
@@ -363,7 +365,9 @@ impl Problem<'_> {
             self.find_wanted(cluster);
             let are_cut = self.give_vectors(cluster, |vector, times| {
                 let is_cut = vector[0].acts && shorten(vector, times);
-                vector.iter_mut().for_each(|row| row.acts &= !is_cut);
+                for row in vector {
+                    row.acts &= !is_cut;
+                }
                 is_cut
             });
             if !are_cut {

@@ -173,3 +173,18 @@ fn lanes_and_clones_come_to_the_same_bits() {
     }
     assert!(hashes.iter().all(|&hash| hash == hashes[0]), "{hashes:x?}");
 }
+
+/// A paddle 5 m from the centre of a kinematic body is told to turn by one radian in the first tick. The ball on its way is met, as it is by a paddle that
+/// has turned before.
+#[test]
+fn an_arm_that_is_told_to_turn_meets_what_is_on_its_way_in_the_same_tick() {
+    let mut world = World::new(Settings::default());
+    let paddle = Collider::new(Shape::circle(0.5)).at([5.0, 0.0]);
+    let arm = add(&mut world, Body::kinematic(Shape::circle(0.1)).with(paddle));
+    let (sin, cos) = 0.5_f64.sin_cos();
+    let ball = add(&mut world, Body::dynamic(Shape::circle(0.2)).at([5.0 * cos, 5.0 * sin]));
+    (0..30).for_each(|_| world.step());
+    world.body_mut(arm).unwrap().set_angular_velocity(60.0);
+    world.step();
+    assert!(world.body(ball).unwrap().velocity().length() > 1.0, "the paddle comes at 300 m/s");
+}
