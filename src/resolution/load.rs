@@ -1,11 +1,12 @@
-//! What each contact bears, noted at the end of each step. [`tiers`](super::tiers) and [`refinement`](super::refinement) read it before the next.
+//! What each contact bears, noted at the end of each step. [`tiers`](super::tiers), [`refinement`](super::refinement) and
+//! [`mass_scaling`](super::mass_scaling) read it before the next.
 //!
 //! A load is measured by the overlap that sweeps would leave under it, see [`sag`]. In a *sag share* that overlap is divided by the width of
 //! the thinner body, so that one limit holds for bodies of all sizes. The words for a load, here and there:
 //!
 //! - it is **great** if its sag share is above [`GREAT_SHARE`];
 //! - it is **still** if it is great and its bodies hardly move against each other, and **passing** if it is great and they do;
-//! - it **lasts** if it was still for [`LASTING_STEPS`] steps in a row;
+//! - it **lasts** if it was still for [`LASTING_STEPS`] steps in a row, and is **steady** if it was great for so many, still or passing;
 //! - it is a **blow** if it is great, does not last, and its bodies are not deep in each other;
 //! - it is **heavy** if it was great for [`HEAVY_STEPS`] steps in a row, still or passing, and would leave the bodies deep in each other;
 //! - it is **notable** if it is any of the last three.
@@ -74,6 +75,10 @@ impl ContactLoad {
 
     pub(super) fn lasts(self) -> bool {
         self.still_steps >= LASTING_STEPS
+    }
+
+    pub(super) fn is_steady(self) -> bool {
+        self.great_steps >= LASTING_STEPS
     }
 
     /// Of a great load: whether the bodies move against each other.

@@ -18,6 +18,7 @@ mod islands;
 mod joint;
 mod kernel;
 mod load;
+mod mass_scaling;
 mod moving;
 mod moving_geometry;
 mod projection;

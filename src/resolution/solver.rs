@@ -21,6 +21,7 @@ use crate::resolution::islands::{Connections, Islands};
 use crate::resolution::joint::{JointSolver, Phase};
 use crate::resolution::kernel::{MOST_TURNED, Roll, SweepOver, WarmStart, WarmStartTime};
 use crate::resolution::load::{LoadMeasure, Loads};
+use crate::resolution::mass_scaling::MassScaling;
 use crate::resolution::moving::MovingContacts;
 use crate::resolution::projection::Project;
 use crate::resolution::scheme::Scheme;
@@ -50,6 +51,7 @@ const SETTLED: f64 = 4e-5;
 /// Buffers of the solver, kept from step to step.
 #[derive(Debug, Default)]
 pub(crate) struct Solver {
+    mass_scaling: MassScaling,
     kicks: Kicks,
     damped: Damped,
     pub(crate) impacts: Impacts,
@@ -67,7 +69,7 @@ pub(crate) struct Solver {
 }
 
 clone_into_buffers!(Solver { blows, joints } scratch {
-    kicks, damped, impacts, continuous, courses, strikes, moving, seams, direct, rolls, tangles
+    mass_scaling, kicks, damped, impacts, continuous, courses, strikes, moving, seams, direct, rolls, tangles
 });
 
 /// The tables that a step changes.
@@ -87,6 +89,7 @@ pub(crate) struct SolveTables<'a> {
 /// One step: moves the velocities and deltas of all rows, and the impulses of contacts.
 ///
 /// ```text
+/// scale masses     what is pressed harder than substeps can follow turns more slowly in this step
 /// repeat substeps:
 ///     kick h/2     v += h/2 a(x), and damping
 ///     impacts      what approaches fast enough bounces, each at its time
@@ -112,6 +115,9 @@ pub(crate) fn solve(
     tables: &mut SolveTables<'_>,
     acceleration: &impl Acceleration,
 ) -> StepResidual {
+    let SolveTables { loads, contacts, graph, bodies, .. } = &mut *tables;
+    solver.mass_scaling.begin(loads, contacts, graph, bodies, scheme.substep_time());
+    loads.clear();
     solver.prepare(scheme, islands, tables, acceleration);
     for substep in 0..scheme.substeps {
         solver.kick(scheme, tables);
@@ -131,7 +137,9 @@ pub(crate) fn solve(
     for _ in 0..scheme.projections.unwrap_or(0) {
         tables.graph.for_each_swept(tables.executor, &mut tables.bodies.states, &Project::CLASSIC);
     }
-    solver.finish(scheme, tables)
+    let residual = solver.finish(scheme, tables);
+    solver.mass_scaling.end(tables.bodies);
+    residual
 }
 
 impl Solver {

@@ -54,13 +54,15 @@ pub struct Settings {
     pub substeps: u32,
     /// Whether more is done where loads are great, as with heavy bodies on light ones or in tall stacks. Default true.
     ///
-    /// Two things are done, each where it is needed:
+    /// Three things are done, each where it is needed:
     /// - An island may be solved [directly](crate::Tier::Direct), if that is little work. Other islands do not pay for it.
-    /// - The whole world takes two, four or eight times as many substeps, while heavy bodies would press light ones flat in an island that
+    /// - The moment of inertia of a body is scaled for a step, in an island that is swept, if its loads would let it rock faster than substeps can follow: it
+    ///   turns more slowly than it would, and bears its load as before. That is a light body under some hundred times its weight.
+    /// - The whole world takes up to eight times as many substeps, while heavy bodies would press light ones flat in an island that
     ///   is swept. It does not where more than 32 joints are awake, and never takes more than 256.
     ///
-    /// Both may be done at once: an island that is solved directly needs no more substeps, but all islands take as many as the one that needs the
-    /// most. [`Counters`](crate::Counters) tell of both. Neither is done without [`split_kick`](Self::split_kick), or where
+    /// All may be done at once: an island that is solved directly needs no more substeps, but all islands take as many as the one that needs the
+    /// most. [`Counters`](crate::Counters) tell of the first and the last. Nothing is done without [`split_kick`](Self::split_kick), or where
     /// [`position_correction`](Self::position_correction) is a projection.
     pub adaptive: bool,
     /// Sequential-impulse sweeps over all contacts before the bodies move, per substep, 1 to 1000. Default 1.
@@ -238,7 +240,7 @@ impl Settings {
         Ok(())
     }
 
-    /// Whether islands may be solved directly, and substeps refined.
+    /// Whether islands may be solved directly, moments of inertia scaled, and substeps refined.
     pub(crate) fn adapts(&self) -> bool {
         self.adaptive && self.split_kick && self.position_correction == PositionCorrection::Bias
     }

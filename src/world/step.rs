@@ -257,7 +257,6 @@ impl World {
         self.tiers.decide(self.ticks, rule, loads, tables);
         let tables = RefinementTables { loads, contacts, graph, joints, bodies };
         self.refinement.decide(rule, tables);
-        loads.clear();
         let substeps = self.refinement.substeps(settings.substeps);
         let sizes = graph.sizes().chain([bodies.awake_count()]);
         let scheme = settings.scheme(substeps, self.fits_kernels, sizes);

@@ -31,12 +31,9 @@ pub(super) fn of(case: &str) -> &'static str {
         "10-piles" | "30-piles" => {
             "One trembles for minutes at 0.1 mm/s, where rest begins. Of 200 piles seven do."
         }
-        "gravel-edge" => {
-            "Sweeps leave a hundredth of a stone of overlap, or half of it; and one stone trembles at 0.4 mm/s until 14 s. Of 500 such \
-             heaps one does, at the edge as in the middle."
-        }
-        "gravel-middle" => {
-            "Sweeps leave a hundredth of a stone of overlap, or half of it, as chance will have it: so do most heaps of such stones."
+        "gravel-edge" | "gravel-middle" => {
+            "Sweeps leave a hundredth of a stone of overlap, or half of it, as chance will have it. And in one of eight such heaps stones that lean on each \
+             other at the limit of friction creep for seconds, and slip as they are watched."
         }
         _ => "",
     }

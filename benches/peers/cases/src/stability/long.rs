@@ -10,7 +10,7 @@ use crate::scene::{BodySpec, Scene, block, floor};
 use crate::stability::case::{COUNT, Case, Check, Group, SHARE};
 use crate::stability::figures::any;
 use crate::stability::on_earth;
-use crate::stability::rest::Scale;
+use crate::stability::rest::{SPEED_AT_REST, Scale};
 use crate::stability::run::{Lab, Run, worse};
 
 pub(super) fn cases() -> Vec<Case> {
@@ -67,7 +67,7 @@ fn pile(minutes: u32) -> Case {
         });
         vec![
             Check::at_most("creep", creep, 1e-3, "m"),
-            Check::at_most("speed in the last second", fastest, Scale::of_height(1.0).speed(), "m/s"),
+            Check::at_most(SPEED_AT_REST, fastest, Scale::of_height(1.0).speed(), "m/s"),
         ]
     });
     case.lasting(end).seen()

@@ -32,6 +32,7 @@ mod tipping;
 mod walls;
 
 pub use case::{COUNT, Case, Check, Group, Judge, Limit, Play, PlayOurs, SHARE, Seen};
+pub use rest::SPEED_AT_REST;
 pub use run::{Lab, Run, Snapshot};
 
 use crate::scene::{G, on_earth};

@@ -37,11 +37,14 @@ impl Scale {
     }
 }
 
+/// How the check is called that nothing moves.
+pub const SPEED_AT_REST: &str = "speed in the last second";
+
 /// Runs to the end, and checks that nothing moves in the last second.
 pub(super) fn calm(run: &mut Run, seconds: f64, scale: Scale) -> Check {
     run.until(seconds - 1.0);
     let fastest = run.largest(seconds, Run::fastest);
-    Check::at_most("speed in the last second", fastest, scale.speed(), "m/s")
+    Check::at_most(SPEED_AT_REST, fastest, scale.speed(), "m/s")
 }
 
 /// That no body is deeper in another than is allowed.
