@@ -206,9 +206,11 @@ impl JointBody {
     }
 }
 
-/// Of the angles that are `angle` but for whole turns, the one nearest to `near`, rad.
+/// Of the angles that are `angle` but for whole turns, the one nearest to `near`, rad; `angle` itself where that is not finite, as of a world
+/// beyond all bounds.
 pub(super) fn nearest(angle: f64, near: f64) -> f64 {
-    angle + TURN * ((near - angle) / TURN).round()
+    let turns = ((near - angle) / TURN).round();
+    if turns.is_finite() { angle + TURN * turns } else { angle }
 }
 
 /// What a joint is like when the step begins.
@@ -388,6 +390,20 @@ impl Coordinate {
                 };
                 [away(1.0, at.ropes[0], at.r_a), away(ratio, at.ropes[1], at.r_b)]
             }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Turns are counted as far as they are known.
+    #[test]
+    fn angles_stay_numbers() {
+        assert_eq!(nearest(0.5, 100.0 * TURN + 0.25), 0.5 + TURN * 100.0);
+        for near in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
+            assert_eq!(nearest(0.5, near), 0.5);
         }
     }
 }
