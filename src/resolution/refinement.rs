@@ -1,9 +1,9 @@
 //! How many substeps a step takes: as many as are asked for, or up to eight times as many where those would let heavy bodies press light
 //! ones flat. There are at most 256.
 //!
-//! Under a load F a light body of mass m and width L rocks with ω² = F/(m L). It turns as slowly as substeps can follow by
-//! [mass scaling](super::mass_scaling); what is left is that it gives way along its contacts, and what lies on it with it. The overlap that sweeps would leave is a measure of the load, see [`sag`]: so the loads of the last step say how fast bodies
-//! rock, and how short the substeps of the next have to be. What is solved directly does not matter: there nothing rocks that does not in truth. All
+//! Under a load F a light body of mass m and width L rocks with ω² = F/(m L). By [mass scaling](super::mass_scaling) it
+//! turns no faster than substeps can follow, but it also moves along its contacts, and what lies on it with it. The overlap that sweeps would leave is a
+//! measure of the load, see [`sag`]: so the loads of the last step say how fast bodies rock, and how short the substeps of the next have to be. What is solved directly does not matter: there nothing rocks that does not in truth. All
 //! islands take as many substeps, as their bodies may meet within a step.
 //!
 //! [`sag`]: super::softness::sag
