@@ -72,6 +72,12 @@ impl JointRecord {
         }
     }
 
+    /// Whether it acts, and on a body that is awake.
+    pub(crate) fn moves_one_that_is_awake(&self, bodies: &Bodies) -> bool {
+        let is_moved = |slot: u32| slot != NONE && bodies.is_dynamic(slot) && bodies.is_awake(slot);
+        self.description.enabled && self.slots().into_iter().any(is_moved)
+    }
+
     /// The other body of the joint; `NONE` for the world.
     pub(crate) fn other(&self, slot: u32) -> u32 {
         let [a, b] = self.slots();
@@ -152,13 +158,9 @@ impl Joints {
         self.all.len()
     }
 
-    /// Those that act: a body of theirs is awake.
+    /// Those that act on a body that is awake.
     pub(crate) fn awake(&self, bodies: &Bodies) -> impl Iterator<Item = &JointRecord> {
-        let is_awake = |slot: u32| slot != NONE && bodies.is_awake(slot);
-        self.all
-            .iter()
-            .map(|(_, record)| record)
-            .filter(move |record| record.slots().into_iter().any(is_awake))
+        self.all.iter().map(|(_, record)| record).filter(|record| record.moves_one_that_is_awake(bodies))
     }
 
     /// Gives up room that is not needed for so many slots.

@@ -89,19 +89,20 @@ pub(crate) struct SolveTables<'a> {
 /// One step: moves the velocities and deltas of all rows, and the impulses of contacts.
 ///
 /// ```text
-/// scale masses     what is pressed harder than substeps can follow turns more slowly in this step
+/// scale inertia    what is pressed harder than substeps can follow turns more slowly in this step
 /// repeat substeps:
 ///     kick h/2     v += h/2 a(x), and damping
 ///     impacts      what approaches fast enough bounces, each at its time
 ///     push         half of the last impulses, then joints, so that what they hold is exact after the move, and a sweep that pushes
-///                  overlaps apart; joined bodies and their contacts in turn; stiff islands are solved directly
+///                  overlaps apart; stiff islands are solved directly; joined bodies and their contacts in turn
 ///     seams        circles that roll onto another piece of ground meet it, each at its time
 ///     continuous   what is off course is swept and meets what is on its way
 ///     drift h      x += h v; what pushed stiff islands is taken back
 ///     kick h/2     v += h/2 a(x), and damping
 ///     refresh      contacts of circles and loaded corners follow the surface
 ///     relax        the other half of the last impulses; rolling resistance; joints, so that what they hold does not part; a sweep
-///                  without bias, with friction; rolling resistance under the load that it found; stiff islands directly, with all that presses
+///                  without bias, with friction; rolling resistance under the load that it found; stiff islands directly, with all that presses;
+///                  joined bodies and their contacts in turn
 /// untangle         bodies of several shapes that are deep in each other are moved apart, which makes no speed
 /// project          in the classic scheme: overlaps are parted by moving bodies
 /// ```
@@ -115,8 +116,8 @@ pub(crate) fn solve(
     tables: &mut SolveTables<'_>,
     acceleration: &impl Acceleration,
 ) -> StepResidual {
-    let SolveTables { loads, contacts, graph, bodies, .. } = &mut *tables;
-    solver.mass_scaling.begin(loads, contacts, graph, bodies, scheme.substep_time());
+    let SolveTables { loads, contacts, graph, bodies, joints, .. } = &mut *tables;
+    solver.mass_scaling.begin(loads, contacts, graph, bodies, joints, scheme.substep_time());
     loads.clear();
     solver.prepare(scheme, islands, tables, acceleration);
     for substep in 0..scheme.substeps {

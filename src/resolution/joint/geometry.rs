@@ -115,7 +115,7 @@ impl JointBody {
     }
 
     /// How fast it swings by what its joints bear, rad/s: a link under tension at ω = √(Σ r · f / I), as fast as it is light.
-    /// (D. Tournier et al., "Stable Constrained Dynamics", 2015, on geometric stiffness.)
+    /// (M. Tournier et al., "Stable Constrained Dynamics", 2015, on geometric stiffness.)
     ///
     /// What hangs by one joint swings about it, with the inertia I + m r².
     pub(super) fn swing(&self) -> f64 {

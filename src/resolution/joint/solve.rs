@@ -350,9 +350,9 @@ impl Problem<'_> {
         }
     }
 
-    /// One solve of the rows that act, cut to what they may bear. Vectors at their bounds are given theirs first. Of those that act, what is asked for
-    /// beyond a bound is cut off, and the others are solved anew with what is left: if they bore what goes with the whole, a hinge would throw off bodies
-    /// between which friction of a newton is to stop what takes a kilonewton.
+    /// One solve of the rows that act, cut to what they may bear. Vectors at their bounds are given theirs first. What a
+    /// vector that acts asks for beyond its bound is cut off, and the other rows are solved anew with what is left: if they bore what goes with the whole, a
+    /// hinge would throw off bodies between which friction of a newton is to stop what takes a kilonewton. Of single rows it is cut off in the end.
     fn step(&mut self, cluster: &mut Cluster) {
         self.give_vectors(cluster, |vector, times| {
             let is_at_bound = !vector[0].acts;
@@ -433,16 +433,16 @@ impl Problem<'_> {
     }
 }
 
-/// Finds what a vector by itself is to bear, within its bound; returns whether it asked for more.
+/// Finds what a vector by itself is to bear, within its bound.
 ///
 /// At its bound it comes to point against what it is off by, λ = P(λ - u/k), as the two rows have one k: each with its own, friction at the end
 /// of a rod would point along the rod, whichever way that end slides. It comes to an end, as no way of the two has more than twice the greater k.
-fn follow(vector: &mut [Row], times: Times) -> bool {
+fn follow(vector: &mut [Row], times: Times) {
     let k = vector.iter().map(|row| row.k + row.softness).fold(0.0, f64::max);
     for row in vector.iter_mut() {
         row.wanted = if row.k > 0.0 { row.impulse - row.residual / k } else { row.impulse };
     }
-    shorten(vector, times)
+    shorten(vector, times);
 }
 
 /// Shortens what is wanted of a vector to its bound; returns whether it was more.

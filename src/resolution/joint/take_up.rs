@@ -44,7 +44,7 @@ impl JointSolver {
                 }
                 record.state.force = Vec2::ZERO;
                 record.state.torque = 0.0;
-            } else if slots.into_iter().any(|slot| is_moved(slot) && bodies.is_awake(slot)) {
+            } else if record.moves_one_that_is_awake(bodies) {
                 // What sleeps goes on to bear what it bore as it fell asleep.
                 self.add(index, record, bodies);
             }
