@@ -25,13 +25,17 @@ const SWEEPS: usize = 20;
 const WORK_OF_ROW: u64 = 21;
 
 /// For so many Newton steps the limits of friction follow the normal impulses, each time that all is balanced with those from before. Then they
-/// are held, or only fall, so that the steps end. With half as many, gears jam: teeth stick to flanks that press no longer. With half as many again, a car
+/// are held, so that the steps end. With half as many, gears jam: teeth stick to flanks that press no longer. With half as many again, a car
 /// on stones takes half as long again, and gears run no better.
 const LIMIT_STEPS: usize = 10;
 
 /// Levers and wedges press so many times harder than all that rests on them, no unit. With a third of it the weight at the end of a lever of
 /// 40 : 1 slides off; with three times as much, a box that a press holds by its corner is shot away at 9 m/s.
 const LEVERAGE: f64 = 30.0;
+
+/// Friction bears so many times as much as all that rests on the bodies, no unit. With a tenth of it a tonne on slender legs sways on; with twice as
+/// much, crates that jam on a belt before a wall go faster than the belt.
+const FRICTION_LEVERAGE: f64 = 5.0;
 
 /// A contact that gives way faster than this to a change of its load, m/s, is struck, and the island solved once more without. What gives way to a blow
 /// closes on, and to its end opens as fast: a kilogram that falls onto 10 g at a quarter of its speed. With three times as much what falls onto a
@@ -50,6 +54,8 @@ pub(super) struct Part {
     compliance: f64,
     /// The same before it falls with the mass of the island.
     full_compliance: f64,
+    /// What friction bears at most, N s, by [`FRICTION_LEVERAGE`].
+    most_friction: f64,
     /// Whether Newton's method failed in this step. It would fail in the substeps to come too, at the price of [`MOST_STEPS`] factorizations in each
     /// stage, so the rows are swept over until the step ends.
     pub(super) is_unsolved: bool,
@@ -134,6 +140,7 @@ impl Newton {
             rows,
             compliance,
             full_compliance,
+            most_friction: 0.0,
             is_unsolved: false,
             work_of_factorization,
             work: 0,
@@ -158,21 +165,22 @@ impl Newton {
 
     /// Finds velocities and impulses of a part, and says in it whether Newton's method came to an end.
     pub(super) fn solve(&mut self, part: &mut Part) {
-        self.bound_impulses(part, self.greatest_load(part));
-        self.follow_impulses(part);
+        let load = self.load(part);
+        part.most_friction = FRICTION_LEVERAGE * load;
+        self.begin_with(part, LEVERAGE * load);
         if self.is_complementary(part) {
             return;
         }
         part.is_unsolved = part.is_unsolved || !self.descend_in_stages(part);
         if part.is_unsolved {
+            self.begin_with(part, LEVERAGE * load);
             self.lessen_impulses(part);
             self.sweep(part);
         }
     }
 
-    /// All that an island can press with, N s: its mass times how fast its rows close without impulses, and what its motors have left, [`LEVERAGE`]
-    /// times. What is more holds nothing up: walls that close on a body wind it up, and the body would be shot away when it finds a way out.
-    fn greatest_load(&self, part: &Part) -> f64 {
+    /// All that rests on the bodies of an island, N s: its mass times how fast its rows close without impulses, and what its motors have left.
+    fn load(&self, part: &Part) -> f64 {
         let mass: f64 = self.masses[part.movers.clone()].iter().map(|&[mass, ..]| mass).sum();
         let (mut closing, mut driving) = (0.0_f64, 0.0);
         for pair in &self.pairs[part.pairs.clone()] {
@@ -182,15 +190,17 @@ impl Newton {
                 driving += row.driving();
             }
         }
-        LEVERAGE * (mass * closing + mass.sqrt() * driving)
+        mass * closing + mass.sqrt() * driving
     }
 
-    /// Lets no row begin by pressing with more than this, N s, and friction follow.
-    fn bound_impulses(&mut self, part: &Part, most: f64) {
+    /// Begins with the impulses of now, where no row presses with more than this, N s. What is more holds nothing up: walls that close on a body
+    /// wind it up, and it would be shot away when it finds a way out.
+    fn begin_with(&mut self, part: &Part, most: f64) {
         let rows = self.rows[part.rows.clone()].iter_mut();
         rows.filter(|row| row.is_normal()).for_each(|row| row.impulse = row.impulse.min(most));
         self.follow_limits(part);
         self.rows[part.rows.clone()].iter_mut().for_each(Row::keep_within_range);
+        self.follow_impulses(part);
     }
 
     /// Whether all rows have what they ask for.
@@ -257,23 +267,13 @@ impl Newton {
     /// Lets the bounds of friction follow the impulses of now.
     fn follow_limits(&mut self, part: &Part) {
         for index in part.rows.clone() {
-            self.follow_limit(index);
+            self.follow_limit(index, part.most_friction);
         }
     }
 
-    /// Lowers the bounds of friction that must not be above what the impulses of now allow.
-    fn lower_limits(&mut self, part: &Part) {
-        for index in part.rows.clone() {
-            if let Some(normal) = self.rows[index].normal() {
-                let along_normal = self.rows[normal].impulse;
-                self.rows[index].lower_range(along_normal);
-            }
-        }
-    }
-
-    fn follow_limit(&mut self, index: usize) {
+    fn follow_limit(&mut self, index: usize, most_friction: f64) {
         let along_normal = self.rows[index].normal().map_or(0.0, |normal| self.rows[normal].impulse);
-        self.rows[index].set_range(along_normal);
+        self.rows[index].set_range(along_normal, most_friction);
     }
 
     /// The fall-back where bodies collide in a heap that Newton's method does not come to grips with: sweeps over the
@@ -290,7 +290,7 @@ impl Newton {
                     if index + 1 < pair.rows.end && self.rows[index + 1].normal() == Some(index) {
                         speed_before = Some(self.rows[index + 1].speed(&velocities));
                     }
-                    self.follow_limit(index);
+                    self.follow_limit(index, part.most_friction);
                     let row = &mut self.rows[index];
                     let (change, mut momenta) = (row.sweep(speed), [[0.0; 3]; 2]);
                     row.apply(change, &mut momenta);
@@ -344,8 +344,6 @@ impl Newton {
             if self.is_balanced(part) {
                 if number < LIMIT_STEPS {
                     self.follow_limits(part);
-                } else {
-                    self.lower_limits(part);
                 }
                 if self.rows[part.rows.clone()].iter().all(Row::stays) {
                     return true;
@@ -452,7 +450,7 @@ impl Newton {
             for index in part.rows.clone() {
                 if let Some(normal) = self.rows[index].normal() {
                     let impulse = self.rows[normal].impulse_after().max(self.rows[normal].previous);
-                    self.rows[index].set_range(impulse);
+                    self.rows[index].set_range(impulse, part.most_friction);
                 }
             }
         }

@@ -133,24 +133,17 @@ impl Row {
         }
     }
 
-    /// Bounds the impulse for the Newton step to come, with friction by this impulse along the normal, N s.
-    pub(super) fn set_range(&mut self, along_normal: f64) {
+    /// Bounds the impulse for the Newton step to come, with friction by this impulse along the normal, and at most so much, N s. In a jam each
+    /// normal bears what friction adds to the other, and both would grow without end.
+    pub(super) fn set_range(&mut self, along_normal: f64, most_friction: f64) {
         self.range = match self.kind {
             Kind::Normal { most } => [0.0, most],
-            Kind::Friction { friction, .. } => [-friction * along_normal, friction * along_normal],
+            Kind::Friction { friction, .. } => {
+                let most = (friction * along_normal).min(most_friction);
+                [-most, most]
+            }
             Kind::Joint(range) => range,
         };
-    }
-
-    /// Lowers the bound of friction with a belt, or what else moves by itself, to what this impulse along the normal allows, N s: held above that,
-    /// it throws crates that jam on the belt at 15 m/s.
-    pub(super) fn lower_range(&mut self, along_normal: f64) {
-        if let Kind::Friction { friction, .. } = self.kind
-            && self.carried != 0.0
-            && self.range[1] > friction * along_normal
-        {
-            self.set_range(along_normal);
-        }
     }
 
     /// Lets the row give back this share of a change of its impulse from that of now. Joints have the least compliance: with more, they would bring

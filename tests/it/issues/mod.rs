@@ -17,6 +17,7 @@ mod met_in_one_corner;
 mod no_error_of_sleepers;
 mod pair_with_a_body_that_left;
 mod pair_with_a_removed_body;
+mod shot_from_a_row_of_crates;
 mod spun_by_stale_friction;
 mod stale_manifold;
 mod standing_still_on_large_ground;

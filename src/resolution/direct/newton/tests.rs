@@ -251,7 +251,7 @@ fn what_rests_is_held_whatever_the_ground_does() {
     let resting = |carried: f64| {
         let mut row = Row::new(PRESSES);
         (row.bias, row.carried) = (carried, carried);
-        row.set_range(0.0);
+        row.set_range(0.0, 0.0);
         row
     };
     assert!([0.0, 1.0, -1.0].into_iter().all(|carried| resting(carried).is_held()));
