@@ -255,10 +255,10 @@ impl Blows {
             first: Some(collision),
             ..new(contact)
         }));
-        // Of circles, which press with one point.
+        // Of circles, which press with one point: its share is the whole, whatever it is measured by.
         of_step.extend(others.iter().map(|&(contact, on_b)| Blow {
             on_b,
-            by_point: [on_b.length(), 0.0],
+            by_point: [on_b.norm_1(), 0.0],
             ..new(contact)
         }));
         of_step

@@ -205,8 +205,7 @@ impl EventScene<'_> {
         let moved = rows.into_iter().zip(after).zip(moved);
         for ((row, mut after), _) in moved.filter(|&(_, is_moved)| is_moved) {
             let state = &mut self.bodies.states[row as usize];
-            self.scheme.limits.cut(&mut after);
-            drift_until(time, state, &mut after);
+            drift_until(time, state, &mut after, self.scheme.limits);
             *state = after;
             self.strikes.note(row, time, after);
             self.courses.look_at(self.bodies, row);

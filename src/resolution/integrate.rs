@@ -225,8 +225,11 @@ pub(crate) fn drift<L: Lane>(state: &mut BodyState<L>, h: f32) {
 }
 
 /// Moves a body whose velocity has changed at `time`, s, into the substep by what its drift will miss: until then it
-/// went on with the velocity `before`.
-pub(crate) fn drift_until(time: f32, before: &BodyState, state: &mut BodyState) {
+/// went on with the velocity `before`. Both are cut, as they are where a body drifts.
+pub(crate) fn drift_until(time: f32, before: &BodyState, state: &mut BodyState, limits: SpeedLimits) {
+    let mut before = *before;
+    limits.cut(&mut before);
+    limits.cut(state);
     state.delta_position = state.delta_position + (before.velocity - state.velocity) * time;
     let missed_turn = (before.angular_velocity - state.angular_velocity) * time;
     turn(state, missed_turn);
@@ -290,6 +293,25 @@ mod tests {
                 format!("{states:?} {compensations:?}")
             });
             assert!(moved.iter().all(|other| *other == moved[0]), "{count} rows");
+        }
+    }
+
+    /// Where great loads overflow, a velocity may be no number until it is cut.
+    #[test]
+    fn what_is_struck_at_no_number_stays_where_it_is_a_number() {
+        let limits = SpeedLimits { speed: 1e6, spin: 1e6 };
+        let at = |speed: f32| BodyState {
+            velocity: Vec2::new(speed, -speed).into(),
+            angular_velocity: speed,
+            ..BodyState::REST
+        };
+        for wrong in [f32::NAN, f32::INFINITY] {
+            for (before, after) in [(wrong, 1.0), (1.0, wrong), (wrong, wrong)] {
+                let mut state = at(after);
+                drift_until(0.5, &at(before), &mut state, limits);
+                let BodyState { delta_position: place, delta_rotation: turn, .. } = state;
+                assert!([place.x, place.y, turn.c, turn.s].into_iter().all(f32::is_finite), "{state:?}");
+            }
         }
     }
 }

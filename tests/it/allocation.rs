@@ -49,7 +49,9 @@ fn a_settled_step_allocates_nothing_on_two_threads() {
 /// original, and, once it has settled, without allocating.
 #[test]
 fn a_world_cloned_into_one_like_it_allocates_nothing() {
-    for name in ["tower", "pyramid", "card_house", "cradle", "orbit", "pile", "tumbler", "pool"] {
+    let scenes = ["tower", "pyramid", "card_house", "cradle", "orbit", "pile", "tumbler", "pool"];
+    let joined = ["double_pendulum", "gears", "scissor_lift", "car", "radial_engine"];
+    for name in scenes.into_iter().chain(joined) {
         let scene = rustycs_scenes::find(name).unwrap();
         let mut world = scene.build(1, Settings { lanes: Lanes::Eight, ..Settings::default() });
         for _ in 0..400 {

@@ -113,7 +113,8 @@ impl Continuous {
             let most = TESTS_BESIDE + TESTS_PER_TRAVELLER * off.len();
             self.tests_left = most * scene.scheme.asked_substeps as usize / scene.scheme.substeps as usize;
             for &row in &off {
-                let from = scene.strikes.resume(row, &mut scene.bodies.states[row as usize]);
+                let state = &mut scene.bodies.states[row as usize];
+                let from = scene.strikes.resume(row, state, scene.scheme.limits);
                 self.take_up(row, from, scene);
             }
             for index in 0..off.len() {

@@ -135,7 +135,7 @@ impl Seams {
             let state = &mut scene.bodies.states[row as usize];
             let before = *state;
             state.velocity = state.velocity + rest;
-            drift_until(h, &before, state);
+            drift_until(h, &before, state, scene.scheme.limits);
             if now > 0.0 {
                 // The rest acts after the move: what is swept from here on goes where it goes.
                 scene.strikes.note(row, now, *state);

@@ -1,7 +1,7 @@
 //! What bodies have been through within a substep: each event moves a body and leaves it as one that goes on from there.
 
 use crate::compute::BodyState;
-use crate::resolution::integrate::drift_until;
+use crate::resolution::integrate::{SpeedLimits, drift_until};
 
 /// What a body has been through in this substep.
 #[derive(Clone, Copy, Debug)]
@@ -60,9 +60,9 @@ impl Strikes {
     }
 
     /// Lets what has changed a body's velocity since it was struck last act from then on; returns when that was, s.
-    pub(super) fn resume(&self, row: u32, state: &mut BodyState) -> f32 {
+    pub(super) fn resume(&self, row: u32, state: &mut BodyState, limits: SpeedLimits) -> f32 {
         let Some((time, after)) = &self.by_row[row as usize].last else { return 0.0 };
-        drift_until(*time, after, state);
+        drift_until(*time, after, state, limits);
         *time
     }
 }

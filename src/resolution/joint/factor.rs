@@ -14,7 +14,7 @@ const ROOT: u32 = u32::MAX;
 const NO_PIVOT: f64 = 1e-11;
 
 /// Structure of a factorization, and its numbers.
-#[derive(Clone, Debug, Default)]
+#[derive(Debug, Default)]
 pub(super) struct Factor {
     /// For each row, in the order of elimination, where its entries begin in `columns`: those left of the diagonal.
     starts: Vec<u32>,
@@ -32,6 +32,8 @@ pub(super) struct Factor {
     /// Right-hand side, then solution, in the order of elimination.
     pub(super) x: Vec<f64>,
 }
+
+clone_into_buffers!(Factor { starts, columns, parent, l_starts, l_counts, l_rows, l, d, flags, path, y, x });
 
 impl Factor {
     /// Takes up the structure: for each row, the columns left of its diagonal that it shares a body with. Returns about how many

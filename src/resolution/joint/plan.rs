@@ -14,7 +14,7 @@ const MOST_WORK: u64 = 150_000;
 const MOST_JOINTS: usize = 2048;
 
 /// Joints that are solved together.
-#[derive(Clone, Debug, Default)]
+#[derive(Debug, Default)]
 pub(super) struct Cluster {
     /// The rows, in the order of elimination.
     pub(super) rows: Vec<u32>,
@@ -25,8 +25,10 @@ pub(super) struct Cluster {
     pub(super) acted: Vec<bool>,
 }
 
+clone_into_buffers!(Cluster { rows, factor, is_swept, acted });
+
 /// Joints that hang together.
-#[derive(Clone, Debug, Default)]
+#[derive(Debug, Default)]
 pub(super) struct Island {
     /// Which of the joints of the step, and their bodies, with those that nothing moves but without the ground.
     pub(super) joints: Vec<u32>,
@@ -46,6 +48,19 @@ pub(super) struct Island {
     /// Whether that was because how they turn came to no end.
     pub(super) diverges: bool,
 }
+
+clone_into_buffers!(Island {
+    joints,
+    bodies,
+    clusters,
+    pace,
+    times,
+    swing,
+    touches,
+    pushed,
+    is_linear,
+    diverges
+});
 
 /// What is asked of a joint: its rows, and its bodies by their place among those of the joints, 0 for none.
 #[derive(Clone, Debug, PartialEq, Eq)]

@@ -8,6 +8,7 @@ mod flying_out_of_a_direct_island;
 mod gained_while_stopped;
 mod growing_bounces;
 mod hit_of_a_second_impact;
+mod hit_of_great_masses;
 mod impulse_far_away;
 mod joined_in_a_direct_island;
 mod joints_of_a_restored_world;
