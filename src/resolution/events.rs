@@ -63,9 +63,16 @@ impl EventScene<'_> {
         self.scheme.substep_time()
     }
 
-    /// The bodies in two rows as they are now.
+    /// The body in a row as it is now, no faster than it is let drift.
+    fn state(&self, row: u32) -> BodyState {
+        let mut state = self.bodies.states[row as usize];
+        self.scheme.limits.cut(&mut state);
+        state
+    }
+
+    /// The bodies in two rows.
     fn states(&self, rows: [u32; 2]) -> [BodyState; 2] {
-        rows.map(|row| self.bodies.states[row as usize])
+        rows.map(|row| self.state(row))
     }
 
     /// Accelerations of the points of a contact along its normal, of b against a, m/s²: by what acts on the bodies, and turns them.

@@ -161,7 +161,7 @@ impl Continuous {
         if let Some(Traveller { halted: Some(there), .. }) = self.traveller(row) {
             return *there;
         }
-        let mut state = scene.bodies.states[row as usize];
+        let mut state = scene.state(row);
         drift(&mut state, time);
         state
     }
