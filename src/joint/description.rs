@@ -245,7 +245,8 @@ impl Joint {
     }
 
     /// Resists motion of two bodies against each other with [`max_force`](Self::max_force) and
-    /// [`max_torque`](Self::max_torque) at most, of which it needs one: as on a table that is seen from above. The force acts at its anchors.
+    /// [`max_torque`](Self::max_torque) at most, of which it needs one: as on a table that is seen from above. The force acts at its anchors. As
+    /// these part, it has an arm, so that the angular momentum of two bodies that are both moved by it changes.
     pub fn friction(a: BodyId, b: impl Into<Option<BodyId>>) -> Self {
         Self::new(JointKind::Friction, a, b.into())
     }

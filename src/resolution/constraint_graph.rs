@@ -122,6 +122,11 @@ impl ConstraintGraph {
         self.homes.get(index as usize).copied().flatten()
     }
 
+    /// Whether the contact with this index is in the graph, and swept over.
+    pub(crate) fn sweeps(&self, index: u32) -> bool {
+        self.home(index).is_some_and(|home| !home.is_solved_directly())
+    }
+
     /// The colour of the contact with this index; `None` where it has none.
     pub(crate) fn colour_of(&self, index: u32) -> Option<u32> {
         self.home(index).map(|home| home.colour).filter(|&colour| colour < OVERFLOW as u32)

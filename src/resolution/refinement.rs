@@ -104,7 +104,6 @@ impl RefinementTables<'_> {
     /// over, but [`CALM_SHARE`] at least, which asks for nothing.
     fn largest_excess(&self, rule: TierRule<'_>, squeezes: &mut Squeezes) -> f32 {
         let Self { loads, graph, .. } = self;
-        let is_swept = |index| graph.home(index).is_some_and(|home| !home.is_solved_directly());
         // Islands are only looked at where any may be squeezed.
         let any_is_deep = LazyCell::new(|| loads.of_contact.iter().any(|load| load.is_deep()));
         let mut largest = CALM_SHARE;
@@ -114,7 +113,7 @@ impl RefinementTables<'_> {
             let excess = |fastest: f32| square / (fastest * rule.substep_rate).powi(2);
             // Most are below what was found before, whatever else they are.
             let may_ask = excess(FASTEST_ROCKING_OF_CRUSHED) > largest && (load.lasts() || load.is_heavy());
-            if !may_ask || !is_swept(index) {
+            if !may_ask || !graph.sweeps(index) {
                 continue;
             }
             let is_crushing = self.is_crushing(index, load);

@@ -7,7 +7,7 @@
 use crate::resolution::joint::JointSolver;
 use crate::resolution::joint::plan::Island;
 use crate::resolution::joint::row::{CLOSING_SPEED, Phase};
-use crate::resolution::joint::solve::rows_of;
+use crate::resolution::joint::solve::{greatest, rows_of};
 
 /// By impulses gaps are closed where no body goes more than so many times as fast as the fastest gap needs by itself, no unit. With ten times, a
 /// straight bridge with a light crate gains energy, by rounding; with once, what closes the rounding of a pendulum is not an impulse of
@@ -38,8 +38,7 @@ impl JointSolver {
             let body = &self.bodies[place as usize];
             body.pace_of([0, 1, 2].map(|index| body.velocity[index] - body.unclosed[index]))
         });
-        // `f64::max` would pass over what is not a number.
-        let fastest = faster.fold(0.0, |most: f64, one| if one > most || one.is_nan() { one } else { most });
+        let fastest = greatest(faster);
         if fastest <= most {
             return;
         }

@@ -254,9 +254,7 @@ impl Problem<'_> {
         for solve in 0..=MOST_SOLVES {
             self.look(cluster, aim);
             let excess = cluster.rows.iter().map(|&row| self.rows[row as usize].excess(self.times));
-            // `f64::max` would pass over what is not a number.
-            let excess =
-                excess.fold(0.0, |most: f64, one| if one > most || one.is_nan() { one } else { most });
+            let excess = greatest(excess);
             if solve > 0 && excess <= 1.0 && (solve == MOST_SOLVES || self.vectors_point(cluster)) {
                 return true;
             }
@@ -455,6 +453,11 @@ fn shorten(vector: &mut [Row], times: Times) -> bool {
         }
     }
     length > most
+}
+
+/// The greatest of numbers of which none is negative; not a number where one of them is none, which `f64::max` would pass over.
+pub(super) fn greatest(numbers: impl Iterator<Item = f64>) -> f64 {
+    numbers.fold(0.0, |most: f64, one| if one > most || one.is_nan() { one } else { most })
 }
 
 fn length(x: f64, y: f64) -> f64 {
