@@ -78,8 +78,8 @@ pub struct HitEvent {
     /// Speed of the first approach along the normal, m/s, where they met: at least `Settings::hit_threshold`, but for a blow
     /// that ran through bodies at rest.
     pub speed: f32,
-    /// Where they met; of two points the middle. Two without restitution are told of where they touch as the tick ends: what slides on at 10 m/s
-    /// is up to 0.17 m further by then.
+    /// Where they met; of two points the middle. Of two without restitution it is where they touch as the tick ends: what slides on has gone up to its
+    /// speed times the length of the tick by then.
     pub point: Point,
     /// Direction in which b was pushed away from a; length 1.
     pub normal: Vec2,

@@ -54,7 +54,7 @@ pub(super) struct Part {
     compliance: f64,
     /// The same before it falls with the mass of the island.
     full_compliance: f64,
-    /// What friction bears at most, N s, by [`FRICTION_LEVERAGE`].
+    /// What friction bears at most where its coefficient is 1 or less, N s, by [`FRICTION_LEVERAGE`].
     most_friction: f64,
     /// Whether Newton's method failed in this step. It would fail in the substeps to come too, at the price of [`MOST_STEPS`] factorizations in each
     /// stage, so the rows are swept over until the step ends.

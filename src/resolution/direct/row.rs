@@ -133,13 +133,13 @@ impl Row {
         }
     }
 
-    /// Bounds the impulse for the Newton step to come, with friction by this impulse along the normal, and at most so much, N s. In a jam each
-    /// normal bears what friction adds to the other, and both would grow without end.
+    /// Bounds the impulse for the Newton step to come, with friction by this impulse along the normal, and at most so much, N s, or as many times that
+    /// as its coefficient is above 1. In a jam each normal bears what friction adds to the other, and both would grow without end.
     pub(super) fn set_range(&mut self, along_normal: f64, most_friction: f64) {
         self.range = match self.kind {
             Kind::Normal { most } => [0.0, most],
             Kind::Friction { friction, .. } => {
-                let most = (friction * along_normal).min(most_friction);
+                let most = (friction * along_normal).min(friction.max(1.0) * most_friction);
                 [-most, most]
             }
             Kind::Joint(range) => range,

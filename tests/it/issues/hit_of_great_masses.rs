@@ -1,4 +1,4 @@
-//! The place of a hit was no number where the square of its impulse is beyond f32: two seams of the ground struck a disc of 10¹⁵ kg.
+//! The place of a hit was no number where the square of its impulse is beyond f32, as of a disc of 10¹⁵ kg that a triangle and a wall stop.
 
 use rustycs::prelude::*;
 

@@ -17,6 +17,30 @@ fn a_sliding_box_stops_after_its_speed_squared_over_two_mu_g() {
     assert_near(velocity(&world, sliding)[0], 0.0, 1e-4, "speed after it stopped");
 }
 
+/// The same of a plank that bears 10,000 times its weight, which is solved directly, on surfaces that stick better than any of use. It stops within a
+/// substep of h = 1/240 s: the way is off by v h at most.
+#[test]
+fn what_is_solved_directly_stops_after_its_speed_squared_over_two_mu_g() {
+    for friction in [0.5_f32, 2.0, 10.0, 20.0] {
+        let mut world = earth();
+        add(&mut world, Body::fixed(Shape::aabb(400.0, 2.0)).at([0.0, -1.0]).friction(friction));
+        // So long that none tips over as it brakes.
+        let plank =
+            |y: f64| Body::dynamic(Shape::obb(40.0, 0.2)).at([0.0, y]).friction(friction).restitution(0.0);
+        let planks = [(0.1, 1.0), (0.3, 1e4)].map(|(y, mass)| add(&mut world, plank(y).mass(mass)));
+        run(&mut world, 0.4);
+        let start = place(&world, planks[0])[0];
+        for id in planks {
+            world.body_mut(id).unwrap().set_velocity([5.0, 0.0]);
+        }
+        world.step();
+        assert_eq!(world.body(planks[0]).unwrap().tier(), Tier::Direct);
+        run(&mut world, 3.0);
+        let expected = 25.0 / (2.0 * f64::from(friction) * G);
+        assert_near(place(&world, planks[0])[0] - start, expected, 5.0 / 240.0, "way");
+    }
+}
+
 /// A ramp of 20 degrees, tan 20° = 0.364, and a box on it.
 fn box_on_ramp(friction: f32) -> (World, BodyId, [f64; 2]) {
     let mut world = earth();
