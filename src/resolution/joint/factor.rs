@@ -3,8 +3,7 @@
 //! Row by row (T. Davis, "Algorithm 849: a concise sparse Cholesky factorization package", 2005): the numbers of a row of L
 //! are found along the elimination tree. Where joints form a tree there is no fill, and the work is that of the number of joints.
 //!
-//! A row that others already hold (a fourth hinge in one place, a loop that is flat) has no pivot left; it gets no
-//! impulse of its own.
+//! A row that others already hold has a pivot by what it yields. One that has none left even so gets no impulse of its own.
 
 /// The end of a path in the elimination tree.
 const ROOT: u32 = u32::MAX;

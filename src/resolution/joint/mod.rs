@@ -15,6 +15,7 @@ mod finish;
 mod gaps;
 mod geometry;
 mod kinds;
+mod loops;
 mod plan;
 mod row;
 mod solve;

@@ -34,6 +34,8 @@ pub(super) struct Island {
     pub(super) joints: Vec<u32>,
     pub(super) bodies: Vec<u32>,
     pub(super) clusters: Vec<Cluster>,
+    /// The rows of those joints that form loops, or are between loops.
+    pub(super) yielding: Vec<u32>,
     /// How finely it is moved within a substep, and times of the last step in it.
     pub(super) pace: Pace,
     pub(super) times: Times,
@@ -53,6 +55,7 @@ clone_into_buffers!(Island {
     joints,
     bodies,
     clusters,
+    yielding,
     pace,
     times,
     swing,
@@ -61,6 +64,15 @@ clone_into_buffers!(Island {
     is_linear,
     diverges
 });
+
+impl Island {
+    /// Has what yields factorized anew.
+    pub(super) fn forget_factors(&mut self) {
+        for cluster in self.clusters.iter_mut().filter(|_| !self.yielding.is_empty()) {
+            cluster.acted.fill(false);
+        }
+    }
+}
 
 /// What is asked of a joint: its rows, and its bodies by their place among those of the joints, 0 for none.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -86,6 +98,7 @@ pub(super) fn plan(joints: &[Place], body_count: usize) -> Vec<Island> {
             of_body[body as usize].push(number as u32);
         }
     }
+    let is_in_loop = find_loops(joints, &of_body);
     let mut islands = Vec::new();
     let mut is_seen = vec![false; joints.len()];
     for first in 0..joints.len() {
@@ -110,9 +123,34 @@ pub(super) fn plan(joints: &[Place], body_count: usize) -> Vec<Island> {
         bodies.sort_unstable();
         bodies.dedup();
         let clusters = clusters_of(joints, &of_body, &island);
-        islands.push(Island { joints: island, bodies, clusters, ..Island::default() });
+        let in_loops = island.iter().filter(|&&joint| is_in_loop[joint as usize]);
+        let rows = |&joint: &u32| joints[joint as usize].rows;
+        let yielding = in_loops.map(rows).flat_map(|[first, end]| first..end).collect();
+        islands.push(Island { joints: island, bodies, clusters, yielding, ..Island::default() });
     }
     islands
+}
+
+/// Which joints form loops, or are between loops: those that are left when, one after the other, each is taken away of which a body
+/// has no other. What is not moved counts as one body, which all loops may go through.
+fn find_loops(joints: &[Place], of_body: &[Vec<u32>]) -> Vec<bool> {
+    let mut is_left = vec![true; joints.len()];
+    let mut degrees: Vec<usize> = of_body.iter().map(Vec::len).collect();
+    let mut ends: Vec<u32> = (0..degrees.len() as u32).filter(|&body| degrees[body as usize] == 1).collect();
+    while let Some(end) = ends.pop() {
+        for &joint in &of_body[end as usize] {
+            if !std::mem::replace(&mut is_left[joint as usize], false) {
+                continue;
+            }
+            for body in joints[joint as usize].bodies() {
+                degrees[body as usize] -= 1;
+                if degrees[body as usize] == 1 {
+                    ends.push(body);
+                }
+            }
+        }
+    }
+    is_left
 }
 
 /// An island as one cluster, or joint by joint.

@@ -90,8 +90,9 @@ pub(super) struct Row {
     pub(super) x: f64,
     /// Size of the joint, m; 1 for angles.
     pub(super) scale: f64,
-    /// By how much it yields to what it bears: speed per unit of impulse, as k.
+    /// By how much it yields to what it bears beyond an impulse: speed per unit of impulse, as k.
     pub(super) softness: f64,
+    pub(super) yields_from: f64,
     /// Of a spring: the speed that its stretch adds to that of its coordinate, m/s or rad/s.
     pub(super) bias: f64,
     /// Impulse of this phase, and of the push, but for what was taken back of it.
@@ -139,6 +140,7 @@ impl Row {
             x: 0.0,
             scale: 1.0,
             softness: 0.0,
+            yields_from: 0.0,
             bias: 0.0,
             impulse: 0.0,
             pushed: 0.0,
@@ -170,8 +172,10 @@ impl Row {
         self.handed = 0.0;
         self.x = self.value(at);
         self.k = a.coupling(self.j[0], self.j[0]) + b.coupling(self.j[1], self.j[1]);
-        if let Role::Speed { .. } = self.role {
-            self.softness = MOTOR_SOFTNESS * self.k;
+        match self.role {
+            Role::Rigid | Role::Limits(_) => (self.softness, self.yields_from) = (0.0, 0.0),
+            Role::Speed { .. } => self.softness = MOTOR_SOFTNESS * self.k,
+            Role::Spring { .. } => {}
         }
         if phase == Phase::Push {
             (self.pushed, self.taken_back) = (0.0, 0.0);
@@ -189,6 +193,23 @@ impl Row {
         }
         let [least, most] = self.bounds(times);
         self.impulse = self.impulse.max(least).min(most);
+    }
+
+    /// Has a rigid row or a limit yield by a share of what impulses beyond this one would do.
+    pub(super) fn yield_beyond(&mut self, impulse: f64, share: f64) {
+        if matches!(self.role, Role::Rigid | Role::Limits(_)) && self.k > 0.0 {
+            (self.softness, self.yields_from) = (share * self.k, impulse);
+        }
+    }
+
+    /// The same of impulses to come. To what it bears it yields at this speed, m/s or rad/s.
+    pub(super) fn go_on_to_yield(&mut self, share: f64, speed: f64) {
+        self.yield_beyond(self.impulse - speed / (share * self.k), share);
+    }
+
+    /// How fast it yields, m/s or rad/s.
+    pub(super) fn yielding(&self) -> f64 {
+        self.softness * (self.impulse - self.yields_from)
     }
 
     /// Softness and bias of a spring: with a = c h/2 and b = k h²/4 per mass, p = -(2 b x/h + (a + b) u)/K.
@@ -256,15 +277,17 @@ impl Row {
         let x = ahead.unwrap_or(self.x);
         let is_push = ahead.is_some();
         (self.residual, self.acts) = match self.role {
-            Role::Rigid => (if is_push { (x - left(self.x, times)) / times.h } else { u }, true),
+            Role::Rigid => {
+                (if is_push { (x - left(self.x, times)) / times.h } else { u } + self.yielding(), true)
+            }
             Role::Limits(limits) => self.look_at_limits(limits, x, u, is_push, times),
             Role::Spring { .. } => {
                 // After the drift it bears what it bore before.
-                let w = if is_push { u + self.bias + self.softness * self.impulse } else { 0.0 };
+                let w = if is_push { u + self.bias + self.yielding() } else { 0.0 };
                 (w, is_push && is_inside(self.own().abs(), self.most(times), self.own() * w))
             }
             Role::Speed { speed, .. } => {
-                let w = u - speed + self.softness * self.impulse;
+                let w = u - speed + self.yielding();
                 (w, is_inside(self.own().abs(), self.most(times), self.own() * w))
             }
         };
@@ -296,7 +319,7 @@ impl Row {
         self.is_lower = is_lower;
         let gap = if is_lower { x - lower } else { x - upper };
         let before = if is_lower { (self.x - lower).min(0.0) } else { (self.x - upper).max(0.0) };
-        let w = if is_push { (gap - left(before, times)) / times.h } else { u };
+        let w = if is_push { (gap - left(before, times)) / times.h } else { u } + self.yielding();
         let is_reached = is_push || gap.abs() <= REACHED * self.scale || (gap < 0.0) == is_lower;
         let closes = if is_lower { w < 0.0 } else { w > 0.0 };
         let acts = of_both_phases != 0.0 || (is_reached && closes);

@@ -49,6 +49,7 @@ impl JointSolver {
     /// Solves a phase.
     pub(super) fn solve_island(&mut self, island: &mut Island, phase: Phase) {
         island.times.closing = 0.0;
+        self.begin_to_yield(island);
         self.solve_rows(island, phase, true);
         if phase == Phase::Push {
             self.close_gaps(island);

@@ -5,6 +5,7 @@ mod drives;
 mod impacts;
 mod kinds;
 mod loads;
+mod loops;
 mod machines;
 mod pendulums;
 mod pulleys;
