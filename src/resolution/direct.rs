@@ -26,8 +26,8 @@
 //! the first Newton step, in which all is held.
 //!
 //! Some limits go to and fro without end. After some steps they are held where they are: friction that is over its limit takes energy, and
-//! heaps of gravel lie still by it. Only where one side moves by itself, as a belt does, does friction give energy. There limits go on, and only
-//! fall.
+//! heaps of gravel lie still by it. Where one side moves by itself, as a belt does, friction gives energy. So no limit is more than a multiple of
+//! all that rests on the bodies of the island.
 //!
 //! Where walls leave a body too little room, no impulses are enough, and what has not lessened the overlap must not be kept as λ₀. So λ₀ is no more
 //! than a multiple of what all bodies of the island can press with, and what is squeezed yields to the rest.

@@ -9,11 +9,11 @@ use crate::resolution::constraint::Action;
 use crate::resolution::contact_block::{ContactBlock, Fit};
 use crate::resolution::solve_contact::Sweep;
 
-/// Something that is done to constraints of one kind, as many at a time as a lane holds: those of `block` from `place` on, and
-/// the states of their bodies. Several threads do it to constraints of one colour, which move no body in common. It is to be
-/// `#[inline(always)]`, see [`Job`](crate::compute::Job). Contacts are the first kind; a joint is another type of block.
-pub(crate) trait Kernel<B = ContactBlock>: Clone + Sync {
-    fn run<L: Lane>(&self, block: &mut B, states: &mut PairStates<'_>, place: usize);
+/// Something that is done to contacts, as many at a time as a lane holds: those of `block` from `place` on, and the states of their
+/// bodies. Several threads do it to contacts of one colour, which move no body in common. It is to be `#[inline(always)]`, see
+/// [`Job`](crate::compute::Job).
+pub(crate) trait Kernel: Clone + Sync {
+    fn run<L: Lane>(&self, block: &mut ContactBlock, states: &mut PairStates<'_>, place: usize);
 }
 
 /// What a kernel leaves out for a block, if it `is_fitted`. Not all that it could: each case makes programs larger and longer

@@ -139,14 +139,14 @@ impl<K: Kernel> Job for Pass<'_, K> {
     }
 }
 
-/// A pass over some blocks of a colour, that have so many constraints.
-struct BlockPass<'a, B, K> {
+/// A pass over some blocks of a colour, that have so many contacts.
+struct BlockPass<'a, K> {
     count: usize,
-    blocks: BlocksOver<'a, B>,
+    blocks: BlocksOver<'a, ContactBlock>,
     kernel: &'a K,
 }
 
-impl<'a, K: Kernel> BlockPass<'a, ContactBlock, K> {
+impl<'a, K: Kernel> BlockPass<'a, K> {
     /// Over all contacts of a colour.
     #[inline(always)]
     fn over(colour: &'a mut Colour, states: &'a mut [BodyState], kernel: &'a K) -> Self {
@@ -154,14 +154,14 @@ impl<'a, K: Kernel> BlockPass<'a, ContactBlock, K> {
     }
 }
 
-impl<B, K: Kernel<B>> Job for BlockPass<'_, B, K> {
+impl<K: Kernel> Job for BlockPass<'_, K> {
     #[inline(always)]
     fn run<L: Lane>(self) {
         if L::WIDTH == 1 { one_by_one(self) } else { self.in_lanes::<L>() }
     }
 }
 
-impl<B, K: Kernel<B>> BlockPass<'_, B, K> {
+impl<K: Kernel> BlockPass<'_, K> {
     #[inline(always)]
     fn in_lanes<L: Lane>(mut self) {
         // One of its own stays in registers, whatever is written through it.
@@ -176,7 +176,7 @@ impl<B, K: Kernel<B>> BlockPass<'_, B, K> {
 
 /// Compiled once for each kernel, and not within every width, which need it for the overflow.
 #[inline(never)]
-fn one_by_one<B, K: Kernel<B>>(pass: BlockPass<'_, B, K>) {
+fn one_by_one<K: Kernel>(pass: BlockPass<'_, K>) {
     pass.in_lanes::<f32>();
 }
 

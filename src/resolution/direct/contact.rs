@@ -14,7 +14,7 @@ use crate::resolution::softness::{bias, gap_bias};
 use crate::resolution::solve_contact::LARGEST_SPEED_CHANGE;
 
 /// A contact between bodies that joints connect yields this share of what it bears, taken by the mass of the whole island: under its weight a
-/// body sinks 0.1 mm. Joints may leave such bodies no way to move against each other. Without it contacts in a ring of welded crates bear more
+/// body sinks by some micrometres. Joints may leave such bodies no way to move against each other. Without it contacts in a ring of welded crates bear more
 /// and more while it turns, more than any blow gives. Taken by the masses of the two, a light one under 100 kg is squeezed flat.
 const SOFTNESS: f64 = 0.01;
 
