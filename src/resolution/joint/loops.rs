@@ -3,7 +3,8 @@
 //! They may hold something more than once, as a third crank beside two parallel ones, or contradict each other, as those of a body
 //! that was put elsewhere by hand. Then A = J M⁻¹ Jᵀ is singular, or almost, and what rows bear against each other has no end. With
 //! a small share ε of its diagonal more (the constraint force mixing of R. Smith's Open Dynamics Engine) it has: what is held twice is
-//! borne by both, and what cannot be held is between what the two ask for. Joints that form none are exact.
+//! borne by both, and what cannot be held is between what the two ask for. Joints that form none are exact, and those that are swept over
+//! are each solved by itself.
 
 use crate::resolution::joint::JointSolver;
 use crate::resolution::joint::plan::Island;

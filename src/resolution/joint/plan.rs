@@ -34,7 +34,7 @@ pub(super) struct Island {
     pub(super) joints: Vec<u32>,
     pub(super) bodies: Vec<u32>,
     pub(super) clusters: Vec<Cluster>,
-    /// The rows of those joints that form loops, or are between loops.
+    /// The rows of those joints that form loops, or are between loops, and are solved together.
     pub(super) yielding: Vec<u32>,
     /// How finely it is moved within a substep, and times of the last step in it.
     pub(super) pace: Pace,
@@ -123,7 +123,8 @@ pub(super) fn plan(joints: &[Place], body_count: usize) -> Vec<Island> {
         bodies.sort_unstable();
         bodies.dedup();
         let clusters = clusters_of(joints, &of_body, &island);
-        let in_loops = island.iter().filter(|&&joint| is_in_loop[joint as usize]);
+        let is_swept = clusters.iter().any(|cluster| cluster.is_swept);
+        let in_loops = island.iter().filter(|&&joint| is_in_loop[joint as usize] && !is_swept);
         let rows = |&joint: &u32| joints[joint as usize].rows;
         let yielding = in_loops.map(rows).flat_map(|[first, end]| first..end).collect();
         islands.push(Island { joints: island, bodies, clusters, yielding, ..Island::default() });
