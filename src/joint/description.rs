@@ -362,16 +362,16 @@ impl Joint {
     /// and it moves the other way: a positive speed turns it clockwise. To turn a body counter-clockwise against the world, give a negative
     /// speed. Or add a fixed body and give that as `a`, and the body as `b`.
     ///
-    /// A motor of infinite force stops at nothing: it drives bodies through walls. At speed 0 it is a brake and no lock: under a load the distance
-    /// creeps. [`limits`](Self::limits) of one value lock.
+    /// A motor of infinite force drives bodies through walls. At speed 0 a motor is a brake, and creeps under a load; to lock, give
+    /// [`limits`](Self::limits) of one value.
     pub fn motor(self, speed: f32, max: f32) -> Self {
         Self { motor: Some(Motor { speed, max }), ..self }
     }
 
     /// A spring by its frequency, from 10⁻⁶ to 10⁶ Hz, and damping ratio, from 0, which swings for ever, by 1, which comes to rest soonest,
     /// to 10⁶. The frequency is that of the two masses on it, or their moments of inertia, about their centres; other joints slow it. All kinds
-    /// but friction joints, gears and pulleys take one. Without damping a stiff spring may gain energy between bodies that turn fast, and of a frequency
-    /// of half that of substeps and more also with some, most of all as they bounce.
+    /// but friction joints, gears and pulleys take one. Without damping a stiff spring may gain energy between bodies that turn fast. From
+    /// half the rate of substeps on one with damping may too, most of all as its bodies bounce.
     pub fn spring(self, hertz: f32, damping_ratio: f32) -> Self {
         Self { spring: Some(Spring { hertz, damping_ratio }), ..self }
     }

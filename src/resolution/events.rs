@@ -1,5 +1,5 @@
 //! What happens at a time of its own within a substep: impacts, which bounce; seams of the ground, which a rolling circle
-//! crosses without a bounce; and what bodies meet that go off their course or fast.
+//! crosses without a bounce; and what bodies meet that are fast or were struck.
 //!
 //! The first two are found by the gap and the approach of a contact, met where the bodies are at that time, and answered by an
 //! impulse. The points that wait for it are marked as pending, and the sweeps leave them alone. The third is found by

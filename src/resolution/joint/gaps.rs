@@ -5,7 +5,6 @@
 //! per second. There the bodies go a part of the way, by a velocity that ends with the move and that no joint bears.
 
 use crate::resolution::joint::JointSolver;
-use crate::resolution::joint::loops::{SHARE, SHARE_TO_CLOSE};
 use crate::resolution::joint::plan::Island;
 use crate::resolution::joint::row::{CLOSING_SPEED, Phase};
 use crate::resolution::joint::solve::{greatest, rows_of};
@@ -34,20 +33,19 @@ impl JointSolver {
         }
         let before = (island.is_linear, island.diverges);
         island.times.closing = 1.0;
-        self.go_on_to_yield(island, SHARE_TO_CLOSE);
+        self.begin_to_close(island);
         self.solve_rows(island, Phase::Push, false);
         let faster = island.bodies.iter().map(|&place| {
             let body = &self.bodies[place as usize];
             body.pace_of([0, 1, 2].map(|index| body.velocity[index] - body.unclosed[index]))
         });
         let fastest = greatest(faster);
+        island.times.closing = if fastest.is_finite() { (most / fastest).min(1.0) } else { 0.0 };
+        self.end_closing(island, island.times.closing);
         if fastest <= most {
-            self.go_on_to_yield(island, SHARE);
             return;
         }
         (island.is_linear, island.diverges) = before;
-        island.times.closing = if fastest.is_finite() { most / fastest } else { 0.0 };
-        self.take_back_yielding(island);
         for &place in &island.bodies {
             let body = &mut self.bodies[place as usize];
             if island.times.closing > 0.0 {

@@ -1,49 +1,50 @@
 //! Joints that form loops yield a little.
 //!
 //! They may hold something more than once, as a third crank beside two parallel ones, or contradict each other, as those of a body
-//! that was put elsewhere by hand. Then A = J M⁻¹ Jᵀ is singular, or almost, and what rows bear against each other has no end. With
-//! a small share ε of its diagonal more (the constraint force mixing of R. Smith's Open Dynamics Engine) it has: what is held twice is
-//! borne by both, and what cannot be held is between what the two ask for. Joints that form none are exact, and those that are swept over
-//! are each solved by itself.
+//! that was put elsewhere by hand. Then A = J M⁻¹ Jᵀ is singular, or almost, and the impulses by which rows work against each other have no
+//! bound. So each row yields to its impulse p, and more to the part q of it that closes gaps:
+//!
+//! ```text
+//! u + ε k p + (c - ε) k q = 0        k = J M⁻¹ Jᵀ of the row
+//! ```
+//!
+//! (the constraint force mixing of R. Smith's Open Dynamics Engine). What is held twice is borne by both, and joints that contradict each other
+//! come to rest between. A joint that is in no loop is exact. So are those that are swept over, as each is solved by itself.
 
 use crate::resolution::joint::JointSolver;
 use crate::resolution::joint::plan::Island;
 
-/// ε, no unit. With a tenth of it, one pair in a hundred of joints that cannot both be as they ask gains energy; with ten times, the pins of
-/// a rope between two posts open by 25 µm where a ball of 1,000 times the mass of a link hangs in its middle.
-pub(super) const SHARE: f64 = 1e-7;
+/// ε, no unit. With a tenth of it, one in some hundreds of pairs of joints that contradict each other gains energy; with ten times, the pins
+/// of a rope between two posts open by 25 µm where a ball of 1,000 times the mass of a link hangs in its middle.
+const SHARE: f64 = 1e-7;
 
-/// The same for what closes gaps, which may be against each other by more. With a tenth of it, one in some hundreds of those pairs gains energy;
-/// with ten times, gaps close slower by a tenth, and those of a straight bridge hardly.
-pub(super) const SHARE_TO_CLOSE: f64 = 1e-2;
+/// c, no unit. With a tenth of it, one in some hundreds of those pairs gains energy; with ten times, gaps close slower by a tenth, and
+/// those of a straight bridge several times slower.
+const SHARE_OF_CLOSING: f64 = 1e-2;
 
 impl JointSolver {
-    /// Has rows of loops yield to all that they bear, as a phase begins.
+    /// As a phase begins.
     pub(super) fn begin_to_yield(&mut self, island: &Island) {
         for &row in &island.yielding {
-            self.rows[row as usize].yield_beyond(0.0, SHARE);
+            self.rows[row as usize].yield_by(SHARE, 0.0);
         }
     }
 
-    /// Has them yield as fast as they do to what they bear, and by another share to what is to come.
-    pub(super) fn go_on_to_yield(&mut self, island: &mut Island, share: f64) {
+    /// Before gaps close: what is added to the impulses of now closes them.
+    pub(super) fn begin_to_close(&mut self, island: &mut Island) {
         for &row in &island.yielding {
             let row = &mut self.rows[row as usize];
-            row.go_on_to_yield(share, row.yielding());
+            row.yield_by(SHARE_OF_CLOSING, -(SHARE_OF_CLOSING - SHARE) * row.unclosed);
         }
         island.forget_factors();
     }
 
-    /// Has them go back to what they bore before gaps closed, and yield as fast as the part of the way tells that is gone.
-    pub(super) fn take_back_yielding(&mut self, island: &mut Island) {
-        let part = island.times.closing;
+    /// After it, where they close by this part of the way: what is added from now on closes none.
+    pub(super) fn end_closing(&mut self, island: &mut Island, part: f64) {
         for &row in &island.yielding {
             let row = &mut self.rows[row as usize];
-            let closed = row.yielding();
-            row.impulse = row.unclosed;
-            let unclosed = row.yielding();
-            let speed = if part > 0.0 { unclosed + part * (closed - unclosed) } else { unclosed };
-            row.go_on_to_yield(SHARE, speed);
+            let closing = if part > 0.0 { part * (row.impulse - row.unclosed) } else { 0.0 };
+            row.yield_by(SHARE, (SHARE_OF_CLOSING - SHARE) * closing);
         }
         island.forget_factors();
     }

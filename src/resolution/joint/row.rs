@@ -90,10 +90,9 @@ pub(super) struct Row {
     pub(super) x: f64,
     /// Size of the joint, m; 1 for angles.
     pub(super) scale: f64,
-    /// By how much it yields to what it bears beyond an impulse: speed per unit of impulse, as k.
+    /// By how much it yields to what it bears: speed per unit of impulse, as k.
     pub(super) softness: f64,
-    pub(super) yields_from: f64,
-    /// Of a spring: the speed that its stretch adds to that of its coordinate, m/s or rad/s.
+    /// What is added to the speed of its coordinate beside, m/s or rad/s.
     pub(super) bias: f64,
     /// Impulse of this phase, and of the push, but for what was taken back of it.
     pub(super) impulse: f64,
@@ -140,7 +139,6 @@ impl Row {
             x: 0.0,
             scale: 1.0,
             softness: 0.0,
-            yields_from: 0.0,
             bias: 0.0,
             impulse: 0.0,
             pushed: 0.0,
@@ -172,11 +170,12 @@ impl Row {
         self.handed = 0.0;
         self.x = self.value(at);
         self.k = a.coupling(self.j[0], self.j[0]) + b.coupling(self.j[1], self.j[1]);
-        match self.role {
-            Role::Rigid | Role::Limits(_) => (self.softness, self.yields_from) = (0.0, 0.0),
-            Role::Speed { .. } => self.softness = MOTOR_SOFTNESS * self.k,
-            Role::Spring { .. } => {}
-        }
+        (self.softness, self.bias) = match self.role {
+            Role::Rigid | Role::Limits(_) => (0.0, 0.0),
+            Role::Speed { speed, .. } => (MOTOR_SOFTNESS * self.k, -speed),
+            // Those of the push.
+            Role::Spring { .. } => (self.softness, self.bias),
+        };
         if phase == Phase::Push {
             (self.pushed, self.taken_back) = (0.0, 0.0);
             self.impulse = self.load * times.kick;
@@ -195,21 +194,16 @@ impl Row {
         self.impulse = self.impulse.max(least).min(most);
     }
 
-    /// Has a rigid row or a limit yield by a share of what impulses beyond this one would do.
-    pub(super) fn yield_beyond(&mut self, impulse: f64, share: f64) {
-        if matches!(self.role, Role::Rigid | Role::Limits(_)) && self.k > 0.0 {
-            (self.softness, self.yields_from) = (share * self.k, impulse);
+    /// Has a rigid row or a limit yield by a share of what its impulse does, and of what `more`, N s or N m s, would do.
+    pub(super) fn yield_by(&mut self, share: f64, more: f64) {
+        if let Role::Rigid | Role::Limits(_) = self.role {
+            (self.softness, self.bias) = (share * self.k, self.k * more);
         }
     }
 
-    /// The same of impulses to come. To what it bears it yields at this speed, m/s or rad/s.
-    pub(super) fn go_on_to_yield(&mut self, share: f64, speed: f64) {
-        self.yield_beyond(self.impulse - speed / (share * self.k), share);
-    }
-
-    /// How fast it yields, m/s or rad/s.
-    pub(super) fn yielding(&self) -> f64 {
-        self.softness * (self.impulse - self.yields_from)
+    /// What is added to the speed of its coordinate, m/s or rad/s.
+    fn yielding(&self) -> f64 {
+        self.bias + self.softness * self.impulse
     }
 
     /// Softness and bias of a spring: with a = c h/2 and b = k h²/4 per mass, p = -(2 b x/h + (a + b) u)/K.
@@ -283,11 +277,11 @@ impl Row {
             Role::Limits(limits) => self.look_at_limits(limits, x, u, is_push, times),
             Role::Spring { .. } => {
                 // After the drift it bears what it bore before.
-                let w = if is_push { u + self.bias + self.yielding() } else { 0.0 };
+                let w = if is_push { u + self.yielding() } else { 0.0 };
                 (w, is_push && is_inside(self.own().abs(), self.most(times), self.own() * w))
             }
-            Role::Speed { speed, .. } => {
-                let w = u - speed + self.yielding();
+            Role::Speed { .. } => {
+                let w = u + self.yielding();
                 (w, is_inside(self.own().abs(), self.most(times), self.own() * w))
             }
         };

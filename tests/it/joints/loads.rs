@@ -261,9 +261,11 @@ fn straight_bridge(world: &mut World, planks: u32, mass: f32, short: f64) -> Vec
 }
 
 /// A gap along the line of a bridge that does not fit could close only by great ways across it. Closing it takes the energy to lift the
-/// weight by as much, and that of a plank that is as fast as the gap closes, within a substep; no more. Where it can close, a tenth of it at most, and
-/// a tenth of a millimetre, is left in three seconds: joints of loops yield, and those of a bridge that is straight bear much, so that hundredths of one stay. Where
-/// not, the pins share it.
+/// weight by as much, and that of a plank that is as fast as the gap closes, within a substep; no more. Where it cannot close, the pins
+/// share it. Where it can, it does, but for what the pins yield. They bear T = W L/(8 s) with a sag s, each opens by ε (2/m) (T h/2) h in a
+/// substep, and of a gap g the part (4 s/L)²/c closes. With s² = 3 L N g/8 for N pins that is in balance at
+/// g^(5/2) = ε c W h² L^(3/2)/(128 m (3 N/8)^(3/2)), 5 µm for 24 planks. It comes to
+/// no more than twice that within 20 s.
 #[test]
 fn a_straight_bridge_whose_ends_do_not_fit_gains_no_energy() {
     for planks in [2, 3, 4, 10, 24_u32] {
@@ -273,15 +275,18 @@ fn a_straight_bridge_whose_ends_do_not_fit_gains_no_energy() {
             let gap = 0.5 * f64::from(planks) * short.abs();
             let closing = (240.0 * gap).min(3.0);
             let most = G * f64::from(planks) * gap + 0.5 * closing * closing + 1e-3;
-            for tick in 0..180 {
+            let (mut widest, widest_most) = (f64::INFINITY, if short < 0.0 { gap } else { 1e-5 });
+            for tick in 0..1200 {
                 world.step();
                 let energy = world.energy();
                 assert!(energy <= most, "{planks} planks, {short}: {energy} J at tick {tick}, not {most}");
+                let gaps = joints.iter().map(|&joint| world.joint(joint).unwrap().error().distance);
+                widest = f64::from(gaps.fold(0.0, f32::max));
+                if tick >= 180 && widest <= widest_most {
+                    break;
+                }
             }
-            let widest = joints.iter().map(|&joint| world.joint(joint).unwrap().error().distance);
-            let (widest, most) =
-                (widest.fold(0.0, f32::max), if short < 0.0 { gap } else { (0.1 * gap).clamp(1e-5, 1e-4) });
-            assert!(f64::from(widest) <= most, "{planks} planks, {short}: {widest} m, not {most}");
+            assert!(widest <= widest_most, "{planks} planks, {short}: {widest} m, not {widest_most}");
         }
     }
 }
